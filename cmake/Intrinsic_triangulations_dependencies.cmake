@@ -1,0 +1,20 @@
+# Finds what the library is built on. Included by the build and, once installed, by the package
+# configuration file, so that both find the same things in the same way.
+#
+# Required: CGAL (which brings GMP, MPFR, Boost headers and -frounding-math), MPFI.
+# Optional: Eigen3 (headers in operators/), OpenMesh (connectivity/OpenMesh_adaptor.h).
+#
+# Defines the target Intrinsic_triangulations::OpenMesh_support if OpenMesh is found; programs that
+# use OpenMesh meshes link to it beside the library.
+
+find_package(CGAL 5.5 QUIET REQUIRED)
+find_package(MPFI QUIET REQUIRED)
+find_package(Eigen3 3.3 QUIET NO_MODULE) # after CGAL, whose own find module knows no target
+find_package(OpenMesh QUIET NO_MODULE)
+
+if(TARGET OpenMeshCore AND NOT TARGET Intrinsic_triangulations::OpenMesh_support)
+  add_library(Intrinsic_triangulations::OpenMesh_support INTERFACE IMPORTED)
+  target_link_libraries(Intrinsic_triangulations::OpenMesh_support INTERFACE OpenMeshCore)
+  target_compile_definitions(Intrinsic_triangulations::OpenMesh_support
+    INTERFACE _USE_MATH_DEFINES) # its headers use M_PI, which strict C++ hides
+endif()

@@ -1,0 +1,36 @@
+# Installs the headers and what `find_package(Intrinsic_triangulations)` needs.
+
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Intrinsic_triangulations")
+set(package_component Intrinsic_triangulations_Development)
+
+install(TARGETS Intrinsic_triangulations
+  EXPORT Intrinsic_triangulations_targets
+  FILE_SET HEADERS
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
+  FILE_SET openmesh_headers
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
+  INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(EXPORT Intrinsic_triangulations_targets
+  NAMESPACE Intrinsic_triangulations::
+  DESTINATION "${package_dir}"
+  COMPONENT ${package_component})
+
+configure_package_config_file(
+  "${PROJECT_SOURCE_DIR}/cmake/Intrinsic_triangulationsConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/Intrinsic_triangulationsConfig.cmake"
+  INSTALL_DESTINATION "${package_dir}"
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(
+  "${PROJECT_BINARY_DIR}/Intrinsic_triangulationsConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion # until 1.0 every minor version may change the interface
+  ARCH_INDEPENDENT)
+install(FILES
+  "${PROJECT_BINARY_DIR}/Intrinsic_triangulationsConfig.cmake"
+  "${PROJECT_BINARY_DIR}/Intrinsic_triangulationsConfigVersion.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/Intrinsic_triangulations_dependencies.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindMPFI.cmake"
+  DESTINATION "${package_dir}"
+  COMPONENT ${package_component})

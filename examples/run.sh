@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# usage: [RESULTS=DIR] examples/run.sh [MESH]
+# From a bare Debian 12 to the exact intrinsic Delaunay triangulation of MESH and its Laplacian:
+# installs what is missing, builds the program `intrinsic`, runs it. MESH is any file that CGAL
+# reads, by default the part with bad triangles that comes along. Results go to RESULTS, by default
+# results/ in the root of the repository.
+set -euo pipefail
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+if (($# > 1)) || [[ "${1:-}" == -* ]]; then
+  sed -n '5,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  exit 2
+fi
+mesh=${1:-$root/examples/Intrinsic_triangulations/data/part.off}
+results=${RESULTS:-$root/results}
+build=$root/build/release
+
+if [[ ! -r "$mesh" ]]; then
+  echo "$mesh: cannot be read; give the path of a mesh file" >&2
+  exit 1
+fi
+
+bash "$root/cmake/install_dependencies.sh" \
+  g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libmpfi-dev libboost-dev \
+  libeigen3-dev libcli11-dev nlohmann-json3-dev
+
+if [[ ! -f "$build/build.ninja" ]]; then # else keep what was chosen, such as to build the tests
+  (cd -- "$root" && cmake --preset release -DINTRINSIC_TRIANGULATIONS_BUILD_TESTS=OFF)
+fi
+cmake --build "$build" --target intrinsic --parallel "$(nproc)"
+
+mkdir -p -- "$results"
+name=$(basename -- "$mesh")
+output=$results/${name%.*}
+intrinsic=$build/examples/intrinsic
+
+"$intrinsic" delaunay "$mesh" --arithmetic exact -o "$output.idt" --stats "$output.delaunay.json"
+"$intrinsic" laplacian "$mesh" -o "$output.laplacian.mtx"
+
+cat -- "$output.delaunay.json"
+echo
+echo "Intrinsic Delaunay triangulation: $output.idt"
+echo "Its statistics, shown above:      $output.delaunay.json"
+echo "Its Laplacian, MatrixMarket:      $output.laplacian.mtx"

@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATION_H
+#define CGAL_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// What became of a move.
+enum class Move_status {
+  done,       ///< the move was made
+  border,     ///< refused: the edge is on the border
+  same_face,  ///< refused: both sides of the edge are in one face (an end has degree one)
+  not_convex, ///< refused: the faces at the edge do not make a strictly convex quadrilateral
+  arithmetic  ///< refused: the number type made an area that is not positive; never with exact types
+};
+
+/*!
+\brief owns an intrinsic triangulation: connectivity, metric and correspondence, and the elementary
+moves, which alone change them.
+
+The triangulation is a Delta-complex: an edge may join a vertex to itself, a face may be glued to
+itself, and edges must never be looked up by their end vertices. It numbers its vertices as it finds
+fast (see `input_vertex()`); flips change neither the number nor the set of vertices, edges and faces.
+
+Predicates and moves are members for single calls. Many of them in a row run faster in a `Session`.
+
+\tparam Mesh_ a model of `MutableDeltaComplex`: `Gluing_map`, `CGAL::Surface_mesh`,
+  `CGAL::Polyhedron_3` (with ids), OpenMesh meshes
+\tparam Traits_ a model of `IntrinsicTriangulationTraits`: `Exact_euclidean_traits`,
+  `Euclidean_traits<FT>`
+\tparam Correspondence_ a model of `IntrinsicCorrespondence`
+\cgalModels{IntrinsicTriangulation}
+*/
+template <class Mesh_ = Gluing_map, class Traits_ = Exact_euclidean_traits,
+          class Correspondence_ = No_correspondence>
+class Intrinsic_triangulation {
+public:
+  /// Connectivity.
+  using Mesh = Mesh_;
+  /// Arithmetic.
+  using Traits = Traits_;
+  /// Observer of the moves.
+  using Correspondence = Correspondence_;
+  /// Number type of stored values.
+  using FT = typename Traits::FT;
+  /// Stores the values and decides.
+  using Metric = typename Traits::Metric;
+  /// Vertex of the mesh.
+  using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  /// Halfedge of the mesh.
+  using halfedge_descriptor = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  /// Edge of the mesh.
+  using edge_descriptor = typename boost::graph_traits<Mesh>::edge_descriptor;
+  /// Face of the mesh.
+  using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
+
+  /*!
+  \brief decides many predicates and makes many moves in one floating point environment.
+
+  While a session lives, the rounding mode may differ from the default: code of others is to be
+  called through `suspended()`.
+  */
+  class Session {
+  public:
+    /// opens a session on `t`, which must outlive it.
+    explicit Session(Intrinsic_triangulation& t) : t_(t) {}
+    /// see `Intrinsic_triangulation::is_locally_delaunay()`
+    bool is_locally_delaunay(halfedge_descriptor h) const {
+      const face_descriptor null = boost::graph_traits<Mesh>::null_face();
+      const face_descriptor f = face(h, t_.mesh_), g = face(opposite(h, t_.mesh_), t_.mesh_);
+      return f == null || g == null || f == g || t_.metric_.is_locally_delaunay(t_.diamond(h));
+    }
+    /// see `Intrinsic_triangulation::delaunay_sign()`
+    Sign delaunay_sign(halfedge_descriptor h) const {
+      return t_.metric_.sign(t_.diamond(h), Delaunay_expression());
+    }
+    /// see `Intrinsic_triangulation::flip_status()`
+    Move_status flip_status(halfedge_descriptor h) const {
+      const Move_status s = t_.combinatorial_flip_status(h);
+      if (s != Move_status::done) return s;
+      const Diamond d = t_.diamond(h);
+      const bool convex =
+          t_.metric_.sign(d, Convexity_at_source_expression()) == POSITIVE &&
+          t_.metric_.sign(d, Convexity_at_target_expression()) == POSITIVE;
+      return convex ? Move_status::done : Move_status::not_convex;
+    }
+    /// see `Intrinsic_triangulation::flip_edge()`
+    Move_status flip_edge(halfedge_descriptor h) {
+      const Move_status s = flip_status(h);
+      return s == Move_status::done ? t_.flip(h) : s;
+    }
+    /// flips an edge that is known not to be locally Delaunay, which implies that it can be
+    /// flipped. \pre `!is_locally_delaunay(h)`
+    Move_status flip_non_delaunay_edge(halfedge_descriptor h) { return t_.flip(h); }
+    /*!
+    \brief returns the cotangent weight of an edge: half the sum of the cotangents of the angles
+    opposite it (Eq. 4 of the course), one of them on the border.
+
+    With exact traits it is zero exactly where the opposite angles sum to pi, and never negative
+    on a locally Delaunay edge. Dimensionless.
+    \pre the faces at the edge have an area
+    */
+    double cotangent_weight(edge_descriptor e) const {
+      const face_descriptor null = boost::graph_traits<Mesh>::null_face();
+      halfedge_descriptor h = halfedge(e, t_.mesh_);
+      if (face(h, t_.mesh_) == null) h = opposite(h, t_.mesh_);
+      if (face(opposite(h, t_.mesh_), t_.mesh_) != null)
+        return t_.metric_.cotangent_weight(t_.diamond(h));
+      const halfedge_descriptor jk = next(h, t_.mesh_), ki = next(jk, t_.mesh_);
+      return t_.metric_.cotangent_weight(t_.number_.halfedge(h) / 2, t_.number_.halfedge(jk) / 2,
+                                         t_.number_.halfedge(ki) / 2,
+                                         t_.number_.face(face(h, t_.mesh_)));
+    }
+    /// calls a function in the default floating point environment.
+    template <class Function>
+    auto suspended(Function f) const {
+      const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+      return f();
+    }
+
+  private:
+    Intrinsic_triangulation& t_;
+    [[no_unique_address]] typename Metric::Scope scope_;
+  };
+
+  /*!
+  \brief builds the triangulation of an input.
+
+  Polygonal faces are triangulated, a bad numbering is improved, degenerate faces are treated as
+  the input asks; `report()` says what was done. The connectivity is a copy: the input is not kept.
+  \param input see `Intrinsic_input`: a mesh, a triangle soup, or a gluing with squared lengths
+  \throws Invalid_input
+  \complexity linear
+  */
+  explicit Intrinsic_triangulation(Intrinsic_input input)
+      : Intrinsic_triangulation(internal::prepare<Metric>(std::move(input))) {}
+
+  /*!
+  \brief builds the triangulation of a mesh in space.
+  \tparam FaceGraph a model of `FaceListGraph` with a point map of its own
+  \throws Invalid_input
+  \complexity linear
+  */
+  template <class FaceGraph>
+    requires(!std::is_same_v<FaceGraph, Intrinsic_input> &&
+             !std::is_same_v<FaceGraph, Intrinsic_triangulation>)
+  explicit Intrinsic_triangulation(const FaceGraph& mesh,
+                                   Mollification mollification = Mollification::automatic)
+      : Intrinsic_triangulation(Intrinsic_input(mesh, mollification)) {}
+
+  /// returns the connectivity.
+  const Mesh& mesh() const { return mesh_; }
+  /// returns the metric.
+  const Metric& metric() const { return metric_; }
+  /// returns the metric, whose predicates may sharpen stored values.
+  Metric& metric() { return metric_; }
+  /// returns the correspondence.
+  const Correspondence& correspondence() const { return correspondence_; }
+  /// returns what was done to the input.
+  const Input_report& report() const { return report_; }
+
+  /// returns the number that vertex `v` has in the input, in the order of iteration there.
+  std::uint32_t input_vertex(vertex_descriptor v) const {
+    const std::uint32_t i = number_.vertex(v);
+    return renumbering_.input_vertex.empty() ? i : renumbering_.input_vertex[i];
+  }
+  /// returns how the numbering differs from the input's.
+  const Renumbering& renumbering() const { return renumbering_; }
+
+  /// returns the number of an edge: from 0, dense, unchanged by flips.
+  std::uint32_t index(edge_descriptor e) const { return number_.halfedge(halfedge(e, mesh_)) / 2; }
+  /// returns the number of a face: from 0, dense, unchanged by flips.
+  std::uint32_t index(face_descriptor f) const { return number_.face(f); }
+
+  /// returns the squared length of an edge as a double, in the units of the input.
+  double squared_length(edge_descriptor e) const {
+    return std::ldexp(CGAL::to_double(metric_.squared_length(index(e))),
+                      -2 * metric_.scale_exponent());
+  }
+  /// returns the area of a face as a double, in the units of the input.
+  double area(face_descriptor f) const {
+    return std::ldexp(CGAL::to_double(metric_.quadruple_area(index(f))),
+                      -2 * metric_.scale_exponent() - 2);
+  }
+
+  /*!
+  \brief indexes the faces at an edge and their sides.
+  \pre both sides of the edge have a face
+  */
+  Diamond diamond(halfedge_descriptor h) const {
+    const halfedge_descriptor o = opposite(h, mesh_);
+    const halfedge_descriptor jk = next(h, mesh_), im = next(o, mesh_);
+    return {number_.halfedge(h) / 2,
+            number_.halfedge(jk) / 2,
+            number_.halfedge(next(jk, mesh_)) / 2,
+            number_.halfedge(im) / 2,
+            number_.halfedge(next(im, mesh_)) / 2,
+            number_.face(face(h, mesh_)),
+            number_.face(face(o, mesh_))};
+  }
+
+  /*!
+  \brief tells whether the angles opposite an edge sum to at most pi.
+
+  True on the border and where both sides of the edge are in one face (§4.2 of the course).
+  */
+  bool is_locally_delaunay(halfedge_descriptor h) { return Session(*this).is_locally_delaunay(h); }
+
+  /*!
+  \brief returns the sign of pi minus the angles opposite an edge; zero: the diamond is cocircular.
+  \pre both sides of the edge have a face
+  */
+  Sign delaunay_sign(halfedge_descriptor h) { return Session(*this).delaunay_sign(h); }
+
+  /// tells whether an edge can be flipped, and if not, why: `done` means that it can.
+  Move_status flip_status(halfedge_descriptor h) { return Session(*this).flip_status(h); }
+
+  /*!
+  \brief flips an edge: `h` turns clockwise, as by `CGAL::Euler::flip_edge()`.
+  \return `done`, or why the edge cannot be flipped; nothing has changed then
+  */
+  Move_status flip_edge(halfedge_descriptor h) { return Session(*this).flip_edge(h); }
+
+private:
+  explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
+      : mesh_(make_mesh(std::move(p.mesh))), number_(mesh_), metric_(std::move(p.metric)),
+        renumbering_(std::move(p.renumbering)), report_(p.report) {}
+
+  static Mesh make_mesh(Gluing_map&& map) {
+    if constexpr (std::is_same_v<Mesh, Gluing_map>)
+      return std::move(map);
+    else {
+      Mesh mesh;
+      copy_gluing_map(map, mesh);
+      return mesh;
+    }
+  }
+
+  Move_status combinatorial_flip_status(halfedge_descriptor h) const {
+    const face_descriptor null = boost::graph_traits<Mesh>::null_face();
+    const face_descriptor f = face(h, mesh_), g = face(opposite(h, mesh_), mesh_);
+    if (f == null || g == null) return Move_status::border;
+    return f == g ? Move_status::same_face : Move_status::done;
+  }
+
+  // the one order of every move: compute, notify, change connectivity and metric, notify
+  Move_status flip(halfedge_descriptor h) {
+    const Diamond d = diamond(h);
+    correspondence_.before_flip(*this, h);
+    if (!metric_.flip(d)) return Move_status::arithmetic;
+    CGAL::Euler::flip_edge(h, mesh_);
+    correspondence_.after_flip(*this, h);
+    return Move_status::done;
+  }
+
+  Mesh mesh_;
+  Mesh_adaptor<Mesh> number_;
+  Metric metric_;
+  [[no_unique_address]] Correspondence correspondence_;
+  Renumbering renumbering_;
+  Input_report report_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATION_H

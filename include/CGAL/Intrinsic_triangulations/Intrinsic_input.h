@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_INPUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_INPUT_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/renumbering.h>
+#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/metric/mollification.h>
+#include <CGAL/Intrinsic_triangulations/metric/scaling.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief describes what an intrinsic triangulation is built from: a gluing of triangles, and either
+points in space or squared edge lengths.
+*/
+struct Intrinsic_input {
+  /// Connectivity.
+  Gluing_map mesh;
+  /// One point per vertex; empty for an abstract metric.
+  std::vector<std::array<double, 3>> points;
+  /// One squared length per edge of `mesh`; empty for a mesh in space.
+  std::vector<double> squared_lengths;
+  /// Treatment of degenerate faces.
+  Mollification mollification = Mollification::automatic;
+  /// Whether faces and vertices may be renumbered for locality.
+  bool may_renumber = true;
+
+  /// constructs an input without faces.
+  Intrinsic_input() = default;
+
+  /*!
+  \brief takes an abstract metric: it need not embed anywhere.
+  \param g the connectivity
+  \param l one squared length per edge of `g`
+  \param m treatment of degenerate faces
+  */
+  Intrinsic_input(Gluing_map g, std::vector<double> l, Mollification m = Mollification::automatic)
+      : mesh(std::move(g)), squared_lengths(std::move(l)), mollification(m) {}
+
+  /// takes a gluing map with a point per vertex.
+  Intrinsic_input(Gluing_map g, std::vector<std::array<double, 3>> p,
+                  Mollification m = Mollification::automatic)
+      : mesh(std::move(g)), points(std::move(p)), mollification(m) {}
+
+  /*!
+  \brief takes a mesh in space through BGL.
+
+  Coordinates are converted to `double`.
+  \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+  \tparam PointMap a readable property map from vertices to points with `operator[]`
+  \throws Invalid_input if a face is not a triangle
+  */
+  template <class FaceGraph, class PointMap>
+  Intrinsic_input(const FaceGraph& graph, PointMap point_map, Mollification m)
+      : mesh(gluing_map_from_face_graph(graph)), mollification(m) {
+    points.reserve(num_vertices(graph));
+    for (const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(graph))
+      points.push_back(Mesh_adaptor<FaceGraph>::coordinates(get(point_map, v)));
+  }
+
+  /// takes a mesh in space with its own points.
+  template <class FaceGraph>
+  explicit Intrinsic_input(const FaceGraph& graph, Mollification m = Mollification::automatic)
+      : Intrinsic_input(graph, Mesh_adaptor<FaceGraph>::point_map(graph), m) {}
+};
+
+/*!
+\brief reports what was found in the input and done about it.
+*/
+struct Input_report {
+  /// Input faces of zero area, counted exactly.
+  std::size_t degenerate_faces = 0;
+  /// Treatment of degenerate faces.
+  Mollification_report mollification;
+  /// Whether faces and vertices were renumbered for locality.
+  bool renumbered = false;
+};
+
+namespace internal {
+
+template <class Metric>
+struct Prepared_input {
+  Gluing_map mesh;
+  Metric metric;
+  Renumbering renumbering;
+  Input_report report;
+};
+
+template <class Metric>
+void mollify(Prepared_input<Metric>& p, std::shared_ptr<Input_metric> input, Mollification kind) {
+  const int s = input->scale_exponent();
+  if (kind == Mollification::lengths) {
+    double epsilon = 0;
+    input = std::make_shared<Input_metric>(mollify_lengths(p.mesh, *input, 1e-5, epsilon));
+    p.report.mollification = {kind, std::ldexp(epsilon, -s)};
+  } else {
+    input->set_delta(default_squared_length_delta());
+    p.report.mollification = {kind, std::ldexp(input->delta(), -2 * s)};
+  }
+  p.metric = Metric(p.mesh, input);
+}
+
+template <class Metric>
+Prepared_input<Metric> prepare(Intrinsic_input&& in) {
+  if (in.mesh.number_of_faces() == 0)
+    throw Invalid_input(Element_kind::none, 0, "the mesh has no faces; give at least one");
+  if (!in.mesh.is_oriented())
+    throw Invalid_input(Element_kind::none, 0,
+                        "the gluing does not respect the orientation of the faces; orient them, or "
+                        "take the orientation double cover of a nonorientable surface");
+  Prepared_input<Metric> p;
+  p.mesh = std::move(in.mesh);
+  const bool embedded = in.squared_lengths.empty();
+  const int scale =
+      embedded ? scale_points(p.mesh, in.points) : scale_squared_lengths(in.squared_lengths);
+  if (embedded && in.may_renumber && is_badly_ordered(p.mesh)) {
+    p.renumbering = renumber(p.mesh, morton_order_of_faces(p.mesh, in.points));
+    std::vector<std::array<double, 3>> moved;
+    moved.reserve(in.points.size());
+    for (const std::uint32_t v : p.renumbering.input_vertex) moved.push_back(in.points[v]);
+    in.points = std::move(moved);
+    p.report.renumbered = true;
+  }
+  auto input = std::make_shared<Input_metric>(
+      embedded
+          ? Input_metric::from_points(p.mesh, std::move(in.points), scale)
+          : Input_metric::from_squared_lengths(p.mesh, std::move(in.squared_lengths), scale));
+  p.metric = Metric(p.mesh, input);
+  for (std::uint32_t f = 0; f < p.mesh.number_of_faces(); ++f)
+    if (p.metric.is_degenerate(f)) ++p.report.degenerate_faces;
+  if (in.mollification == Mollification::lengths ||
+      in.mollification == Mollification::squared_lengths)
+    mollify(p, input, in.mollification);
+  else if (in.mollification == Mollification::automatic && p.report.degenerate_faces > 0 &&
+           has_irremovable_degeneracy(p.mesh, p.metric))
+    mollify(p, input, Mollification::squared_lengths);
+  return p;
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_INPUT_H

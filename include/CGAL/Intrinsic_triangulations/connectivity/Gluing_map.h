@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_GLUING_MAP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_GLUING_MAP_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief names an element of a `Gluing_map`; `Tag` keeps vertices, halfedges, edges and faces apart.
+\tparam Tag any type
+*/
+template <class Tag>
+struct Gluing_descriptor {
+  /// Number of the element, or `Gluing::none`.
+  std::uint32_t index = Gluing::none;
+
+  /// orders descriptors by number.
+  friend auto operator<=>(const Gluing_descriptor&, const Gluing_descriptor&) = default;
+  /// hashes the descriptor, as Boost's and CGAL's hash maps ask.
+  friend std::size_t hash_value(const Gluing_descriptor& d) { return d.index; }
+};
+
+/*!
+\brief stores a triangulated surface as glued triangles: a compact model of `MutableDeltaComplex`.
+
+Built from a `Gluing` (three halfedges per face, arrays of gluings and origins), it is what the
+course calls a gluing map (§2.2), made mutable. Halfedges `2e` and `2e + 1` are the sides of edge
+`e`; a side without a face is a border halfedge. A flip keeps the number of every element, so that
+data indexed by them stays valid. Loops, faces glued to themselves, several edges between the same
+vertices, nonmanifold vertices and nonorientable gluings are all representable. The functions of
+BGL's `MutableFaceGraph` are in `graph_traits_Gluing_map.h`.
+
+Memory: 24 bytes per edge and 4 per vertex and face.
+
+\cgalModels{MutableDeltaComplex}
+*/
+class Gluing_map {
+public:
+  /// Names a vertex.
+  using Vertex = Gluing_descriptor<struct Vertex_tag>;
+  /// Names a halfedge.
+  using Halfedge = Gluing_descriptor<struct Halfedge_tag>;
+  /// Names an edge.
+  using Edge = Gluing_descriptor<struct Edge_tag>;
+  /// Names a face.
+  using Face = Gluing_descriptor<struct Face_tag>;
+
+  /// constructs the empty complex.
+  Gluing_map() = default;
+
+  /*!
+  \brief glues triangles together.
+
+  Edges are numbered in the order in which the faces meet them.
+  \throws Invalid_input if the arrays do not describe a gluing (see `validate()`)
+  \complexity linear
+  */
+  explicit Gluing_map(const Gluing& gluing) {
+    validate(gluing);
+    number_edges(gluing);
+    link_border();
+  }
+
+  /// constructs elements that are not connected yet; the setters connect them.
+  Gluing_map(std::uint32_t vertices, std::uint32_t edges, std::uint32_t faces)
+      : halfedge_(2 * static_cast<std::size_t>(edges)), vertex_(vertices, Gluing::none),
+        face_(faces, Gluing::none) {}
+
+  /// returns the number of vertices.
+  std::uint32_t number_of_vertices() const { return static_cast<std::uint32_t>(vertex_.size()); }
+  /// returns the number of halfedges, border halfedges included.
+  std::uint32_t number_of_halfedges() const { return static_cast<std::uint32_t>(halfedge_.size()); }
+  /// returns the number of edges.
+  std::uint32_t number_of_edges() const { return number_of_halfedges() / 2; }
+  /// returns the number of faces.
+  std::uint32_t number_of_faces() const { return static_cast<std::uint32_t>(face_.size()); }
+
+  /// returns the halfedge that follows `h` in its face or border loop.
+  Halfedge next(Halfedge h) const { return {halfedge_[h.index].next}; }
+  /// returns the vertex that `h` points to.
+  Vertex target(Halfedge h) const { return {halfedge_[h.index].target}; }
+  /// returns the face of `h`, or the null face on the border.
+  Face face(Halfedge h) const { return {halfedge_[h.index].face}; }
+  /// returns the other side of the edge of `h`.
+  static Halfedge opposite(Halfedge h) { return {h.index ^ 1U}; }
+  /// returns a halfedge that points to `v`, a border one if there is one; null if `v` is isolated.
+  Halfedge halfedge(Vertex v) const { return {vertex_[v.index]}; }
+  /// returns a halfedge of `f`.
+  Halfedge halfedge(Face f) const { return {face_[f.index]}; }
+
+  /// returns the halfedge before `h`; constant time in a face, linear in the degree on the border.
+  Halfedge previous(Halfedge h) const {
+    if (face(h).index != Gluing::none) return next(next(h));
+    Halfedge p = opposite(h);
+    while (face(p).index != Gluing::none) p = opposite(next(next(p)));
+    return p;
+  }
+
+  /// returns the vertex that `h` starts from.
+  Vertex source(Halfedge h) const {
+    return reversed_.empty() || face(h).index == Gluing::none ? target(opposite(h))
+                                                              : target(next(next(h)));
+  }
+
+  /// tells whether both sides of `e` run the same way, so that its faces are oriented against each
+  /// other. Never so in a complex that `is_oriented()`.
+  bool is_reversed(Edge e) const { return !reversed_.empty() && reversed_[e.index] != 0; }
+
+  /// tells whether all gluings respect the orientation of the faces. Algorithms on BGL halfedges
+  /// ask for this.
+  bool is_oriented() const { return reversed_.empty(); }
+
+  /// sets the halfedge that follows `h`.
+  void set_next(Halfedge h, Halfedge n) { halfedge_[h.index].next = n.index; }
+  /// sets the vertex that `h` points to.
+  void set_target(Halfedge h, Vertex v) { halfedge_[h.index].target = v.index; }
+  /// sets the face of `h`.
+  void set_face(Halfedge h, Face f) { halfedge_[h.index].face = f.index; }
+  /// sets the halfedge of `v`.
+  void set_halfedge(Vertex v, Halfedge h) { vertex_[v.index] = h.index; }
+  /// sets the halfedge of `f`.
+  void set_halfedge(Face f, Halfedge h) { face_[f.index] = h.index; }
+
+  /// adds an isolated vertex.
+  Vertex add_vertex() {
+    vertex_.push_back(Gluing::none);
+    return {number_of_vertices() - 1};
+  }
+  /// adds an edge that nothing refers to yet.
+  Edge add_edge() {
+    halfedge_.resize(halfedge_.size() + 2);
+    if (!reversed_.empty()) reversed_.push_back(0);
+    return {number_of_edges() - 1};
+  }
+  /// adds a face that nothing refers to yet.
+  Face add_face() {
+    face_.push_back(Gluing::none);
+    return {number_of_faces() - 1};
+  }
+
+private:
+  struct Halfedge_record {
+    std::uint32_t next = Gluing::none;
+    std::uint32_t target = Gluing::none;
+    std::uint32_t face = Gluing::none;
+  };
+
+  void number_edges(const Gluing& g) {
+    const auto corners = static_cast<std::uint32_t>(g.origin.size());
+    std::vector<std::uint32_t> name(corners, Gluing::none);
+    std::uint32_t count = 0;
+    for (std::uint32_t h = 0; h < corners; ++h) {
+      if (name[h] != Gluing::none) continue;
+      const std::uint32_t partner = Gluing::partner(g.glue[h]);
+      name[h] = 2 * count;
+      if (partner != Gluing::none) name[partner] = 2 * count + 1;
+      if (Gluing::is_reversed(g.glue[h])) {
+        reversed_.resize(count + 1, 0);
+        reversed_[count] = 1;
+      }
+      ++count;
+    }
+    if (!reversed_.empty()) reversed_.resize(count, 0);
+    vertex_.assign(g.number_of_vertices, Gluing::none);
+    face_.resize(corners / 3);
+    halfedge_.resize(2 * static_cast<std::size_t>(count));
+    for (std::uint32_t f = 0; f < corners / 3; ++f) {
+      face_[f] = name[3 * f];
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t n = 3 * f + (k + 1) % 3;
+        halfedge_[name[3 * f + k]] = {name[n], g.origin[n], f};
+        vertex_[g.origin[n]] = name[3 * f + k];
+      }
+    }
+  }
+
+  // A border halfedge runs against its inner side; the next one is found by turning about its
+  // target. In a gluing that is not oriented the turn may meet a reversed edge: no border loop
+  // has a direction there, and next() of a border halfedge stays null.
+  void link_border() {
+    for (std::uint32_t h = 0; h < halfedge_.size(); ++h) {
+      if (halfedge_[h].face != Gluing::none) continue;
+      halfedge_[h].target = target(next(next({h ^ 1U}))).index;
+      vertex_[halfedge_[h].target] = h;
+      if (!is_oriented()) continue;
+      Halfedge n = opposite({h});
+      while (face(n).index != Gluing::none) n = opposite(next(next(n)));
+      halfedge_[h].next = n.index;
+    }
+  }
+
+  std::vector<Halfedge_record> halfedge_;
+  std::vector<std::uint32_t> vertex_;
+  std::vector<std::uint32_t> face_;
+  std::vector<char> reversed_; // per edge; empty in an oriented complex
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_GLUING_MAP_H

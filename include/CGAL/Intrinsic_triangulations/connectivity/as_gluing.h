@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_AS_GLUING_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_AS_GLUING_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief writes a gluing map as a list of gluings: the inverse of `Gluing_map(const Gluing&)`.
+
+Side 0 of face `f` is `map.halfedge(f)`. Building a gluing map from the result gives the same faces
+and vertices; edges are numbered anew, in the order in which the faces meet them.
+\param map the gluing map, oriented or not
+\pre `is_valid_delta_complex(map)`
+\complexity linear
+*/
+inline Gluing gluing_from_map(const Gluing_map& map) {
+  Gluing g;
+  g.number_of_vertices = map.number_of_vertices();
+  std::vector<std::uint32_t> corner(map.number_of_halfedges(), Gluing::none);
+  for (std::uint32_t f = 0; f < map.number_of_faces(); ++f) {
+    Gluing_map::Halfedge h = map.halfedge(Gluing_map::Face{f});
+    for (std::uint32_t k = 0; k < 3; ++k, h = map.next(h)) {
+      corner[h.index] = 3 * f + k;
+      g.origin.push_back(map.source(h).index);
+    }
+  }
+  g.glue.assign(g.origin.size(), Gluing::none);
+  for (std::uint32_t h = 0; h < map.number_of_halfedges(); ++h) {
+    const std::uint32_t o = Gluing_map::opposite({h}).index;
+    if (corner[h] == Gluing::none || corner[o] == Gluing::none) continue;
+    g.glue[corner[h]] = map.is_reversed({h / 2}) ? Gluing::reversed(corner[o]) : corner[o];
+  }
+  return g;
+}
+
+namespace internal {
+
+// The connectivity of any mesh as a gluing map with vertices, edges and faces in the order of
+// iteration: the map itself by reference, a copy of anything else.
+template <class Mesh>
+decltype(auto) as_gluing_map(const Mesh& mesh) {
+  if constexpr (std::is_same_v<Mesh, Gluing_map>)
+    return static_cast<const Gluing_map&>(mesh);
+  else
+    return gluing_map_from_face_graph(mesh);
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_AS_GLUING_H

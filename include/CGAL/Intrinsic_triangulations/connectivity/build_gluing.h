@@ -1,0 +1,231 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_BUILD_GLUING_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_BUILD_GLUING_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Mesh_adaptor.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Halfedges sorted by the lower end of their edge (counting sort), then by the upper one.
+class Halfedges_by_edge {
+public:
+  struct Entry {
+    std::uint32_t upper, halfedge;
+  };
+
+  explicit Halfedges_by_edge(const Gluing& g) : start_(g.number_of_vertices + 1, 0) {
+    const auto lower = [&](std::uint32_t h) {
+      return std::min(g.origin[h], g.origin[Gluing::next(h)]);
+    };
+    const auto count = static_cast<std::uint32_t>(g.origin.size());
+    for (std::uint32_t h = 0; h < count; ++h) ++start_[lower(h) + 1];
+    for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
+    entries_.resize(count);
+    std::vector<std::uint32_t> fill(start_.begin(), start_.end() - 1);
+    for (std::uint32_t h = 0; h < count; ++h)
+      entries_[fill[lower(h)]++] = {std::max(g.origin[h], g.origin[Gluing::next(h)]), h};
+    for (std::size_t v = 0; v + 1 < start_.size(); ++v)
+      std::sort(begin(v), begin(v + 1), [](const Entry& a, const Entry& b) {
+        return std::pair(a.upper, a.halfedge) < std::pair(b.upper, b.halfedge);
+      });
+  }
+
+  // calls f(first, last) for the halfedges of each edge
+  template <class Function>
+  void for_each_edge(Function f) {
+    for (std::size_t v = 0; v + 1 < start_.size(); ++v)
+      for (auto i = begin(v); i != begin(v + 1);) {
+        const auto first = i;
+        while (i != begin(v + 1) && i->upper == first->upper) ++i;
+        f(first, i);
+      }
+  }
+
+private:
+  std::vector<Entry>::iterator begin(std::size_t v) { return entries_.begin() + start_[v]; }
+  std::vector<std::uint32_t> start_;
+  std::vector<Entry> entries_;
+};
+
+} // namespace internal
+
+/*!
+\brief glues triangles that share edges: two halfedges with the same end vertices become an edge.
+
+\param number_of_vertices number of vertices, isolated ones included
+\param triangles range of random access triples of vertex numbers, counterclockwise
+\throws Invalid_input naming the faces if an edge has more than two, if two faces run along a shared
+  edge in the same direction, or if a face repeats a vertex or has one out of range
+\complexity linear for bounded degree, without hashing
+*/
+template <class TriangleRange>
+Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles) {
+  Gluing g;
+  g.number_of_vertices = number_of_vertices;
+  g.origin.reserve(3 * triangles.size());
+  for (const auto& t : triangles) {
+    const auto f = g.origin.size() / 3;
+    for (unsigned k = 0; k < 3; ++k) {
+      if (t[k] >= number_of_vertices)
+        throw Invalid_input(Element_kind::face, f,
+                            "face " + std::to_string(f) + " refers to vertex " +
+                                std::to_string(t[k]) + ", which does not exist");
+      if (t[k] == t[(k + 1) % 3])
+        throw Invalid_input(Element_kind::face, f,
+                            "face " + std::to_string(f) + " repeats vertex " +
+                                std::to_string(t[k]) + "; remove the face");
+      g.origin.push_back(static_cast<std::uint32_t>(t[k]));
+    }
+  }
+  g.glue.assign(g.origin.size(), Gluing::none);
+  internal::Halfedges_by_edge(g).for_each_edge([&g](auto first, auto last) {
+    const std::uint32_t h = first->halfedge;
+    const auto name = [&] {
+      return "edge (" + std::to_string(g.origin[h]) + ", " +
+             std::to_string(g.origin[Gluing::next(h)]) + ")";
+    };
+    if (last - first > 2) {
+      std::string faces;
+      for (auto i = first; i != last; ++i)
+        faces += (i == first ? "" : ", ") + std::to_string(i->halfedge / 3);
+      throw Invalid_input(Element_kind::edge, h,
+                          name() + " has " + std::to_string(last - first) + " faces (" + faces +
+                              "); remove faces or duplicate vertices so that at most two remain");
+    }
+    if (last - first < 2) return;
+    const std::uint32_t other = (last - 1)->halfedge;
+    if (g.origin[h] == g.origin[other])
+      throw Invalid_input(Element_kind::edge, h,
+                          name() + " is traversed in the same direction by faces " +
+                              std::to_string(h / 3) + " and " + std::to_string(other / 3) +
+                              "; reverse one of them to orient the mesh consistently");
+    g.glue[h] = other;
+    g.glue[other] = h;
+  });
+  return g;
+}
+
+namespace internal {
+
+// numbers the elements of a range 0, 1, 2, ... from numbers that may have gaps
+class Compaction {
+public:
+  explicit Compaction(std::size_t expected) { map_.reserve(expected); }
+  void append(std::uint32_t number) {
+    if (number >= map_.size()) map_.resize(number + 1, Gluing::none);
+    map_[number] = count_++;
+  }
+  std::uint32_t operator()(std::uint32_t number) const { return map_[number]; }
+
+private:
+  std::vector<std::uint32_t> map_;
+  std::uint32_t count_ = 0;
+};
+
+} // namespace internal
+
+/*!
+\brief copies the connectivity of a mesh through BGL.
+
+Vertices, edges and faces are numbered in the order of iteration. No edge is looked up by its end
+vertices, so that any Delta-complex is read right.
+\tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+\throws Invalid_input if a face is not a triangle
+\complexity linear
+*/
+template <class FaceGraph>
+Gluing_map gluing_map_from_face_graph(const FaceGraph& mesh) {
+  using Traits = boost::graph_traits<FaceGraph>;
+  using Halfedge = typename Traits::halfedge_descriptor;
+  const Mesh_adaptor<FaceGraph> number(mesh);
+  internal::Compaction vertex(num_vertices(mesh)), side(num_halfedges(mesh)),
+      face_number(num_faces(mesh));
+  for (const typename Traits::vertex_descriptor v : vertices(mesh)) vertex.append(number.vertex(v));
+  for (const typename Traits::face_descriptor f : faces(mesh)) face_number.append(number.face(f));
+  for (const typename Traits::edge_descriptor e : edges(mesh)) {
+    side.append(number.halfedge(halfedge(e, mesh)));
+    side.append(number.halfedge(opposite(halfedge(e, mesh), mesh)));
+  }
+  Gluing_map map(static_cast<std::uint32_t>(num_vertices(mesh)),
+                 static_cast<std::uint32_t>(num_edges(mesh)),
+                 static_cast<std::uint32_t>(num_faces(mesh)));
+  const auto connect = [&](Halfedge h) {
+    const Gluing_map::Halfedge s{side(number.halfedge(h))};
+    map.set_next(s, {side(number.halfedge(next(h, mesh)))});
+    const Gluing_map::Vertex v{vertex(number.vertex(target(h, mesh)))};
+    map.set_target(s, v);
+    const bool border = CGAL::is_border(h, mesh);
+    if (!border) map.set_face(s, {face_number(number.face(face(h, mesh)))});
+    if (border || map.halfedge(v).index == Gluing::none) map.set_halfedge(v, s);
+  };
+  for (const typename Traits::edge_descriptor e : edges(mesh)) {
+    connect(halfedge(e, mesh));
+    connect(opposite(halfedge(e, mesh), mesh));
+  }
+  std::uint32_t f = 0;
+  for (const typename Traits::face_descriptor d : faces(mesh)) {
+    const Halfedge h = halfedge(d, mesh);
+    if (next(next(next(h, mesh), mesh), mesh) != h)
+      throw Invalid_input(Element_kind::face, f,
+                          "face " + std::to_string(f) +
+                              " is not a triangle; triangulate the faces first");
+    map.set_halfedge(Gluing_map::Face{f++}, {side(number.halfedge(h))});
+  }
+  return map;
+}
+
+/*!
+\brief builds a mesh of any type from a gluing map, with the same numbering.
+
+Vertex `i`, edge `e` and face `f` of the result, in the order of iteration, are those of `map`, and
+`halfedge(face, mesh)` and the directions of edges agree.
+\tparam Mesh a model of `MutableFaceGraph` that is empty
+\pre `map.is_oriented()`
+\complexity linear
+*/
+template <class Mesh>
+void copy_gluing_map(const Gluing_map& map, Mesh& mesh) {
+  using Traits = boost::graph_traits<Mesh>;
+  std::vector<typename Traits::vertex_descriptor> vertex;
+  std::vector<typename Traits::halfedge_descriptor> side;
+  std::vector<typename Traits::face_descriptor> face;
+  for (std::uint32_t v = 0; v < map.number_of_vertices(); ++v) {
+    vertex.push_back(add_vertex(mesh)); // its halfedge is null: OpenMesh cannot set it so through BGL
+  }
+  for (std::uint32_t e = 0; e < map.number_of_edges(); ++e) {
+    side.push_back(halfedge(add_edge(mesh), mesh));
+    side.push_back(opposite(side.back(), mesh));
+  }
+  for (std::uint32_t f = 0; f < map.number_of_faces(); ++f) face.push_back(add_face(mesh));
+  for (std::uint32_t h = 0; h < map.number_of_halfedges(); ++h) {
+    const std::uint32_t f = map.face({h}).index;
+    set_next(side[h], side[map.next({h}).index], mesh);
+    set_target(side[h], vertex[map.target({h}).index], mesh);
+    set_face(side[h], f == Gluing::none ? Traits::null_face() : face[f], mesh);
+  }
+  for (std::uint32_t f = 0; f < map.number_of_faces(); ++f)
+    set_halfedge(face[f], side[map.halfedge(Gluing_map::Face{f}).index], mesh);
+  for (std::uint32_t v = 0; v < map.number_of_vertices(); ++v) {
+    const Gluing_map::Halfedge h = map.halfedge(Gluing_map::Vertex{v});
+    if (h.index != Gluing::none) set_halfedge(vertex[v], side[h.index], mesh);
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_BUILD_GLUING_H

@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_GRAPH_TRAITS_GLUING_MAP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_GRAPH_TRAITS_GLUING_MAP_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/functional/hash.hpp>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/iterator/iterator_facade.hpp>
+#include <boost/property_map/property_map.hpp>
+
+/*!
+\file
+The functions of BGL's `MutableFaceGraph` for `Gluing_map`, found by argument-dependent lookup.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// iterates over all elements of one kind.
+template <class Descriptor>
+class Gluing_iterator
+    : public boost::iterator_facade<Gluing_iterator<Descriptor>, Descriptor,
+                                    std::random_access_iterator_tag, Descriptor, std::ptrdiff_t> {
+public:
+  /// constructs the iterator at element `i`.
+  explicit Gluing_iterator(std::uint32_t i = 0) : current_{i} {}
+
+private:
+  friend class boost::iterator_core_access;
+  Descriptor dereference() const { return current_; }
+  bool equal(const Gluing_iterator& o) const { return current_ == o.current_; }
+  void increment() { ++current_.index; }
+  void decrement() { --current_.index; }
+  void advance(std::ptrdiff_t n) {
+    current_.index = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(current_.index) + n);
+  }
+  std::ptrdiff_t distance_to(const Gluing_iterator& o) const {
+    return static_cast<std::ptrdiff_t>(o.current_.index) -
+           static_cast<std::ptrdiff_t>(current_.index);
+  }
+  Descriptor current_;
+};
+
+/// maps an element to its number.
+template <class Descriptor>
+struct Gluing_index_map {
+  /// \cond
+  using key_type = Descriptor;
+  using value_type = std::size_t;
+  using reference = std::size_t;
+  using category = boost::readable_property_map_tag;
+  friend std::size_t get(const Gluing_index_map&, Descriptor d) { return d.index; }
+  std::size_t operator[](Descriptor d) const { return d.index; }
+  /// \endcond
+};
+
+/// \cond the BGL vocabulary, specified by CGAL and Boost
+inline Gluing_map::Halfedge next(Gluing_map::Halfedge h, const Gluing_map& g) { return g.next(h); }
+inline Gluing_map::Halfedge prev(Gluing_map::Halfedge h, const Gluing_map& g) {
+  return g.previous(h);
+}
+inline Gluing_map::Halfedge opposite(Gluing_map::Halfedge h, const Gluing_map&) {
+  return Gluing_map::opposite(h);
+}
+inline Gluing_map::Vertex target(Gluing_map::Halfedge h, const Gluing_map& g) {
+  return g.target(h);
+}
+inline Gluing_map::Vertex source(Gluing_map::Halfedge h, const Gluing_map& g) {
+  return g.source(h);
+}
+inline Gluing_map::Vertex target(Gluing_map::Edge e, const Gluing_map& g) {
+  return g.target({2 * e.index});
+}
+inline Gluing_map::Vertex source(Gluing_map::Edge e, const Gluing_map& g) {
+  return g.source({2 * e.index});
+}
+inline Gluing_map::Face face(Gluing_map::Halfedge h, const Gluing_map& g) { return g.face(h); }
+inline Gluing_map::Edge edge(Gluing_map::Halfedge h, const Gluing_map&) { return {h.index / 2}; }
+inline Gluing_map::Halfedge halfedge(Gluing_map::Edge e, const Gluing_map&) {
+  return {2 * e.index};
+}
+inline Gluing_map::Halfedge halfedge(Gluing_map::Vertex v, const Gluing_map& g) {
+  return g.halfedge(v);
+}
+inline Gluing_map::Halfedge halfedge(Gluing_map::Face f, const Gluing_map& g) {
+  return g.halfedge(f);
+}
+
+inline auto vertices(const Gluing_map& g) {
+  using I = Gluing_iterator<Gluing_map::Vertex>;
+  return CGAL::Iterator_range<I>(I(0), I(g.number_of_vertices()));
+}
+inline auto halfedges(const Gluing_map& g) {
+  using I = Gluing_iterator<Gluing_map::Halfedge>;
+  return CGAL::Iterator_range<I>(I(0), I(g.number_of_halfedges()));
+}
+inline auto edges(const Gluing_map& g) {
+  using I = Gluing_iterator<Gluing_map::Edge>;
+  return CGAL::Iterator_range<I>(I(0), I(g.number_of_edges()));
+}
+inline auto faces(const Gluing_map& g) {
+  using I = Gluing_iterator<Gluing_map::Face>;
+  return CGAL::Iterator_range<I>(I(0), I(g.number_of_faces()));
+}
+inline std::size_t num_vertices(const Gluing_map& g) { return g.number_of_vertices(); }
+inline std::size_t num_halfedges(const Gluing_map& g) { return g.number_of_halfedges(); }
+inline std::size_t num_edges(const Gluing_map& g) { return g.number_of_edges(); }
+inline std::size_t num_faces(const Gluing_map& g) { return g.number_of_faces(); }
+
+inline void set_next(Gluing_map::Halfedge h, Gluing_map::Halfedge n, Gluing_map& g) {
+  g.set_next(h, n);
+}
+inline void set_target(Gluing_map::Halfedge h, Gluing_map::Vertex v, Gluing_map& g) {
+  g.set_target(h, v);
+}
+inline void set_face(Gluing_map::Halfedge h, Gluing_map::Face f, Gluing_map& g) {
+  g.set_face(h, f);
+}
+inline void set_halfedge(Gluing_map::Vertex v, Gluing_map::Halfedge h, Gluing_map& g) {
+  g.set_halfedge(v, h);
+}
+inline void set_halfedge(Gluing_map::Face f, Gluing_map::Halfedge h, Gluing_map& g) {
+  g.set_halfedge(f, h);
+}
+inline Gluing_map::Vertex add_vertex(Gluing_map& g) { return g.add_vertex(); }
+inline Gluing_map::Edge add_edge(Gluing_map& g) { return g.add_edge(); }
+inline Gluing_map::Face add_face(Gluing_map& g) { return g.add_face(); }
+
+inline Gluing_index_map<Gluing_map::Vertex> get(boost::vertex_index_t, const Gluing_map&) {
+  return {};
+}
+inline Gluing_index_map<Gluing_map::Halfedge> get(boost::halfedge_index_t, const Gluing_map&) {
+  return {};
+}
+inline Gluing_index_map<Gluing_map::Edge> get(boost::edge_index_t, const Gluing_map&) {
+  return {};
+}
+inline Gluing_index_map<Gluing_map::Face> get(boost::face_index_t, const Gluing_map&) {
+  return {};
+}
+/// \endcond
+
+} // namespace CGAL::Intrinsic_triangulations
+
+/// \cond
+namespace boost {
+
+template <>
+struct graph_traits<CGAL::Intrinsic_triangulations::Gluing_map> {
+private:
+  using Map = CGAL::Intrinsic_triangulations::Gluing_map;
+  template <class D>
+  using Iterator = CGAL::Intrinsic_triangulations::Gluing_iterator<D>;
+  struct Category : bidirectional_graph_tag, vertex_list_graph_tag, edge_list_graph_tag {};
+
+public:
+  using vertex_descriptor = Map::Vertex;
+  using halfedge_descriptor = Map::Halfedge;
+  using edge_descriptor = Map::Edge;
+  using face_descriptor = Map::Face;
+  using vertex_iterator = Iterator<vertex_descriptor>;
+  using halfedge_iterator = Iterator<halfedge_descriptor>;
+  using edge_iterator = Iterator<edge_descriptor>;
+  using face_iterator = Iterator<face_descriptor>;
+  using vertices_size_type = std::size_t;
+  using halfedges_size_type = std::size_t;
+  using edges_size_type = std::size_t;
+  using faces_size_type = std::size_t;
+  using degree_size_type = std::size_t;
+  using directed_category = undirected_tag;
+  using edge_parallel_category = allow_parallel_edge_tag;
+  using traversal_category = Category;
+  static vertex_descriptor null_vertex() { return {}; }
+  static halfedge_descriptor null_halfedge() { return {}; }
+  static face_descriptor null_face() { return {}; }
+};
+
+template <>
+struct graph_traits<const CGAL::Intrinsic_triangulations::Gluing_map>
+    : graph_traits<CGAL::Intrinsic_triangulations::Gluing_map> {};
+
+template <>
+struct property_map<CGAL::Intrinsic_triangulations::Gluing_map, vertex_index_t> {
+  using type = CGAL::Intrinsic_triangulations::Gluing_index_map<
+      CGAL::Intrinsic_triangulations::Gluing_map::Vertex>;
+  using const_type = type;
+};
+template <>
+struct property_map<CGAL::Intrinsic_triangulations::Gluing_map, halfedge_index_t> {
+  using type = CGAL::Intrinsic_triangulations::Gluing_index_map<
+      CGAL::Intrinsic_triangulations::Gluing_map::Halfedge>;
+  using const_type = type;
+};
+template <>
+struct property_map<CGAL::Intrinsic_triangulations::Gluing_map, edge_index_t> {
+  using type = CGAL::Intrinsic_triangulations::Gluing_index_map<
+      CGAL::Intrinsic_triangulations::Gluing_map::Edge>;
+  using const_type = type;
+};
+template <>
+struct property_map<CGAL::Intrinsic_triangulations::Gluing_map, face_index_t> {
+  using type = CGAL::Intrinsic_triangulations::Gluing_index_map<
+      CGAL::Intrinsic_triangulations::Gluing_map::Face>;
+  using const_type = type;
+};
+
+} // namespace boost
+
+template <class Tag>
+struct std::hash<CGAL::Intrinsic_triangulations::Gluing_descriptor<Tag>> {
+  std::size_t
+  operator()(const CGAL::Intrinsic_triangulations::Gluing_descriptor<Tag>& d) const noexcept {
+    return d.index;
+  }
+};
+/// \endcond
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_GRAPH_TRAITS_GLUING_MAP_H

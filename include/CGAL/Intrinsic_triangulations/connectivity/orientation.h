@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ORIENTATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ORIENTATION_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief reports whether the faces of a gluing can be oriented consistently, and how.
+*/
+struct Orientation_result {
+  /// Whether the surface is orientable (§2.1 of the course).
+  bool is_orientable = true;
+  /// If not: a halfedge whose gluing closes a path of faces that reverses orientation.
+  std::uint32_t witness = Gluing::none;
+  /// If so: nonzero for each face to be reversed. The first face of each component is kept.
+  std::vector<char> reversed_faces;
+};
+
+/*!
+\brief finds out which faces to reverse so that all gluings respect the orientation.
+\param g the gluing
+\pre `validate(g)` does not throw
+\complexity linear
+*/
+inline Orientation_result find_orientation(const Gluing& g) {
+  constexpr char unseen = 2;
+  Orientation_result r;
+  r.reversed_faces.assign(g.number_of_faces(), unseen);
+  std::vector<std::uint32_t> queue;
+  queue.reserve(g.number_of_faces());
+  for (std::uint32_t start = 0; start < g.number_of_faces(); ++start) {
+    if (r.reversed_faces[start] != unseen) continue;
+    r.reversed_faces[start] = 0;
+    queue.assign(1, start);
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const std::uint32_t f = queue[i];
+      for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
+        if (g.glue[h] == Gluing::none) continue;
+        const std::uint32_t neighbour = Gluing::partner(g.glue[h]) / 3;
+        const auto wanted = static_cast<char>(r.reversed_faces[f] ^ // 0 or 1
+                                              static_cast<char>(Gluing::is_reversed(g.glue[h])));
+        char& reversed = r.reversed_faces[neighbour];
+        if (reversed == unseen) {
+          reversed = wanted;
+          queue.push_back(neighbour);
+        } else if (reversed != wanted)
+          return {false, h, {}};
+      }
+    }
+  }
+  return r;
+}
+
+/*!
+\brief reverses faces of a gluing so that all gluings respect the orientation, if that is possible.
+
+A reversed face keeps its corner 0; its side `k` becomes side `2 - k`. Of each component the first
+face is kept.
+\param g the gluing, which is changed only if it is orientable
+\return the faces reversed, or a witness that none of the choices works
+\pre `validate(g)` does not throw
+\complexity linear
+*/
+inline Orientation_result orient_faces(Gluing& g) {
+  Orientation_result r = find_orientation(g);
+  if (!r.is_orientable) return r;
+  const auto renamed = [&r](std::uint32_t h) {
+    return r.reversed_faces[h / 3] != 0 ? h - h % 3 + (2 - h % 3) : h;
+  };
+  std::vector<std::uint32_t> glue(g.glue.size(), Gluing::none);
+  for (std::uint32_t h = 0; h < g.glue.size(); ++h) // no gluing along both sides remains
+    if (g.glue[h] != Gluing::none) glue[renamed(h)] = renamed(Gluing::partner(g.glue[h]));
+  g.glue = std::move(glue);
+  for (std::uint32_t f = 0; f < g.number_of_faces(); ++f)
+    if (r.reversed_faces[f] != 0) std::swap(g.origin[3 * f + 1], g.origin[3 * f + 2]);
+  return r;
+}
+
+/*!
+\brief tells whether the faces of a mesh can be oriented consistently.
+
+Meshes with oriented halfedges always are; only a `Gluing_map` may not be.
+\tparam Mesh a model of `MutableDeltaComplex`
+\param mesh the mesh
+\pre `is_valid_delta_complex(mesh)`
+\complexity constant for meshes whose gluings respect the orientation, else linear
+*/
+template <class Mesh>
+bool is_orientable(const Mesh& mesh) {
+  if constexpr (std::is_same_v<Mesh, Gluing_map>)
+    return mesh.is_oriented() || find_orientation(gluing_from_map(mesh)).is_orientable;
+  else
+    return true;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ORIENTATION_H

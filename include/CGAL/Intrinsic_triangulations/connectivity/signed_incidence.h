@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_SIGNED_INCIDENCE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_SIGNED_INCIDENCE_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is an entry of a sparse matrix: `sign` at `row`, `column`.
+*/
+struct Incidence_entry {
+  /// Row.
+  std::uint32_t row = 0;
+  /// Column.
+  std::uint32_t column = 0;
+  /// +1 or -1.
+  int sign = 0;
+
+  /// compares entries.
+  friend bool operator==(const Incidence_entry&, const Incidence_entry&) = default;
+};
+
+/*!
+\brief holds the signed incidence matrices of a triangulated surface (§2.2 of the course) as lists of
+entries.
+
+Entries at the same place are kept apart, never summed. A loop has both +1 and -1 at its vertex, and
+an edge along which a face is glued to itself has two entries in the row of that face: sums would be
+zero, and the complex lost. A sparse matrix library that sums entries gives the boundary operators.
+*/
+struct Signed_incidence {
+  /// Number of vertices, isolated ones included.
+  std::uint32_t number_of_vertices = 0;
+  /// Number of edges.
+  std::uint32_t number_of_edges = 0;
+  /// Number of faces.
+  std::uint32_t number_of_faces = 0;
+  /// One row per edge, one column per vertex: -1 where the edge starts, +1 where it ends.
+  std::vector<Incidence_entry> vertex_edge;
+  /// One row per face, one column per edge, +1 where the face runs along the edge, -1 where against
+  /// it. The entries of a row are in cyclic order around the face.
+  std::vector<Incidence_entry> edge_face;
+};
+
+/*!
+\brief lists the signed incidences of a mesh.
+
+Edge `e` starts at the source of its halfedge. Elements are numbered in the order of iteration.
+\tparam Mesh a model of `MutableDeltaComplex`; a `Gluing_map` need not be oriented
+\param mesh the mesh
+\pre `is_valid_delta_complex(mesh)`
+\complexity linear
+*/
+template <class Mesh>
+Signed_incidence incidence(const Mesh& mesh) {
+  const Gluing_map& m = internal::as_gluing_map(mesh);
+  Signed_incidence s{m.number_of_vertices(), m.number_of_edges(), m.number_of_faces(), {}, {}};
+  s.vertex_edge.reserve(2 * std::size_t{s.number_of_edges});
+  s.edge_face.reserve(3 * std::size_t{s.number_of_faces});
+  for (std::uint32_t e = 0; e < s.number_of_edges; ++e) {
+    s.vertex_edge.push_back({e, m.source({2 * e}).index, -1});
+    s.vertex_edge.push_back({e, m.target({2 * e}).index, +1});
+  }
+  for (std::uint32_t f = 0; f < s.number_of_faces; ++f) {
+    Gluing_map::Halfedge h = m.halfedge(Gluing_map::Face{f});
+    for (int k = 0; k < 3; ++k, h = m.next(h)) {
+      const bool along = h.index % 2 == 0 || m.is_reversed({h.index / 2});
+      s.edge_face.push_back({f, h.index / 2, along ? +1 : -1});
+    }
+  }
+  return s;
+}
+
+namespace internal {
+
+class Gluing_from_incidence {
+  struct Ends {
+    std::uint32_t source = Gluing::none, target = Gluing::none;
+  };
+  struct Side {
+    std::uint32_t edge = Gluing::none;
+    bool along = false;
+  };
+
+public:
+  explicit Gluing_from_incidence(const Signed_incidence& s)
+      : in_(s), ends_(s.number_of_edges), sides_(3 * std::size_t{s.number_of_faces}) {
+    if (s.number_of_faces > (Gluing::reversed_bit - 1) / 3)
+      throw Invalid_input(Element_kind::none, 0, "a gluing holds at most 715827882 faces");
+    read_edges();
+    read_faces();
+    for (std::uint32_t f = 0; f < s.number_of_faces; ++f) chain(f);
+    glue();
+  }
+
+  Gluing gluing;
+  std::vector<std::uint32_t> edge_of_halfedge;
+
+private:
+  [[noreturn]] static void fail(Element_kind kind, std::uint32_t i, const std::string& what) {
+    throw Invalid_input(
+        kind, i, (kind == Element_kind::edge ? "edge " : "face ") + std::to_string(i) + what);
+  }
+
+  static void check_entry(const Incidence_entry& x, std::uint32_t rows, std::uint32_t columns,
+                          Element_kind kind, const char* column_name) {
+    if (x.row >= rows) fail(kind, x.row, " is out of range");
+    if (x.column >= columns)
+      fail(kind, x.row,
+           std::string(" refers to ") + column_name + " " + std::to_string(x.column) +
+               ", which does not exist");
+    if (x.sign != 1 && x.sign != -1)
+      fail(kind, x.row,
+           std::string(" has the entry ") + std::to_string(x.sign) + " at " + column_name + " " +
+               std::to_string(x.column) + "; entries are +1 and -1, and are not summed");
+  }
+
+  void read_edges() {
+    for (const Incidence_entry& x : in_.vertex_edge) {
+      check_entry(x, in_.number_of_edges, in_.number_of_vertices, Element_kind::edge, "vertex");
+      std::uint32_t& end = x.sign < 0 ? ends_[x.row].source : ends_[x.row].target;
+      if (end != Gluing::none)
+        fail(Element_kind::edge, x.row,
+             x.sign < 0 ? " starts from two vertices; give one -1 and one +1"
+                        : " ends at two vertices; give one -1 and one +1");
+      end = x.column;
+    }
+    for (std::uint32_t e = 0; e < in_.number_of_edges; ++e)
+      if (ends_[e].source == Gluing::none || ends_[e].target == Gluing::none)
+        fail(Element_kind::edge, e,
+             " has fewer than two ends; give one -1 and one +1, for a loop at the same vertex");
+  }
+
+  void read_faces() {
+    std::vector<std::uint32_t> count(in_.number_of_faces, 0);
+    for (const Incidence_entry& x : in_.edge_face) {
+      check_entry(x, in_.number_of_faces, in_.number_of_edges, Element_kind::face, "edge");
+      if (count[x.row] < 3) sides_[3 * std::size_t{x.row} + count[x.row]] = {x.column, x.sign > 0};
+      ++count[x.row];
+    }
+    for (std::uint32_t f = 0; f < in_.number_of_faces; ++f)
+      if (count[f] != 3)
+        fail(Element_kind::face, f,
+             " has " + std::to_string(count[f]) +
+                 " sides; give three entries, two of them at an edge where it is glued to itself");
+  }
+
+  std::uint32_t source(const Side& s) const {
+    return s.along ? ends_[s.edge].source : ends_[s.edge].target;
+  }
+  std::uint32_t target(const Side& s) const {
+    return s.along ? ends_[s.edge].target : ends_[s.edge].source;
+  }
+
+  // puts the sides of a face in cyclic order and appends their origins
+  void chain(std::uint32_t f) {
+    Side* const s = &sides_[3 * std::size_t{f}];
+    const auto chains = [&] {
+      return target(s[0]) == source(s[1]) && target(s[1]) == source(s[2]) &&
+             target(s[2]) == source(s[0]);
+    };
+    if (!chains()) {
+      std::swap(s[1], s[2]);
+      if (!chains())
+        fail(Element_kind::face, f,
+             " has sides " + std::to_string(s[0].edge) + ", " + std::to_string(s[2].edge) + ", " +
+                 std::to_string(s[1].edge) +
+                 " that do not run around a triangle; check the signs of its row");
+    }
+    for (int k = 0; k < 3; ++k) gluing.origin.push_back(source(s[k]));
+  }
+
+  void glue() {
+    const auto count = static_cast<std::uint32_t>(sides_.size());
+    gluing.number_of_vertices = in_.number_of_vertices;
+    gluing.glue.assign(count, Gluing::none);
+    edge_of_halfedge.resize(count);
+    std::vector<std::uint32_t> first(in_.number_of_edges, Gluing::none);
+    for (std::uint32_t h = 0; h < count; ++h) {
+      const std::uint32_t e = edge_of_halfedge[h] = sides_[h].edge, other = first[e];
+      if (other == Gluing::none) {
+        first[e] = h;
+        continue;
+      }
+      if (gluing.glue[other] != Gluing::none)
+        fail(Element_kind::edge, e,
+             " has more than two faces (" + std::to_string(other / 3) + ", " +
+                 std::to_string(Gluing::partner(gluing.glue[other]) / 3) + ", " +
+                 std::to_string(h / 3) + ", ...); split it so that at most two remain");
+      const bool reversed = sides_[h].along == sides_[other].along;
+      gluing.glue[h] = reversed ? Gluing::reversed(other) : other;
+      gluing.glue[other] = reversed ? Gluing::reversed(h) : h;
+    }
+    for (std::uint32_t e = 0; e < in_.number_of_edges; ++e)
+      if (first[e] == Gluing::none) fail(Element_kind::edge, e, " has no face; remove it");
+  }
+
+  const Signed_incidence& in_;
+  std::vector<Ends> ends_;
+  std::vector<Side> sides_;
+};
+
+} // namespace internal
+
+/*!
+\brief builds a gluing from signed incidence matrices.
+
+The entries may come in any order. Sides of a face that are not in cyclic order are put in order by
+their end vertices; where all three sides are loops at one vertex, vertices do not tell, and the
+order of the entries in the row is taken. Two sides with the same sign at their edge are glued along
+their direction (see `Gluing::reversed()`).
+\param s the matrices
+\param edge_of_halfedge is set to the edge that each halfedge `3f + k` of the result comes from: a
+  `Gluing_map` numbers edges anew
+\throws Invalid_input naming the edge that does not have one start, one end and one or two faces, or
+  the face that does not have three sides that run around it
+\complexity linear
+*/
+inline Gluing gluing_from_incidence(const Signed_incidence& s,
+                                    std::vector<std::uint32_t>& edge_of_halfedge) {
+  internal::Gluing_from_incidence result(s);
+  edge_of_halfedge = std::move(result.edge_of_halfedge);
+  return std::move(result.gluing);
+}
+
+/*!
+\brief builds a gluing from signed incidence matrices: see the overload with `edge_of_halfedge`.
+*/
+inline Gluing gluing_from_incidence(const Signed_incidence& s) {
+  return std::move(internal::Gluing_from_incidence(s).gluing);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_SIGNED_INCIDENCE_H

@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_TOPOLOGY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_TOPOLOGY_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+/*!
+\file
+Counts that describe the topology of a Delta-complex. All of them count with multiplicity, read any
+mesh through BGL without looking an edge up by its end vertices, and take time and memory linear in
+the mesh, in flat arrays. Their precondition is `is_valid_delta_complex()`. Elements are numbered in
+the order of iteration. A `Gluing_map` is read in place, another mesh is copied to one first.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// One end of a side of a face. The faces around a vertex are met by turning from the end of one
+// side to that of the next, which also works where gluings reverse the orientation and border
+// halfedges have no successor.
+struct Side_end {
+  Gluing_map::Halfedge side;
+  bool at_target;
+
+  // the end of the other side of the face at the same corner
+  Side_end across_corner(const Gluing_map& m) const {
+    return at_target ? Side_end{m.next(side), false} : Side_end{m.next(m.next(side)), true};
+  }
+  // the same end of the same edge, seen from the face on the other side
+  Side_end across_edge(const Gluing_map& m) const {
+    return {Gluing_map::opposite(side), at_target == m.is_reversed({side.index / 2})};
+  }
+  bool is_on_border(const Gluing_map& m) const {
+    return m.face(Gluing_map::opposite(side)).index == Gluing::none;
+  }
+};
+
+// marks the corners met by turning from `end` until the border or a marked corner; a corner is named
+// by the halfedge that starts there
+inline void mark_umbrella(const Gluing_map& m, Side_end end, std::vector<char>& marked) {
+  while (!end.is_on_border(m)) {
+    const Side_end entered = end.across_edge(m), left = entered.across_corner(m);
+    char& mark = marked[entered.at_target ? left.side.index : entered.side.index];
+    if (mark != 0) return;
+    mark = 1;
+    end = left;
+  }
+}
+
+// the number of umbrellas of each vertex
+inline std::vector<std::uint32_t> umbrellas_of_vertices(const Gluing_map& m) {
+  std::vector<std::uint32_t> count(m.number_of_vertices(), 0);
+  std::vector<char> marked(m.number_of_halfedges(), 0);
+  for (std::uint32_t h = 0; h < m.number_of_halfedges(); ++h) {
+    if (marked[h] != 0 || m.face({h}).index == Gluing::none) continue;
+    marked[h] = 1;
+    ++count[m.source({h}).index];
+    mark_umbrella(m, {{h}, false}, marked);
+    mark_umbrella(m, Side_end{{h}, false}.across_corner(m), marked);
+  }
+  return count;
+}
+
+// a border halfedge of each boundary loop
+inline std::vector<std::uint32_t> border_of_loops(const Gluing_map& m) {
+  std::vector<std::uint32_t> loops;
+  std::vector<char> marked(m.number_of_edges(), 0);
+  for (std::uint32_t h = 0; h < m.number_of_halfedges(); ++h) {
+    if (m.face({h}).index != Gluing::none || marked[h / 2] != 0) continue;
+    loops.push_back(h);
+    Side_end end{Gluing_map::opposite({h}), true};
+    while (marked[end.side.index / 2] == 0) {
+      marked[end.side.index / 2] = 1;
+      Side_end turned = end.across_corner(m);
+      while (!turned.is_on_border(m)) turned = turned.across_edge(m).across_corner(m);
+      end = {turned.side, !turned.at_target}; // walk along the border edge to its other end
+    }
+  }
+  return loops;
+}
+
+// the descriptors of the elements with given increasing numbers in the order of iteration
+template <class Range, class Descriptor>
+void select(const Range& range, const std::vector<std::uint32_t>& numbers,
+            std::vector<Descriptor>& selected) {
+  std::uint32_t i = 0;
+  auto wanted = numbers.begin();
+  for (const Descriptor d : range) {
+    if (wanted == numbers.end()) return;
+    if (i++ != *wanted) continue;
+    selected.push_back(d);
+    ++wanted;
+  }
+}
+
+template <class Mesh, class Condition>
+auto vertices_with(const Mesh& mesh, Condition condition) {
+  std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> selected;
+  const std::vector<std::uint32_t> umbrellas = umbrellas_of_vertices(as_gluing_map(mesh));
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t v = 0; v < umbrellas.size(); ++v)
+    if (condition(umbrellas[v])) numbers.push_back(v);
+  select(vertices(mesh), numbers, selected);
+  return selected;
+}
+
+} // namespace internal
+
+/*!
+\brief returns V - E + F, isolated vertices included.
+\tparam Mesh a model of `MutableDeltaComplex`
+*/
+template <class Mesh>
+std::ptrdiff_t euler_characteristic(const Mesh& mesh) {
+  const Gluing_map& m = internal::as_gluing_map(mesh); // element counts without removed elements
+  return std::ptrdiff_t{m.number_of_vertices()} - std::ptrdiff_t{m.number_of_edges()} +
+         std::ptrdiff_t{m.number_of_faces()};
+}
+
+/*!
+\brief numbers the components that faces form across edges.
+*/
+struct Face_components {
+  /// Number of components; one that hangs on another by a vertex only counts for itself.
+  std::uint32_t count = 0;
+  /// Component of each face, numbered in the order of their first faces.
+  std::vector<std::uint32_t> of_face;
+};
+
+/*!
+\brief finds the components that faces form across edges.
+\tparam Mesh a model of `MutableDeltaComplex`
+*/
+template <class Mesh>
+Face_components connected_components(const Mesh& mesh) {
+  const Gluing_map& m = internal::as_gluing_map(mesh);
+  Face_components c;
+  c.of_face.assign(m.number_of_faces(), Gluing::none);
+  std::vector<std::uint32_t> stack;
+  for (std::uint32_t start = 0; start < m.number_of_faces(); ++start) {
+    if (c.of_face[start] != Gluing::none) continue;
+    c.of_face[start] = c.count;
+    stack.push_back(start);
+    while (!stack.empty()) {
+      Gluing_map::Halfedge h = m.halfedge(Gluing_map::Face{stack.back()});
+      stack.pop_back();
+      for (int k = 0; k < 3; ++k, h = m.next(h)) {
+        const std::uint32_t f = m.face(Gluing_map::opposite(h)).index;
+        if (f == Gluing::none || c.of_face[f] != Gluing::none) continue;
+        c.of_face[f] = c.count;
+        stack.push_back(f);
+      }
+    }
+    ++c.count;
+  }
+  return c;
+}
+
+/*!
+\brief finds a border halfedge of each boundary loop.
+
+Loops are those of the surface after splitting its nonmanifold vertices: each turns about a vertex
+within one umbrella. `next()` is not asked for, because it is free at nonmanifold vertices and does
+not exist on the border of a nonorientable gluing.
+\tparam Mesh a model of `MutableDeltaComplex`
+\return one halfedge without a face per loop
+*/
+template <class Mesh>
+std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor>
+boundary_loops(const Mesh& mesh) {
+  using Traits = boost::graph_traits<Mesh>;
+  const std::vector<std::uint32_t> numbers =
+      internal::border_of_loops(internal::as_gluing_map(mesh));
+  std::vector<typename Traits::halfedge_descriptor> loops;
+  std::uint32_t e = 0;
+  auto wanted = numbers.begin();
+  for (const typename Traits::edge_descriptor d : edges(mesh)) {
+    if (wanted == numbers.end()) break;
+    if (e++ != *wanted / 2) continue;
+    const typename Traits::halfedge_descriptor h = halfedge(d, mesh);
+    loops.push_back(*wanted++ % 2 == 0 ? h : opposite(h, mesh));
+  }
+  return loops;
+}
+
+/*!
+\brief counts the edges at each vertex, with multiplicity: a loop counts twice (§2.1 of the course).
+\tparam Mesh a model of `MutableDeltaComplex`
+*/
+template <class Mesh>
+std::vector<std::uint32_t> degrees(const Mesh& mesh) {
+  const Gluing_map& m = internal::as_gluing_map(mesh);
+  std::vector<std::uint32_t> degree(m.number_of_vertices(), 0);
+  for (std::uint32_t h = 0; h < m.number_of_halfedges(); h += 2) {
+    const Gluing_map::Halfedge inner =
+        m.face({h}).index != Gluing::none ? Gluing_map::Halfedge{h} : Gluing_map::Halfedge{h + 1};
+    ++degree[m.source(inner).index];
+    ++degree[m.target(inner).index];
+  }
+  return degree;
+}
+
+/*!
+\brief counts the umbrellas of each vertex: the components that the face corners at it form across
+edges. One at a manifold vertex, none at an isolated one, more at a nonmanifold one.
+\tparam Mesh a model of `MutableDeltaComplex`
+*/
+template <class Mesh>
+std::vector<std::uint32_t> umbrellas(const Mesh& mesh) {
+  return internal::umbrellas_of_vertices(internal::as_gluing_map(mesh));
+}
+
+/*!
+\brief counts all umbrellas: the vertices that remain after splitting nonmanifold ones and dropping
+isolated ones.
+\tparam Mesh a model of `MutableDeltaComplex`
+*/
+template <class Mesh>
+std::size_t number_of_umbrellas(const Mesh& mesh) {
+  std::size_t sum = 0;
+  for (const std::uint32_t count : umbrellas(mesh)) sum += count;
+  return sum;
+}
+
+/*!
+\brief lists the vertices without a face.
+\tparam Mesh a model of `MutableDeltaComplex`
+*/
+template <class Mesh>
+std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>
+isolated_vertices(const Mesh& mesh) {
+  return internal::vertices_with(mesh, [](std::uint32_t umbrellas) { return umbrellas == 0; });
+}
+
+/*!
+\brief lists the vertices with more than one umbrella.
+\tparam Mesh a model of `MutableDeltaComplex`
+*/
+template <class Mesh>
+std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>
+nonmanifold_vertices(const Mesh& mesh) {
+  return internal::vertices_with(mesh, [](std::uint32_t umbrellas) { return umbrellas > 1; });
+}
+
+/*!
+\brief returns the genus of an orientable surface, summed over its components.
+
+Nonmanifold vertices are split and isolated ones dropped first. Then V - E + F = 2 C - 2 g - b with
+C components and b boundary loops.
+\tparam Mesh a model of `MutableDeltaComplex`
+\return the genus, or nothing if the surface is not orientable
+*/
+template <class Mesh>
+std::optional<std::size_t> genus(const Mesh& mesh) {
+  const Gluing_map& m = internal::as_gluing_map(mesh);
+  if (!is_orientable(m)) return std::nullopt;
+  // all terms are nonnegative, and so is the sum: 2 g = (2 C + E) - (V + F + b)
+  const std::size_t more = 2 * std::size_t{connected_components(m).count} + m.number_of_edges();
+  const std::size_t less =
+      number_of_umbrellas(m) + m.number_of_faces() + internal::border_of_loops(m).size();
+  return (more - less) / 2;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_TOPOLOGY_H

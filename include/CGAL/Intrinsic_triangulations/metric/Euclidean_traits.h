@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EUCLIDEAN_TRAITS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EUCLIDEAN_TRAITS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/metric/initial_values.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief stores squared lengths and quadruple areas as numbers of one type, and decides by computing
+with them.
+
+Exact iff `FT` is. With an inexact type decisions near ties are rounding's, a flip that would make an
+area that is not positive is refused, and a cap on the number of flips keeps algorithms finite.
+\tparam FT_ a CGAL number type: a field, with square root unless all areas of the input are rational
+\cgalModels{IntrinsicMetric}
+*/
+template <class FT_>
+class Euclidean_metric {
+public:
+  /// Number type of the stored values.
+  using FT = FT_;
+  /// Nothing is needed around predicates.
+  struct Scope {};
+  /// Whether predicates and constructions are exact, so that algorithms end without a cap.
+  static constexpr bool is_exact =
+      std::is_same_v<typename Algebraic_structure_traits<FT>::Is_exact, Tag_true>;
+
+  /// constructs an empty metric.
+  Euclidean_metric() = default;
+
+  /*!
+  \brief evaluates the input.
+  \throws Invalid_input see `quadruple_area()`
+  \complexity linear
+  */
+  Euclidean_metric(const Gluing_map& mesh, const std::shared_ptr<const Input_metric>& input)
+      : scale_exponent_(input->scale_exponent()),
+        squared_length_(Intrinsic_triangulations::squared_lengths<FT>(*input, mesh)),
+        quadruple_area_(Intrinsic_triangulations::quadruple_areas<FT>(*input)) {}
+
+  /// tells whether the angles opposite the edge sum to at most pi.
+  bool is_locally_delaunay(const Diamond& d) {
+    ++statistics_.checks;
+    const FT& ij = squared_length_[d.ij];
+    const FT q_f = squared_length_[d.jk] + squared_length_[d.ki] - ij;
+    const FT q_g = squared_length_[d.im] + squared_length_[d.mj] - ij;
+    // both angles at most a right one: areas do not matter
+    if (q_f >= FT(0) && q_g >= FT(0)) return true;
+    return !(q_f * quadruple_area_[d.g] + q_g * quadruple_area_[d.f] < FT(0));
+  }
+
+  /// returns the sign of an expression in the values of a diamond.
+  template <class Expression>
+  Sign sign(const Diamond& d, const Expression& expression) {
+    return CGAL::sign(expression(values(d)));
+  }
+
+  /*!
+  \brief computes a flip and stores it.
+  \return whether it was done: refused if an area would not be positive, or a length be infinite
+  */
+  bool flip(const Diamond& d) {
+    const Flipped_values<FT> n = flipped(values(d));
+    if (!(n.area_f > FT(0) && n.area_g > FT(0) && n.km > FT(0))) return false;
+    if constexpr (std::numeric_limits<FT>::has_infinity)
+      if (!(n.km < std::numeric_limits<FT>::infinity())) return false;
+    squared_length_[d.ij] = n.km;
+    quadruple_area_[d.f] = n.area_f;
+    quadruple_area_[d.g] = n.area_g;
+    return true;
+  }
+
+  /// tells whether the area of a face is zero.
+  bool is_degenerate(std::uint32_t f) const { return quadruple_area_[f] == FT(0); }
+  /// tells whether the length of an edge is zero.
+  bool is_zero_length(std::uint32_t e) const { return squared_length_[e] == FT(0); }
+  /// returns the squared length of an edge, in scaled units.
+  const FT& squared_length(std::uint32_t e) const { return squared_length_[e]; }
+  /// returns the quadruple area of a face, in scaled units.
+  const FT& quadruple_area(std::uint32_t f) const { return quadruple_area_[f]; }
+  /// returns s, where coordinates are scaled by 2^s.
+  int scale_exponent() const { return scale_exponent_; }
+  /// returns how predicates were decided.
+  const Predicate_statistics& statistics() const { return statistics_; }
+  /// returns how predicates were decided, to be reset.
+  Predicate_statistics& statistics() { return statistics_; }
+
+  /*!
+  \brief returns (cot k + cot m) / 2 for the angles opposite an edge between two faces.
+  \pre both faces have an area
+  */
+  double cotangent_weight(const Diamond& d) const {
+    return cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
+  }
+
+  /// returns half the cotangent of the angle opposite side `ij` of face `f` with sides ij, jk, ki.
+  double cotangent_weight(std::uint32_t ij, std::uint32_t jk, std::uint32_t ki,
+                          std::uint32_t f) const {
+    return CGAL::to_double((squared_length_[jk] + squared_length_[ki] - squared_length_[ij]) /
+                           (FT(2) * quadruple_area_[f]));
+  }
+
+private:
+  Diamond_values<FT> values(const Diamond& d) const {
+    return {squared_length_[d.ij], squared_length_[d.jk], squared_length_[d.ki],
+            squared_length_[d.im], squared_length_[d.mj], quadruple_area_[d.f],
+            quadruple_area_[d.g]};
+  }
+
+  int scale_exponent_ = 0;
+  std::vector<FT> squared_length_;
+  std::vector<FT> quadruple_area_;
+  Predicate_statistics statistics_;
+};
+
+/*!
+\brief lets an intrinsic triangulation compute in one number type.
+\tparam FT_ see `Euclidean_metric`
+\cgalModels{IntrinsicTriangulationTraits}
+*/
+template <class FT_>
+struct Euclidean_traits {
+  /// Number type of the stored values.
+  using FT = FT_;
+  /// Stores the values and decides.
+  using Metric = Euclidean_metric<FT_>;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EUCLIDEAN_TRAITS_H

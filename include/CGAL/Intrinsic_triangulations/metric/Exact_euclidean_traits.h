@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/metric/initial_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/input_diamond_sign.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief stores the metric as intervals that contain the exact values, and decides exactly.
+
+A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, the
+values are recomputed from the input by the history of flips, in multi-precision intervals of 128,
+256, ... bits, between which exact arithmetic tells whether the value is zero: see
+`Exact_evaluation`. Better intervals found on the way replace the stored ones.
+
+All members but the constructors and `Scope` ask for a live `Scope`, which sets the rounding mode
+that interval arithmetic needs.
+\cgalModels{IntrinsicMetric}
+*/
+class Exact_euclidean_metric {
+public:
+  /// Number type of the stored values.
+  using FT = Interval_nt<false>;
+  /// Keeps the floating point unit rounding upwards.
+  using Scope = Protect_FPU_rounding<true>;
+  /// Predicates are exact: algorithms end without a cap.
+  static constexpr bool is_exact = true;
+
+  /// constructs an empty metric.
+  Exact_euclidean_metric() = default;
+
+  /*!
+  \brief evaluates the input in interval arithmetic and keeps it for exact evaluation.
+  \throws Invalid_input see `quadruple_area()`
+  \complexity linear
+  */
+  Exact_euclidean_metric(const Gluing_map& mesh, std::shared_ptr<const Input_metric> input)
+      : input_(std::move(input)), history_(input_->number_of_faces()) {
+    const Scope scope;
+    squared_length_ = Intrinsic_triangulations::squared_lengths<FT>(*input_, mesh);
+    quadruple_area_ = Intrinsic_triangulations::quadruple_areas<FT>(*input_);
+    sides_.reserve(input_->number_of_faces());
+    for (std::uint32_t f = 0; f < input_->number_of_faces(); ++f)
+      sides_.push_back({f, mesh.halfedge(Gluing_map::Face{f}).index / 2});
+  }
+
+  /// tells whether the angles opposite the edge sum to at most pi.
+  bool is_locally_delaunay(const Diamond& d) {
+    ++statistics_.checks;
+    const FT& ij = squared_length_[d.ij];
+    const FT q_f = squared_length_[d.jk] + squared_length_[d.ki] - ij;
+    const FT q_g = squared_length_[d.im] + squared_length_[d.mj] - ij;
+    // both angles at most a right one: areas do not matter
+    if (q_f.inf() >= 0 && q_g.inf() >= 0) return true;
+    const FT value = q_f * quadruple_area_[d.g] + q_g * quadruple_area_[d.f];
+    if (value.inf() >= 0) return true;
+    if (value.sup() < 0) return false;
+    return exact_sign(d, Delaunay_expression()) != NEGATIVE;
+  }
+
+  /*!
+  \brief returns the exact sign of an expression in the values of a diamond.
+  \tparam Expression a functor with a template `operator()(const Diamond_values<Number>&)`
+  */
+  template <class Expression>
+  Sign sign(const Diamond& d, const Expression& expression) {
+    const FT value = expression(values(d));
+    if (value.inf() > 0) return POSITIVE;
+    if (value.sup() < 0) return NEGATIVE;
+    if (value.inf() == 0 && value.sup() == 0) return ZERO;
+    return exact_sign(d, expression);
+  }
+
+  /*!
+  \brief computes a flip, stores it and records it in the history.
+  \return `true`
+  \pre the diamond is strictly convex
+  */
+  bool flip(const Diamond& d) {
+    const Flipped_values<FT> n = flipped(values(d));
+    squared_length_[d.ij] = positive_part(n.km);
+    quadruple_area_[d.f] = positive_part(n.area_f);
+    quadruple_area_[d.g] = positive_part(n.area_g);
+    const std::uint32_t version = history_.record_flip(left_side(d), right_side(d));
+    sides_[d.f] = {version, d.ij};
+    sides_[d.g] = {version + 1, d.ij};
+    return true;
+  }
+
+  /// tells whether the area of a face is zero; exact for an input face.
+  bool is_degenerate(std::uint32_t f) const { return quadruple_area_[f].sup() <= 0; }
+  /// tells whether the length of an edge is zero; exact for an input edge.
+  bool is_zero_length(std::uint32_t e) const { return squared_length_[e].sup() <= 0; }
+  /// returns an interval that contains the squared length of an edge, in scaled units.
+  const FT& squared_length(std::uint32_t e) const { return squared_length_[e]; }
+  /// returns an interval that contains the quadruple area of a face, in scaled units.
+  const FT& quadruple_area(std::uint32_t f) const { return quadruple_area_[f]; }
+  /// returns s, where coordinates are scaled by 2^s.
+  int scale_exponent() const { return input_->scale_exponent(); }
+  /// returns the input, which defines all values exactly.
+  const Input_metric& input() const { return *input_; }
+  /// returns the flips done so far.
+  const Flip_history& history() const { return history_; }
+  /// returns how predicates were decided.
+  const Predicate_statistics& statistics() const { return statistics_; }
+  /// returns how predicates were decided, to be reset.
+  Predicate_statistics& statistics() { return statistics_; }
+
+  /*!
+  \brief returns (cot k + cot m) / 2 for the angles opposite an edge between two faces.
+
+  Zero exactly where the sum of the angles is pi, and of the right sign everywhere.
+  \pre both faces have an area
+  */
+  double cotangent_weight(const Diamond& d) {
+    const Sign s = sign(d, Delaunay_expression());
+    if (s == ZERO) return 0;
+    const Diamond_values<FT> v = values(d);
+    const FT weight = Delaunay_expression()(v) / (FT(2) * v.area_f * v.area_g);
+    return s == POSITIVE ? CGAL::to_double(FT(std::max(weight.inf(), 0.0), weight.sup()))
+                         : CGAL::to_double(FT(weight.inf(), std::min(weight.sup(), 0.0)));
+  }
+
+  /// returns half the cotangent of the angle opposite side `ij` of face `f` with sides ij, jk, ki.
+  double cotangent_weight(std::uint32_t ij, std::uint32_t jk, std::uint32_t ki,
+                          std::uint32_t f) const {
+    return CGAL::to_double((squared_length_[jk] + squared_length_[ki] - squared_length_[ij]) /
+                           (FT(2) * quadruple_area_[f]));
+  }
+
+private:
+  // Version of a face and the edge in its slot 0. Where both other sides of the face are the same
+  // edge, its slots 1 and 2 may be taken for each other: they have the same length.
+  using Version = std::pair<std::uint32_t, std::uint32_t>;
+
+  Diamond_values<FT> values(const Diamond& d) const {
+    return {squared_length_[d.ij], squared_length_[d.jk], squared_length_[d.ki],
+            squared_length_[d.im], squared_length_[d.mj], quadruple_area_[d.f],
+            quadruple_area_[d.g]};
+  }
+
+  Flip_history::Side left_side(const Diamond& d) const { return side(d.f, d.ij, d.jk); }
+  Flip_history::Side right_side(const Diamond& d) const { return side(d.g, d.ij, d.im); }
+  Flip_history::Side side(std::uint32_t f, std::uint32_t edge, std::uint32_t next_edge) const {
+    const auto& [version, first] = sides_[f];
+    return {version, first == edge ? 0U : first == next_edge ? 2U : 1U};
+  }
+
+  // Lengths and areas are never negative, whatever rounding makes of the lower bound.
+  static FT positive_part(const FT& x) { return {std::max(x.inf(), 0.0), x.sup()}; }
+
+  template <class Expression>
+  Sign exact_sign(const Diamond& d, const Expression& expression) {
+    ++statistics_.filter_failures;
+    const Flip_history::Side left = left_side(d), right = right_side(d);
+    if (history_.is_input(left.version) && history_.is_input(right.version))
+      if (const std::optional<Sign> s = input_diamond_sign(*input_, left, right, expression)) {
+        ++(*s == ZERO ? statistics_.certified_zero : statistics_.integer);
+        return *s;
+      }
+    Diamond_values<FT> better;
+    const Sign s =
+        evaluation_.sign(*input_, history_, left, right, expression, better, statistics_);
+    refine(squared_length_[d.ij], better.ij);
+    refine(squared_length_[d.jk], better.jk);
+    refine(squared_length_[d.ki], better.ki);
+    refine(squared_length_[d.im], better.im);
+    refine(squared_length_[d.mj], better.mj);
+    refine(quadruple_area_[d.f], better.area_f);
+    refine(quadruple_area_[d.g], better.area_g);
+    return s;
+  }
+
+  static void refine(FT& stored, const FT& better) {
+    stored = FT(std::max(stored.inf(), better.inf()), std::min(stored.sup(), better.sup()));
+  }
+
+  std::vector<FT> squared_length_;
+  std::vector<FT> quadruple_area_;
+  std::vector<Version> sides_;
+  std::shared_ptr<const Input_metric> input_; // immutable, shared by copies
+  Flip_history history_;
+  Exact_evaluation evaluation_;
+  Predicate_statistics statistics_;
+};
+
+/*!
+\brief lets an intrinsic triangulation decide every predicate exactly.
+\cgalModels{IntrinsicTriangulationTraits}
+*/
+struct Exact_euclidean_traits {
+  /// Number type of the stored values.
+  using FT = Interval_nt<false>;
+  /// Stores the values and decides.
+  using Metric = Exact_euclidean_metric;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H

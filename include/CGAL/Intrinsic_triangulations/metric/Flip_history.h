@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_FLIP_HISTORY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_FLIP_HISTORY_H
+
+#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief remembers how every face came about, so that its geometry can be recomputed from the input in
+any arithmetic.
+
+A *version* of a face is an input face or one of the two faces that a flip made: version `v < F` is
+input face `v`, versions `F + 2n` and `F + 2n + 1` are the left and right face of flip `n`. Each
+version has its sides in slots 0, 1, 2; slot 0 of a flipped face is the new edge. A flip is one node
+of eight bytes, the versions of the two faces that it consumed and the slots in which they had the
+flipped edge. Everything else follows: lengths of the other sides are inherited. Nodes refer to
+smaller versions only, so that increasing order is an order of evaluation and nothing is recursive.
+*/
+class Flip_history {
+public:
+  /// A slot of a version of a face.
+  struct Side {
+    std::uint32_t version; ///< version of the face
+    std::uint32_t slot;    ///< 0, 1 or 2
+  };
+
+  /// constructs the history of `number_of_faces` input faces and no flips.
+  explicit Flip_history(std::uint32_t number_of_faces = 0) : faces_(number_of_faces) {}
+
+  /// returns the number of input faces.
+  std::uint32_t number_of_input_faces() const { return faces_; }
+  /// returns the number of flips.
+  std::uint32_t number_of_flips() const { return static_cast<std::uint32_t>(nodes_.size()); }
+  /// tells whether a version is an input face.
+  bool is_input(std::uint32_t version) const { return version < faces_; }
+  /// returns the flip that made a version. \pre `!is_input(version)`
+  std::uint32_t flip_of(std::uint32_t version) const { return (version - faces_) / 2; }
+  /// returns the left version that flip `n` made; the right one is the next.
+  std::uint32_t left_version(std::uint32_t n) const { return faces_ + 2 * n; }
+  /// returns the side that flip `n` consumed on the left.
+  Side left_parent(std::uint32_t n) const { return unpack(nodes_[n].first); }
+  /// returns the side that flip `n` consumed on the right.
+  Side right_parent(std::uint32_t n) const { return unpack(nodes_[n].second); }
+
+  /*!
+  \brief records a flip of the edge between two sides.
+  \return the version of the left face; that of the right face is the next number
+  \throws std::length_error after about 5e8 flips, when versions no longer fit 30 bits
+  */
+  std::uint32_t record_flip(Side left, Side right) {
+    const std::uint32_t version = left_version(number_of_flips());
+    if (version >= (1U << 30) - 2)
+      throw std::length_error("the history of flips is full; rebuild from the input");
+    nodes_.emplace_back(pack(left), pack(right));
+    return version;
+  }
+
+  /*!
+  \brief finds where the length of a side was made: slot 0 of a flipped face, or an input side.
+  \complexity linear in the number of flips of which the side was an outer edge
+  */
+  Side origin(Side s) const {
+    while (!is_input(s.version) && s.slot != 0) {
+      const std::uint32_t n = flip_of(s.version);
+      const bool is_left = s.version == left_version(n);
+      // left face: km, mj, jk; right face: mk, ki, im; see Flipped_values
+      const bool from_right_parent = is_left == (s.slot == 1);
+      const Side parent = from_right_parent ? right_parent(n) : left_parent(n);
+      s = {parent.version, (parent.slot + (s.slot == 1 ? 2 : 1)) % 3};
+    }
+    return s;
+  }
+
+private:
+  static std::uint32_t pack(Side s) { return (s.version << 2) | s.slot; }
+  static Side unpack(std::uint32_t x) { return {x >> 2, x & 3U}; }
+
+  std::uint32_t faces_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> nodes_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_FLIP_HISTORY_H

@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INITIAL_VALUES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INITIAL_VALUES_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Gmpz.h>
+#include <CGAL/number_utils.h>
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+/*!
+\file
+Squared lengths and quadruple areas of the input in a given number type: the only place where a
+square root is taken.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief computes the exact square root of a rational number that is a square.
+\return whether `x` is the square of a rational; if so, `root` is set to its nonnegative root
+*/
+inline bool rational_square_root(const Gmpq& x, Gmpq& root) {
+  const Gmpz n = x.numerator(), d = x.denominator();
+  if (mpz_perfect_square_p(n.mpz()) == 0 || mpz_perfect_square_p(d.mpz()) == 0) return false;
+  root = Gmpq(CGAL::sqrt(n), CGAL::sqrt(d));
+  return true;
+}
+
+/*!
+\brief converts a rational number to `FT`, correctly rounded or enclosed if `FT` is inexact.
+*/
+template <class FT>
+FT from_rational(const Gmpq& x) {
+  if constexpr (std::is_constructible_v<FT, Gmpq>)
+    return FT(x);
+  else if constexpr (std::is_same_v<FT, double>)
+    return CGAL::to_double(x);
+  else if constexpr (std::is_same_v<FT, Interval_nt<false>>) {
+    const std::pair<double, double> i = CGAL::to_interval(x);
+    return FT(i.first, i.second);
+  } else
+    return FT(x.numerator().to_double()) / FT(x.denominator().to_double());
+}
+
+namespace internal {
+
+// D = 4 |u x v|^2 with u and v two sides: far more accurate on slivers than the form in squared
+// lengths. Also |u|^2 |v|^2, against which rounding errors are to be compared.
+template <class FT>
+struct Embedded_area {
+  FT squared, scale;
+
+  Embedded_area(const Input_metric& m, std::uint32_t f) {
+    const Input_metric::Sides& s = m.sides(f);
+    const Input_metric::Point &p = m.points()[s[0]], &q = m.points()[s[1]], &r = m.points()[s[2]];
+    FT u[3], v[3];
+    for (int k = 0; k < 3; ++k) {
+      u[k] = FT(q[k]) - FT(p[k]);
+      v[k] = FT(r[k]) - FT(p[k]);
+    }
+    const FT x = u[1] * v[2] - u[2] * v[1];
+    const FT y = u[2] * v[0] - u[0] * v[2];
+    const FT z = u[0] * v[1] - u[1] * v[0];
+    squared = FT(4) * (CGAL::square(x) + CGAL::square(y) + CGAL::square(z));
+    const FT uu = CGAL::square(u[0]) + CGAL::square(u[1]) + CGAL::square(u[2]);
+    const FT vv = CGAL::square(v[0]) + CGAL::square(v[1]) + CGAL::square(v[2]);
+    scale = uu * vv;
+    if (m.delta() > 0) { // adding delta to all L adds 2 delta (L_0 + L_1 + L_2) + 3 delta^2 to D
+      const FT delta(m.delta());
+      const FT sum = uu + vv + Input_metric::squared_distance<FT>(q, r);
+      squared = squared + delta * (FT(2) * sum + FT(3) * delta);
+    }
+  }
+};
+
+inline void check_triangle_inequality(const Gmpq& squared_area, std::uint32_t f) {
+  if (squared_area < Gmpq(0))
+    throw Invalid_input(Element_kind::face, f,
+                        "face " + std::to_string(f) +
+                            " violates the triangle inequality; correct the lengths of its edges "
+                            "or mollify them");
+}
+
+inline Gmpq checked_squared_quadruple_area(const Input_metric& m, std::uint32_t f) {
+  const Gmpq d = m.squared_quadruple_area<Gmpq>(f);
+  check_triangle_inequality(d, f);
+  return d;
+}
+
+// Doubles are trusted where rounding, about 2^-52 |u| |v| in a, is below 2^-30 of a (a^2 against
+// |u|^2 |v|^2 from points, D against L_0 L_2 from lengths); all else is computed from rationals.
+inline double quadruple_area_double(const Input_metric& m, std::uint32_t f) {
+  if (m.is_embedded()) {
+    const Embedded_area<double> d(m, f);
+    if (d.squared > 0x1p-40 * d.scale) return std::sqrt(d.squared);
+  } else {
+    const double d = m.squared_quadruple_area<double>(f);
+    if (d > 0x1p-20 * m.squared_length<double>(f, 0) * m.squared_length<double>(f, 2))
+      return std::sqrt(d);
+  }
+  return std::sqrt(CGAL::to_double(checked_squared_quadruple_area(m, f)));
+}
+
+inline Interval_nt<false> quadruple_area_interval(const Input_metric& m, std::uint32_t f) {
+  using FT = Interval_nt<false>;
+  const FT d = m.is_embedded() ? Embedded_area<FT>(m, f).squared : m.squared_quadruple_area<FT>(f);
+  if (d.inf() > 0 && d.sup() - d.inf() <= 0x1p-30 * d.sup()) return CGAL::sqrt(d);
+  return CGAL::sqrt(from_rational<FT>(checked_squared_quadruple_area(m, f)));
+}
+
+template <class FT>
+FT quadruple_area_rational(const Input_metric& m, std::uint32_t f) {
+  const Gmpq d = checked_squared_quadruple_area(m, f);
+  Gmpq root;
+  if (!rational_square_root(d, root))
+    throw Invalid_input(Element_kind::face, f,
+                        "face " + std::to_string(f) +
+                            " has an irrational area, which this number type cannot hold; use the "
+                            "exact traits");
+  return from_rational<FT>(root);
+}
+
+} // namespace internal
+
+/*!
+\brief computes the quadruple area 4A of input face `f`, in scaled units.
+
+`double` and intervals are accurate to about 2^-30 even on slivers, and zero exactly where the area
+is zero. Other inexact types are as accurate as the cross product in their arithmetic; exact types
+with square root are exact; exact types without are exact where the area is rational.
+\tparam FT a number type
+\throws Invalid_input if the face violates the triangle inequality, or its area is irrational and
+  `FT` has no square root
+*/
+template <class FT>
+FT quadruple_area(const Input_metric& m, std::uint32_t f) {
+  using Structure = Algebraic_structure_traits<FT>;
+  if constexpr (std::is_same_v<FT, double>)
+    return internal::quadruple_area_double(m, f);
+  else if constexpr (std::is_same_v<FT, Interval_nt<false>>)
+    return internal::quadruple_area_interval(m, f);
+  else if constexpr (std::is_same_v<typename Structure::Sqrt, Null_functor>)
+    return internal::quadruple_area_rational<FT>(m, f);
+  else
+    return CGAL::sqrt(m.is_embedded() ? internal::Embedded_area<FT>(m, f).squared
+                                      : m.squared_quadruple_area<FT>(f));
+}
+
+/*!
+\brief computes the squared lengths of all edges, in scaled units.
+\tparam FT a number type constructible from `double`
+\complexity linear
+*/
+template <class FT>
+std::vector<FT> squared_lengths(const Input_metric& m, const Gluing_map& mesh) {
+  std::vector<FT> result;
+  result.reserve(mesh.number_of_edges());
+  const FT delta(m.delta());
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    if (m.is_embedded())
+      result.push_back(Input_metric::squared_distance<FT>(m.points()[mesh.source({2 * e}).index],
+                                                          m.points()[mesh.target({2 * e}).index]));
+    else
+      result.push_back(FT(m.squared_lengths()[e]));
+    if (m.delta() > 0) result.back() = result.back() + delta;
+  }
+  return result;
+}
+
+/*!
+\brief computes the quadruple areas of all faces, in scaled units.
+\tparam FT as for `quadruple_area()`
+\throws Invalid_input as `quadruple_area()`
+\complexity linear
+*/
+template <class FT>
+std::vector<FT> quadruple_areas(const Input_metric& m) {
+  std::vector<FT> result;
+  result.reserve(m.number_of_faces());
+  for (std::uint32_t f = 0; f < m.number_of_faces(); ++f)
+    result.push_back(quadruple_area<FT>(m, f));
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INITIAL_VALUES_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_COTANGENT_LAPLACIAN_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_COTANGENT_LAPLACIAN_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
+
+#include <Eigen/SparseCore>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+template <class Triangulation>
+[[noreturn]] void throw_degenerate_face(const Triangulation& t,
+                                        typename Triangulation::face_descriptor f) {
+  const std::uint32_t i = t.index(f);
+  const std::size_t input = t.renumbering().input_face.empty() ? i : t.renumbering().input_face[i];
+  throw Invalid_input(
+      Element_kind::face, input,
+      "face " + std::to_string(input) +
+          " has no area, or one too small for its cotangents; make the triangulation "
+          "Delaunay, or build it with mollification");
+}
+
+// the smaller of the faces at an edge, which is the one whose cotangent overflows
+template <class Triangulation>
+typename Triangulation::face_descriptor smaller_face(const Triangulation& t,
+                                                     typename Triangulation::edge_descriptor e) {
+  const auto h = halfedge(e, t.mesh());
+  const auto f = face(h, t.mesh()), g = face(opposite(h, t.mesh()), t.mesh());
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+  if (f == null || (g != null && t.area(g) < t.area(f))) return g;
+  return f;
+}
+
+// the negative weight of each edge that joins two vertices, unless it is zero
+template <class Triangulation>
+std::vector<Symmetric_entry> cotangent_entries(Triangulation& t) {
+  const auto& mesh = t.mesh();
+  typename Triangulation::Session session(t);
+  for (const typename Triangulation::face_descriptor f : faces(mesh))
+    if (t.metric().is_degenerate(t.index(f))) throw_degenerate_face(t, f);
+  std::vector<Symmetric_entry> entries;
+  entries.reserve(num_edges(mesh));
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const typename Triangulation::halfedge_descriptor h = halfedge(e, mesh);
+    const auto i = static_cast<int>(t.input_vertex(source(h, mesh)));
+    const auto j = static_cast<int>(t.input_vertex(target(h, mesh)));
+    if (i == j) continue;
+    const double weight = session.cotangent_weight(e);
+    if (!std::isfinite(weight)) throw_degenerate_face(t, smaller_face(t, e));
+    if (weight != 0) entries.push_back({i, j, -weight});
+  }
+  return entries;
+}
+
+} // namespace internal
+
+/*!
+\brief assembles the cotangent Laplacian of an intrinsic triangulation (§2.5 of the course, Eq. 4):
+
+    L_ij = -w_ij,    L_ii = sum_j w_ij,    w_ij = sum over the faces at ij of 1/2 cot(angle opposite ij)
+
+The matrix is symmetric bit by bit and positive semidefinite, with constants in its kernel:
+x^T L x = integral of |grad x|^2 for the piecewise linear function x. (Many papers use the opposite
+sign.) It is the weak form: the smooth equation Laplacian u = f becomes `L u = M f`, with a mass matrix
+`M` of `mass_matrix.h`. Border edges have one cotangent, which is the natural (Neumann) boundary
+condition. Several edges between the same vertices add up; edges from a vertex to itself do not
+contribute. In a Delaunay triangulation all weights are nonnegative, and the matrix does not depend on
+which Delaunay triangulation it is (Bobenko and Springborn 2007).
+
+All diagonal entries are stored, those of isolated vertices as zeros. Of the others those of nonzero
+weight are stored. With exact traits weights that are zero (cocircular faces) are certified, so that
+the pattern too is that of the Delaunay tessellation alone. Each diagonal entry is minus the sum of the
+others in its column, in their order.
+
+\tparam Triangulation a model of `IntrinsicTriangulation`
+\param t the triangulation, whose predicates may sharpen stored values
+\return a compressed matrix with a row and column per vertex, in the numbering of the input, without
+  dimension
+\throws Invalid_input if a face has no area; flips to Delaunay remove caps, mollification the rest
+\complexity linear
+*/
+template <class Triangulation>
+Eigen::SparseMatrix<double> cotangent_laplacian(Triangulation& t) {
+  const int size = checked_matrix_size(t.mesh());
+  Eigen::SparseMatrix<double> l =
+      symmetric_matrix_with_zero_diagonal(internal::cotangent_entries(t), size);
+  for (int c = 0; c < size; ++c) {
+    double sum = 0;
+    double* diagonal = nullptr;
+    for (Eigen::SparseMatrix<double>::InnerIterator i(l, c); i; ++i)
+      if (i.row() == c)
+        diagonal = &i.valueRef();
+      else
+        sum -= i.value();
+    *diagonal = sum;
+  }
+  return l;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_COTANGENT_LAPLACIAN_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_MASS_MATRIX_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_MASS_MATRIX_H
+
+#include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// the sum of the areas of the faces at each vertex; a face counts once per corner
+template <class Triangulation>
+Eigen::VectorXd areas_at_vertices(const Triangulation& t) {
+  const auto& mesh = t.mesh();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(checked_matrix_size(mesh));
+  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
+    const double area = t.area(f);
+    typename Triangulation::halfedge_descriptor h = halfedge(f, mesh);
+    for (int corner = 0; corner < 3; ++corner, h = next(h, mesh))
+      sum[t.input_vertex(target(h, mesh))] += area;
+  }
+  return sum;
+}
+
+} // namespace internal
+
+/*!
+\brief assembles the lumped mass matrix (§2.5.1 of the course, Eq. 5): a third of the area of the faces
+at each vertex, on the diagonal.
+
+A face that has a vertex at several corners counts at each. The trace is the area of the surface.
+
+\tparam Triangulation a model of `IntrinsicTriangulation`
+\param t the triangulation
+\return a compressed diagonal matrix with a row and column per vertex, in the numbering of the input, in
+  units of area of the input; sparse, so that it adds to a Laplacian; every diagonal entry is stored
+\complexity linear
+*/
+template <class Triangulation>
+Eigen::SparseMatrix<double> lumped_mass_matrix(const Triangulation& t) {
+  const Eigen::VectorXd area = internal::areas_at_vertices(t);
+  Eigen::SparseMatrix<double> m(area.size(), area.size());
+  m.setIdentity();
+  for (Eigen::Index i = 0; i < area.size(); ++i) m.valuePtr()[i] = area[i] / 3;
+  return m;
+}
+
+/*!
+\brief assembles the Galerkin mass matrix (§2.5.1 of the course, Eq. 6):
+
+    M_ii = 1/6 of the area of the faces at i,    M_ij = 1/12 of the area of the faces at ij
+
+so that u^T M v is the integral of u v, exactly, for piecewise linear functions u and v. A face that has
+a vertex at several corners counts with every pair of its corners, as this asks: an edge from vertex i
+to itself adds twice 1/12 of the area of its faces to M_ii. The sum of all entries is the area of
+the surface. Positive definite if no vertex is isolated and every face has an area.
+
+\tparam Triangulation a model of `IntrinsicTriangulation`
+\param t the triangulation
+\return a compressed matrix with a row and column per vertex, in the numbering of the input, in units of
+  area of the input, symmetric bit by bit; every diagonal entry is stored
+\complexity linear
+*/
+template <class Triangulation>
+Eigen::SparseMatrix<double> galerkin_mass_matrix(const Triangulation& t) {
+  const auto& mesh = t.mesh();
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+  Eigen::VectorXd diagonal = internal::areas_at_vertices(t) / 6;
+  std::vector<Symmetric_entry> entries;
+  entries.reserve(num_edges(mesh));
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const typename Triangulation::halfedge_descriptor h = halfedge(e, mesh), o = opposite(h, mesh);
+    const double area = (face(h, mesh) == null ? 0 : t.area(face(h, mesh))) +
+                        (face(o, mesh) == null ? 0 : t.area(face(o, mesh)));
+    const auto i = static_cast<int>(t.input_vertex(source(h, mesh)));
+    const auto j = static_cast<int>(t.input_vertex(target(h, mesh)));
+    if (i == j)
+      diagonal[i] += area / 6;
+    else
+      entries.push_back({i, j, area / 12});
+  }
+  Eigen::SparseMatrix<double> m =
+      symmetric_matrix_with_zero_diagonal(entries, static_cast<int>(diagonal.size()));
+  for (int c = 0; c < m.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(m, c); i; ++i)
+      if (i.row() == c) i.valueRef() = diagonal[c];
+  return m;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_MASS_MATRIX_H

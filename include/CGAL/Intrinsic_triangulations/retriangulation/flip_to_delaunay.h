@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_FLIP_TO_DELAUNAY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_FLIP_TO_DELAUNAY_H
+
+#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// How flipping to Delaunay ended.
+enum class Flip_to_delaunay_status {
+  done,     ///< all edges that may be flipped are locally Delaunay, as far as the arithmetic can tell
+  cap,      ///< the cap on the number of flips was reached
+  cancelled ///< the visitor asked to stop
+};
+
+/*!
+\brief reports what flipping to Delaunay did.
+*/
+struct Flip_to_delaunay_result {
+  /// How it ended.
+  Flip_to_delaunay_status status = Flip_to_delaunay_status::done;
+  /// Number of edges flipped.
+  std::uint64_t flips = 0;
+  /// Number of edges tested.
+  std::uint64_t checks = 0;
+  /// Number of flips refused because the arithmetic made an area that is not positive.
+  std::uint64_t refused_flips = 0;
+};
+
+/*!
+\brief observes flipping to Delaunay; the default visitor does nothing.
+*/
+struct Flip_to_delaunay_visitor {
+  /*!
+  \brief is called now and then, about every 65536 checks.
+  \return whether to go on
+  */
+  bool progress(const Flip_to_delaunay_result&) { return true; }
+};
+
+namespace internal {
+
+template <class Triangulation, class Constrained, class Visitor>
+class Delaunay_flipper {
+  using Mesh = typename Triangulation::Mesh;
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  using Edge = typename boost::graph_traits<Mesh>::edge_descriptor;
+
+public:
+  Delaunay_flipper(Triangulation& t, Constrained constrained, Visitor& visitor, std::uint64_t cap)
+      : t_(t), session_(t), constrained_(constrained), visitor_(visitor), cap_(cap),
+        on_stack_(num_edges(t.mesh()), 0) {}
+
+  // Edges of the range are taken in their order, which is that of memory; between them those that
+  // flips made suspect are taken from a stack. So the stack stays small and its edges in cache.
+  template <class EdgeRange>
+  Flip_to_delaunay_result run(const EdgeRange& range) {
+    for (const Edge e : range) {
+      stack_.push_back(halfedge(e, t_.mesh()));
+      on_stack_[t_.index(e)] = 1;
+      while (!stack_.empty()) {
+        const Halfedge h = stack_.back();
+        stack_.pop_back();
+        on_stack_[t_.index(edge(h, t_.mesh()))] = 0;
+        if (!process(h)) return result_;
+      }
+    }
+    return result_;
+  }
+
+private:
+  bool process(Halfedge h) {
+    if ((++result_.checks & 0xffffU) == 0 &&
+        !session_.suspended([this] { return visitor_.progress(result_); })) {
+      result_.status = Flip_to_delaunay_status::cancelled;
+      return false;
+    }
+    if (session_.is_locally_delaunay(h) || get(constrained_, edge(h, t_.mesh()))) return true;
+    if (result_.flips >= cap_) {
+      result_.status = Flip_to_delaunay_status::cap;
+      return false;
+    }
+    const Halfedge o = opposite(h, t_.mesh());
+    const Halfedge outer[4] = {next(h, t_.mesh()), next(next(h, t_.mesh()), t_.mesh()),
+                               next(o, t_.mesh()), next(next(o, t_.mesh()), t_.mesh())};
+    if (session_.flip_non_delaunay_edge(h) != decltype(session_.flip_status(h))::done) {
+      ++result_.refused_flips;
+      return true;
+    }
+    ++result_.flips;
+    for (const Halfedge x : outer) push(x);
+    return true;
+  }
+
+  void push(Halfedge h) {
+    char& marked = on_stack_[t_.index(edge(h, t_.mesh()))];
+    if (marked) return;
+    marked = 1;
+    stack_.push_back(h);
+  }
+
+  Triangulation& t_;
+  typename Triangulation::Session session_;
+  Constrained constrained_;
+  Visitor& visitor_;
+  std::uint64_t cap_;
+  Flip_to_delaunay_result result_;
+  std::vector<Halfedge> stack_;
+  std::vector<char> on_stack_;
+};
+
+} // namespace internal
+
+/*!
+\brief flips edges until all are locally Delaunay, starting from a range of edges (§4.2 of the
+course, Algorithm 1).
+
+Edges whose neighbourhood changes are tested again, whether they are in the range or not. Only edges
+that are strictly not Delaunay are flipped, never ties, so that with exact arithmetic the algorithm
+ends (Bobenko and Springborn 2007, Proposition 12). With inexact arithmetic a cap on the number of
+flips makes it end.
+
+\tparam Triangulation a model of `IntrinsicTriangulation`
+\tparam EdgeRange a range of `Triangulation::edge_descriptor`
+\tparam NamedParameters a sequence of named parameters
+\param t the triangulation
+\param edges the edges to start from
+\param np optional named parameters:
+  - `edge_is_constrained_map(m)`: a readable property map from edges to `bool`; constrained edges are
+    never flipped. Default: none is.
+  - `visitor(v)`: has a member `bool progress(const Flip_to_delaunay_result&)` that is called now and
+    then and returns whether to go on. Default: `Flip_to_delaunay_visitor`.
+  - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100
+    per edge and a million.
+\return status and counts
+\complexity linear in the number of flips, which is linear in the mesh in practice (§4.2), quadratic
+  on points of a parabola
+*/
+template <class Triangulation, class EdgeRange,
+          class NamedParameters = parameters::Default_named_parameters>
+Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edges,
+                                         const NamedParameters& np = parameters::default_values()) {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  using Edge = typename Triangulation::edge_descriptor;
+  Flip_to_delaunay_visitor none;
+  auto constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                      Static_boolean_property_map<Edge, false>());
+  auto& visitor =
+      choose_parameter(get_parameter_reference(np, internal_np::visitor), none);
+  constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t cap = choose_parameter(
+      get_parameter(np, internal_np::maximum_number),
+      Triangulation::Metric::is_exact ? unlimited
+                                      : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
+  internal::Delaunay_flipper<Triangulation, decltype(constrained),
+                             std::remove_reference_t<decltype(visitor)>>
+      flipper(t, constrained, visitor, cap);
+  return flipper.run(edges);
+}
+
+/*!
+\brief flips edges until all are locally Delaunay.
+
+See the overload with a range of edges.
+*/
+template <class Triangulation, class NamedParameters = parameters::Default_named_parameters>
+  requires requires { typename NamedParameters::base; } ||
+           std::is_same_v<NamedParameters, parameters::Default_named_parameters>
+Flip_to_delaunay_result flip_to_delaunay(Triangulation& t,
+                                         const NamedParameters& np = parameters::default_values()) {
+  return flip_to_delaunay(t, edges(t.mesh()), np);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_FLIP_TO_DELAUNAY_H

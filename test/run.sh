@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# usage: test/run.sh [CTEST_OPTION...]
+# From a bare Debian 12 to a tested build: installs what is missing, builds everything in
+# build/release, checks that every header compiles alone, runs all tests.
+set -euo pipefail
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+
+bash "$root/cmake/install_dependencies.sh" \
+  g++ cmake ninja-build libcgal-dev libcgal-demo libgmp-dev libmpfr-dev libmpfi-dev libboost-dev \
+  libeigen3-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev libgtest-dev doxygen python3
+
+cd -- "$root"
+cmake --preset release \
+  -DINTRINSIC_TRIANGULATIONS_BUILD_TESTS=ON -DINTRINSIC_TRIANGULATIONS_BUILD_EXAMPLES=ON
+cmake --build --preset release --parallel "$(nproc)"
+cmake --build --preset release --parallel "$(nproc)" --target all_verify_interface_header_sets
+ctest --preset release --output-on-failure --parallel "$(nproc)" "$@"
