@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/concepts.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
@@ -49,7 +50,8 @@ Predicates and moves are members for single calls. Many of them in a row run fas
 \tparam Correspondence_ a model of `IntrinsicCorrespondence`
 \cgalModels{IntrinsicTriangulation}
 */
-template <class Mesh_ = Gluing_map, class Traits_ = Exact_euclidean_traits,
+template <MutableDeltaComplex Mesh_ = Gluing_map,
+          IntrinsicTriangulationTraits Traits_ = Exact_euclidean_traits,
           class Correspondence_ = No_correspondence>
 class Intrinsic_triangulation {
 public:
@@ -165,6 +167,18 @@ public:
   explicit Intrinsic_triangulation(const FaceGraph& mesh,
                                    Mollification mollification = Mollification::automatic)
       : Intrinsic_triangulation(Intrinsic_input(mesh, mollification)) {}
+
+  /*!
+  \brief restores a triangulation from its parts, as they were written to a file.
+  \param map the connectivity, with the numbers that the other parts use
+  \param metric values for its edges and faces
+  \param renumbering the way back to the numbers of the input
+  \param report what was done to the input
+  */
+  Intrinsic_triangulation(Gluing_map map, Metric metric, Renumbering renumbering,
+                          const Input_report& report)
+      : mesh_(make_mesh(std::move(map))), number_(mesh_), metric_(std::move(metric)),
+        renumbering_(std::move(renumbering)), report_(report) {}
 
   /// returns the connectivity.
   const Mesh& mesh() const { return mesh_; }

@@ -24,7 +24,6 @@ namespace archetypes {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-
 /// Can be copied only where the concept asks for it.
 struct Metric {
   using FT = double;
@@ -54,7 +53,7 @@ struct Metric {
 };
 
 struct Traits {
-  using FT = Metric::FT;
+  using FT = double;
   using Metric = archetypes::Metric;
 };
 
@@ -93,9 +92,7 @@ public:
     explicit Session(Triangulation& t) : t_(t) {}
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
-    bool is_locally_delaunay(halfedge_descriptor h) const {
-      return t_.flipped_[h.index / 2] != 0;
-    }
+    bool is_locally_delaunay(halfedge_descriptor h) const { return t_.flipped_[h.index / 2] != 0; }
     CGAL::Sign delaunay_sign(halfedge_descriptor h) const {
       return is_locally_delaunay(h) ? CGAL::ZERO : CGAL::NEGATIVE;
     }

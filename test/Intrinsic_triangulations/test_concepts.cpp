@@ -140,7 +140,8 @@ TEST(Concepts, correspondence_hears_of_each_flip_before_and_after_and_of_no_refu
     EXPECT_NE(t.flip_edge({h}), IT::Move_status::done);
   EXPECT_EQ(t.correspondence().announced, 0);
   const gallery::Surface torus = gallery::one_vertex_torus();
-  Archetypical u(IT::Intrinsic_input(IT::Gluing_map(torus.gluing), gallery::squared_lengths(torus)));
+  Archetypical u(
+      IT::Intrinsic_input(IT::Gluing_map(torus.gluing), gallery::squared_lengths(torus)));
   EXPECT_EQ(u.flip_edge({0}), IT::Move_status::done);
   EXPECT_EQ(u.correspondence().announced, 1);
   EXPECT_EQ(u.correspondence().done, 1);

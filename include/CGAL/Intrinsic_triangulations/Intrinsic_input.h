@@ -127,11 +127,7 @@ Prepared_input<Metric> prepare(Intrinsic_input&& in) {
   const int scale =
       embedded ? scale_points(p.mesh, in.points) : scale_squared_lengths(in.squared_lengths);
   if (embedded && in.may_renumber && is_badly_ordered(p.mesh)) {
-    p.renumbering = renumber(p.mesh, morton_order_of_faces(p.mesh, in.points));
-    std::vector<std::array<double, 3>> moved;
-    moved.reserve(in.points.size());
-    for (const std::uint32_t v : p.renumbering.input_vertex) moved.push_back(in.points[v]);
-    in.points = std::move(moved);
+    p.renumbering = renumber(p.mesh, in.points);
     p.report.renumbered = true;
   }
   auto input = std::make_shared<Input_metric>(

@@ -98,8 +98,7 @@ Delta-complex: elements need not be determined by their vertices.
 Syntax of \ref ::MutableDeltaComplex, where its meaning is described.
 */
 template <class Mesh>
-concept MutableDeltaComplex =
-    std::default_initializable<Mesh> && std::move_constructible<Mesh> &&
+concept MutableDeltaComplex = std::default_initializable<Mesh> && std::move_constructible<Mesh> &&
     internal::Has_mesh_elements<Mesh> && internal::Has_connectivity<Mesh> &&
     internal::Has_mutable_connectivity<Mesh> && internal::Has_numbers<Mesh>;
 
@@ -109,28 +108,27 @@ concept MutableDeltaComplex =
 Syntax of \ref ::IntrinsicMetric, where its meaning is described.
 */
 template <class Metric>
-concept IntrinsicMetric =
-    std::default_initializable<Metric> && std::movable<Metric> &&
+concept IntrinsicMetric = std::default_initializable<Metric> && std::movable<Metric> &&
     std::default_initializable<typename Metric::Scope> &&
     std::constructible_from<Metric, const Gluing_map&, std::shared_ptr<Input_metric>> &&
     requires(Metric& m, const Metric& c, const Diamond& d, std::uint32_t i) {
-      typename Metric::FT;
-      { Metric::is_exact } -> std::convertible_to<bool>;
-      { m.is_locally_delaunay(d) } -> std::same_as<bool>;
-      { m.sign(d, Delaunay_expression()) } -> std::same_as<Sign>;
-      { m.sign(d, Convexity_at_source_expression()) } -> std::same_as<Sign>;
-      { m.sign(d, Convexity_at_target_expression()) } -> std::same_as<Sign>;
-      { m.flip(d) } -> std::same_as<bool>;
-      { m.cotangent_weight(d) } -> std::convertible_to<double>;
-      { m.cotangent_weight(i, i, i, i) } -> std::convertible_to<double>;
-      { c.is_degenerate(i) } -> std::same_as<bool>;
-      { c.is_zero_length(i) } -> std::same_as<bool>;
-      { c.squared_length(i) } -> std::convertible_to<typename Metric::FT>;
-      { c.quadruple_area(i) } -> std::convertible_to<typename Metric::FT>;
-      { CGAL::to_double(c.squared_length(i)) } -> std::convertible_to<double>;
-      { CGAL::to_double(c.quadruple_area(i)) } -> std::convertible_to<double>;
-      { c.scale_exponent() } -> std::same_as<int>;
-    };
+  typename Metric::FT;
+  { Metric::is_exact } -> std::convertible_to<bool>;
+  { m.is_locally_delaunay(d) } -> std::same_as<bool>;
+  { m.sign(d, Delaunay_expression()) } -> std::same_as<Sign>;
+  { m.sign(d, Convexity_at_source_expression()) } -> std::same_as<Sign>;
+  { m.sign(d, Convexity_at_target_expression()) } -> std::same_as<Sign>;
+  { m.flip(d) } -> std::same_as<bool>;
+  { m.cotangent_weight(d) } -> std::convertible_to<double>;
+  { m.cotangent_weight(i, i, i, i) } -> std::convertible_to<double>;
+  { c.is_degenerate(i) } -> std::same_as<bool>;
+  { c.is_zero_length(i) } -> std::same_as<bool>;
+  { c.squared_length(i) } -> std::convertible_to<typename Metric::FT>;
+  { c.quadruple_area(i) } -> std::convertible_to<typename Metric::FT>;
+  { CGAL::to_double(c.squared_length(i)) } -> std::convertible_to<double>;
+  { CGAL::to_double(c.quadruple_area(i)) } -> std::convertible_to<double>;
+  { c.scale_exponent() } -> std::same_as<int>;
+};
 
 /*!
 \brief asks for the arithmetic of an intrinsic triangulation.
@@ -141,7 +139,8 @@ template <class Traits>
 concept IntrinsicTriangulationTraits = requires {
   typename Traits::FT;
   typename Traits::Metric;
-} && IntrinsicMetric<typename Traits::Metric> &&
+}
+&&IntrinsicMetric<typename Traits::Metric>&&
     std::same_as<typename Traits::FT, typename Traits::Metric::FT>;
 
 /*!
@@ -150,13 +149,12 @@ concept IntrinsicTriangulationTraits = requires {
 Syntax of \ref ::IntrinsicCorrespondence, where its meaning is described.
 */
 template <class Correspondence, class Triangulation>
-concept IntrinsicCorrespondence =
-    std::default_initializable<Correspondence> && std::movable<Correspondence> &&
-    requires(Correspondence& c, const Triangulation& t,
-             typename Triangulation::halfedge_descriptor h) {
-      c.before_flip(t, h);
-      c.after_flip(t, h);
-    };
+concept IntrinsicCorrespondence = std::default_initializable<Correspondence> &&
+    std::movable<Correspondence> && requires(Correspondence& c, const Triangulation& t,
+                                             typename Triangulation::halfedge_descriptor h) {
+  c.before_flip(t, h);
+  c.after_flip(t, h);
+};
 
 /*!
 \brief asks for what algorithms that flip edges need of a triangulation.
@@ -170,17 +168,19 @@ concept IntrinsicTriangulation =
              const typename Triangulation::Session& c,
              typename Triangulation::halfedge_descriptor h,
              typename Triangulation::edge_descriptor e) {
-      requires internal::Has_mesh_elements<typename Triangulation::Mesh>;
-      requires internal::Has_connectivity<typename Triangulation::Mesh>;
-      { Triangulation::Metric::is_exact } -> std::convertible_to<bool>;
-      { t.mesh() } -> std::same_as<const typename Triangulation::Mesh&>;
-      { t.index(e) } -> std::convertible_to<std::uint32_t>;
-      { c.is_locally_delaunay(h) } -> std::same_as<bool>;
-      { c.delaunay_sign(h) } -> std::same_as<Sign>;
-      { s.flip_non_delaunay_edge(h) } -> std::same_as<decltype(s.flip_status(h))>;
-      { decltype(s.flip_status(h))::done } -> std::same_as<decltype(s.flip_status(h))>;
-      { c.suspended([] { return true; }) } -> std::same_as<bool>;
-    };
+  requires internal::Has_mesh_elements<typename Triangulation::Mesh>;
+  requires internal::Has_connectivity<typename Triangulation::Mesh>;
+  { Triangulation::Metric::is_exact } -> std::convertible_to<bool>;
+  { t.mesh() } -> std::same_as<const typename Triangulation::Mesh&>;
+  { t.index(e) } -> std::convertible_to<std::uint32_t>;
+  { c.is_locally_delaunay(h) } -> std::same_as<bool>;
+  { c.delaunay_sign(h) } -> std::same_as<Sign>;
+  { s.flip_non_delaunay_edge(h) } -> std::same_as<decltype(s.flip_status(h))>;
+  { decltype(s.flip_status(h))::done } -> std::same_as<decltype(s.flip_status(h))>;
+  {
+    c.suspended([] { return true; })
+    } -> std::same_as<bool>;
+};
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -101,7 +101,7 @@ public:
   Halfedge previous(Halfedge h) const {
     if (face(h).index != Gluing::none) return next(next(h));
     Halfedge p = opposite(h);
-    while (face(p).index != Gluing::none) p = opposite(next(next(p)));
+    while (face(p).index != Gluing::none) p = opposite(next(p));
     return p;
   }
 

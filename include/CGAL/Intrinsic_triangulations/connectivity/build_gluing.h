@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -122,20 +123,41 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRan
 
 namespace internal {
 
-// numbers the elements of a range 0, 1, 2, ... from numbers that may have gaps
+// numbers the elements of a range 0, 1, 2, ... from numbers that may have gaps; a mesh without gaps
+// needs no look-up
 class Compaction {
 public:
-  explicit Compaction(std::size_t expected) { map_.reserve(expected); }
   void append(std::uint32_t number) {
-    if (number >= map_.size()) map_.resize(number + 1, Gluing::none);
-    map_[number] = count_++;
+    if (map_.empty() && number != count_) { // the first gap
+      map_.resize(count_);
+      std::iota(map_.begin(), map_.end(), 0U);
+    }
+    if (!map_.empty() || number != count_) {
+      if (number >= map_.size()) map_.resize(number + 1, Gluing::none);
+      map_[number] = count_;
+    }
+    ++count_;
   }
-  std::uint32_t operator()(std::uint32_t number) const { return map_[number]; }
+  std::uint32_t count() const { return count_; }
+  std::uint32_t operator()(std::uint32_t number) const {
+    return map_.empty() ? number : map_[number];
+  }
 
 private:
-  std::vector<std::uint32_t> map_;
+  std::vector<std::uint32_t> map_; // empty: the identity
   std::uint32_t count_ = 0;
 };
+
+// Lets each border halfedge be followed by the next one around its target. Where several umbrellas
+// meet at a vertex, meshes may go on in another one, but `Gluing_map::previous()` does not.
+inline void link_border_within_umbrellas(Gluing_map& map) {
+  for (std::uint32_t h = 0; h < map.number_of_halfedges(); ++h) {
+    if (map.face({h}).index != Gluing::none) continue;
+    Gluing_map::Halfedge n = Gluing_map::opposite({h});
+    while (map.face(n).index != Gluing::none) n = Gluing_map::opposite(map.next(map.next(n)));
+    map.set_next({h}, n);
+  }
+}
 
 } // namespace internal
 
@@ -143,7 +165,8 @@ private:
 \brief copies the connectivity of a mesh through BGL.
 
 Vertices, edges and faces are numbered in the order of iteration. No edge is looked up by its end
-vertices, so that any Delta-complex is read right.
+vertices, so that any Delta-complex is read right. Border loops turn within one umbrella of each
+vertex, whichever way they go in `mesh`.
 \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 \throws Invalid_input if a face is not a triangle
 \complexity linear
@@ -153,24 +176,27 @@ Gluing_map gluing_map_from_face_graph(const FaceGraph& mesh) {
   using Traits = boost::graph_traits<FaceGraph>;
   using Halfedge = typename Traits::halfedge_descriptor;
   const Mesh_adaptor<FaceGraph> number(mesh);
-  internal::Compaction vertex(num_vertices(mesh)), side(num_halfedges(mesh)),
-      face_number(num_faces(mesh));
+  internal::Compaction vertex, side, face_number;
   for (const typename Traits::vertex_descriptor v : vertices(mesh)) vertex.append(number.vertex(v));
   for (const typename Traits::face_descriptor f : faces(mesh)) face_number.append(number.face(f));
   for (const typename Traits::edge_descriptor e : edges(mesh)) {
     side.append(number.halfedge(halfedge(e, mesh)));
     side.append(number.halfedge(opposite(halfedge(e, mesh), mesh)));
   }
-  Gluing_map map(static_cast<std::uint32_t>(num_vertices(mesh)),
-                 static_cast<std::uint32_t>(num_edges(mesh)),
-                 static_cast<std::uint32_t>(num_faces(mesh)));
+  // not num_vertices(mesh), ...: they count removed elements
+  Gluing_map map(vertex.count(), side.count() / 2, face_number.count());
+  std::vector<unsigned char> sides(face_number.count(), 0);
   const auto connect = [&](Halfedge h) {
     const Gluing_map::Halfedge s{side(number.halfedge(h))};
     map.set_next(s, {side(number.halfedge(next(h, mesh)))});
     const Gluing_map::Vertex v{vertex(number.vertex(target(h, mesh)))};
     map.set_target(s, v);
     const bool border = CGAL::is_border(h, mesh);
-    if (!border) map.set_face(s, {face_number(number.face(face(h, mesh)))});
+    if (!border) {
+      const Gluing_map::Face f{face_number(number.face(face(h, mesh)))};
+      map.set_face(s, f);
+      if (sides[f.index] < 4) ++sides[f.index];
+    }
     if (border || map.halfedge(v).index == Gluing::none) map.set_halfedge(v, s);
   };
   for (const typename Traits::edge_descriptor e : edges(mesh)) {
@@ -180,12 +206,13 @@ Gluing_map gluing_map_from_face_graph(const FaceGraph& mesh) {
   std::uint32_t f = 0;
   for (const typename Traits::face_descriptor d : faces(mesh)) {
     const Halfedge h = halfedge(d, mesh);
-    if (next(next(next(h, mesh), mesh), mesh) != h)
+    if (sides[f] != 3)
       throw Invalid_input(Element_kind::face, f,
                           "face " + std::to_string(f) +
                               " is not a triangle; triangulate the faces first");
     map.set_halfedge(Gluing_map::Face{f++}, {side(number.halfedge(h))});
   }
+  internal::link_border_within_umbrellas(map);
   return map;
 }
 
@@ -204,9 +231,8 @@ void copy_gluing_map(const Gluing_map& map, Mesh& mesh) {
   std::vector<typename Traits::vertex_descriptor> vertex;
   std::vector<typename Traits::halfedge_descriptor> side;
   std::vector<typename Traits::face_descriptor> face;
-  for (std::uint32_t v = 0; v < map.number_of_vertices(); ++v) {
-    vertex.push_back(add_vertex(mesh)); // its halfedge is null: OpenMesh cannot set it so through BGL
-  }
+  for (std::uint32_t v = 0; v < map.number_of_vertices(); ++v)
+    vertex.push_back(add_vertex(mesh)); // with the null halfedge, which OpenMesh cannot be given
   for (std::uint32_t e = 0; e < map.number_of_edges(); ++e) {
     side.push_back(halfedge(add_edge(mesh), mesh));
     side.push_back(opposite(side.back(), mesh));

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -53,21 +52,88 @@ inline bool is_badly_ordered(const Gluing_map& mesh) {
   return 8 * far > samples;
 }
 
+namespace internal {
+
+// Stable counting sort: the place of each element in the order of its key, keys below `bound`.
+inline std::vector<std::uint32_t> places_by_key(const std::vector<std::uint32_t>& keys,
+                                                std::uint32_t bound) {
+  std::vector<std::uint32_t> start(bound + 1, 0), place(keys.size());
+  for (const std::uint32_t k : keys) ++start[k + 1];
+  for (std::uint32_t k = 0; k < bound; ++k) start[k + 1] += start[k];
+  for (std::size_t i = 0; i < keys.size(); ++i) place[i] = start[keys[i]]++;
+  return place;
+}
+
+inline std::vector<std::uint32_t> inverse_permutation(const std::vector<std::uint32_t>& p) {
+  std::vector<std::uint32_t> inverse(p.size());
+  for (std::uint32_t i = 0; i < p.size(); ++i) inverse[p[i]] = i;
+  return inverse;
+}
+
+// New numbers of vertices, edges and faces.
+struct New_numbers {
+  std::vector<std::uint32_t> vertex, edge, face;
+};
+
+// Faces follow the least of their vertices, edges the first of their faces. All loops run through
+// the mesh in memory order, so that cache misses overlap.
+inline New_numbers numbers_along(const Gluing_map& mesh, std::vector<std::uint32_t> vertex) {
+  New_numbers result;
+  result.vertex = std::move(vertex);
+  std::vector<std::uint32_t> key(mesh.number_of_faces(), Gluing::none);
+  for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h) {
+    const std::uint32_t f = mesh.face({h}).index;
+    if (f != Gluing::none) key[f] = std::min(key[f], result.vertex[mesh.target({h}).index]);
+  }
+  result.face = places_by_key(key, mesh.number_of_vertices());
+  key.resize(mesh.number_of_edges());
+  const auto place = [&](std::uint32_t h) {
+    const std::uint32_t f = mesh.face({h}).index;
+    return f == Gluing::none ? f : result.face[f];
+  };
+  for (std::uint32_t e = 0; e < key.size(); ++e) key[e] = std::min(place(2 * e), place(2 * e + 1));
+  result.edge = places_by_key(key, mesh.number_of_faces());
+  return result;
+}
+
+inline Gluing_map renumbered(const Gluing_map& mesh, const New_numbers& number) {
+  using Halfedge = Gluing_map::Halfedge;
+  const auto side = [&](Halfedge h) {
+    return h.index == Gluing::none ? h : Halfedge{2 * number.edge[h.index / 2] + h.index % 2};
+  };
+  Gluing_map result(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
+  for (std::uint32_t i = 0; i < mesh.number_of_halfedges(); ++i) {
+    const Halfedge h{i}, n = side(h);
+    result.set_next(n, side(mesh.next(h)));
+    result.set_target(n, {number.vertex[mesh.target(h).index]});
+    const std::uint32_t f = mesh.face(h).index;
+    if (f != Gluing::none) result.set_face(n, {number.face[f]});
+  }
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
+    result.set_halfedge(Gluing_map::Face{number.face[f]}, side(mesh.halfedge(Gluing_map::Face{f})));
+  for (std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v)
+    result.set_halfedge(Gluing_map::Vertex{number.vertex[v]},
+                        side(mesh.halfedge(Gluing_map::Vertex{v})));
+  return result;
+}
+
+} // namespace internal
+
 /*!
-\brief orders the faces of a mesh along a Morton curve through their centroids.
-\param mesh the connectivity, with at least one face
-\param points one point per vertex
-\return face numbers in the new order
+\brief orders points along a Morton curve.
+\return numbers of the points in the new order
+\pre coordinates are finite
 \complexity linear: a radix sort
 */
 inline std::vector<std::uint32_t>
-morton_order_of_faces(const Gluing_map& mesh, const std::vector<std::array<double, 3>>& points) {
-  std::array<double, 3> low = points[mesh.target({0}).index], high = low;
-  for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); h += 2)
+morton_order(const std::vector<std::array<double, 3>>& points) {
+  std::array<double, 3> low = points[0], high = points[0];
+  for (const std::array<double, 3>& p : points)
     for (unsigned k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], points[mesh.target({h}).index][k]);
-      high[k] = std::max(high[k], points[mesh.target({h}).index][k]);
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
     }
+  // halves, so that differences do not overflow
   const double extent = std::max({high[0] / 2 - low[0] / 2, high[1] / 2 - low[1] / 2,
                                   high[2] / 2 - low[2] / 2, std::numeric_limits<double>::min()});
   const auto spread = [](std::uint64_t x) { // ...cba -> ...c00b00a, 10 bits
@@ -76,18 +142,14 @@ morton_order_of_faces(const Gluing_map& mesh, const std::vector<std::array<doubl
     x = (x | (x << 4)) & 0x030C30C3ULL;
     return (x | (x << 2)) & 0x09249249ULL;
   };
-  std::vector<std::uint64_t> keys(mesh.number_of_faces());
-  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+  std::vector<std::uint64_t> keys(points.size());
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
     std::uint64_t key = 0;
-    const Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
-    const std::uint32_t corners[3] = {mesh.source(h).index, mesh.target(h).index,
-                                      mesh.target(mesh.next(h)).index};
     for (unsigned k = 0; k < 3; ++k) {
-      double x = 0;
-      for (const std::uint32_t v : corners) x += (points[v][k] / 2 - low[k] / 2) / extent;
-      key |= spread(static_cast<std::uint64_t>(std::clamp(x * (1023.0 / 3), 0.0, 1023.0))) << k;
+      const double x = (points[v][k] / 2 - low[k] / 2) / extent;
+      key |= spread(static_cast<std::uint64_t>(std::clamp(x * 1023, 0.0, 1023.0))) << k;
     }
-    keys[f] = key << 32 | f;
+    keys[v] = key << 32 | v;
   }
   boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
   std::vector<std::uint32_t> order(keys.size());
@@ -97,60 +159,25 @@ morton_order_of_faces(const Gluing_map& mesh, const std::vector<std::array<doubl
 }
 
 /*!
-\brief renumbers the faces of a mesh in a given order, and its edges and vertices in the order in
-which the faces meet them; isolated vertices come last.
+\brief renumbers a mesh in space so that neighbours are near in memory: vertices along a Morton
+curve, faces and edges along with them.
 \param mesh the connectivity, which is replaced
-\param order face numbers in the new order
+\param points one point per vertex, which are permuted
 \return the way back to the numbers before
-\pre `mesh.is_oriented()`
+\pre `mesh` has a vertex, coordinates are finite
 \complexity linear
 */
-inline Renumbering renumber(Gluing_map& mesh, std::vector<std::uint32_t> order) {
-  using Halfedge = Gluing_map::Halfedge;
-  using Vertex = Gluing_map::Vertex;
+inline Renumbering renumber(Gluing_map& mesh, std::vector<std::array<double, 3>>& points) {
   Renumbering back;
-  std::vector<std::uint32_t> new_vertex(mesh.number_of_vertices(), Gluing::none);
-  std::vector<std::uint32_t> new_halfedge(mesh.number_of_halfedges(), Gluing::none);
-  back.input_vertex.reserve(mesh.number_of_vertices());
-  std::uint32_t edges = 0;
-  const auto number = [&](std::uint32_t v) {
-    if (new_vertex[v] != Gluing::none) return;
-    new_vertex[v] = static_cast<std::uint32_t>(back.input_vertex.size());
-    back.input_vertex.push_back(v);
-  };
-  for (const std::uint32_t f : order) {
-    Halfedge h = mesh.halfedge(Gluing_map::Face{f});
-    for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
-      number(mesh.target(h).index);
-      if (new_halfedge[h.index] != Gluing::none) continue;
-      new_halfedge[h.index] = 2 * edges;
-      new_halfedge[h.index ^ 1U] = 2 * edges++ + 1;
-    }
-  }
-  for (std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v) number(v);
-
-  Gluing_map result(mesh.number_of_vertices(), edges, mesh.number_of_faces());
-  const auto move = [&](Halfedge h, Gluing_map::Face f) {
-    const Halfedge n{new_halfedge[h.index]};
-    result.set_next(n, {new_halfedge[mesh.next(h).index]});
-    result.set_target(n, {new_vertex[mesh.target(h).index]});
-    result.set_face(n, f);
-  };
-  for (std::uint32_t f = 0; f < order.size(); ++f) {
-    Halfedge h = mesh.halfedge(Gluing_map::Face{order[f]});
-    result.set_halfedge(Gluing_map::Face{f}, {new_halfedge[h.index]});
-    for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
-      move(h, {f});
-      const Halfedge o = Gluing_map::opposite(h);
-      if (mesh.face(o).index == Gluing::none) move(o, {});
-    }
-  }
-  for (std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v) {
-    const std::uint32_t h = mesh.halfedge(Vertex{v}).index;
-    if (h != Gluing::none) result.set_halfedge(Vertex{new_vertex[v]}, {new_halfedge[h]});
-  }
-  mesh = std::move(result);
-  back.input_face = std::move(order);
+  back.input_vertex = morton_order(points);
+  const internal::New_numbers number =
+      internal::numbers_along(mesh, internal::inverse_permutation(back.input_vertex));
+  mesh = internal::renumbered(mesh, number);
+  back.input_face = internal::inverse_permutation(number.face);
+  std::vector<std::array<double, 3>> moved;
+  moved.reserve(points.size());
+  for (const std::uint32_t v : back.input_vertex) moved.push_back(points[v]);
+  points = std::move(moved);
   return back;
 }
 

@@ -56,6 +56,12 @@ public:
         squared_length_(Intrinsic_triangulations::squared_lengths<FT>(*input, mesh)),
         quadruple_area_(Intrinsic_triangulations::quadruple_areas<FT>(*input)) {}
 
+  /// restores a metric from its stored values.
+  Euclidean_metric(int scale_exponent, std::vector<FT> squared_lengths,
+                   std::vector<FT> quadruple_areas)
+      : scale_exponent_(scale_exponent), squared_length_(std::move(squared_lengths)),
+        quadruple_area_(std::move(quadruple_areas)) {}
+
   /// tells whether the angles opposite the edge sum to at most pi.
   bool is_locally_delaunay(const Diamond& d) {
     ++statistics_.checks;

@@ -44,6 +44,9 @@ public:
   using Scope = Protect_FPU_rounding<true>;
   /// Predicates are exact: algorithms end without a cap.
   static constexpr bool is_exact = true;
+  /// Version of a face and the edge in its slot 0. Where both other sides of the face are the same
+  /// edge, its slots 1 and 2 may be taken for each other: they have the same length.
+  using Version = std::pair<std::uint32_t, std::uint32_t>;
 
   /// constructs an empty metric.
   Exact_euclidean_metric() = default;
@@ -62,6 +65,16 @@ public:
     for (std::uint32_t f = 0; f < input_->number_of_faces(); ++f)
       sides_.push_back({f, mesh.halfedge(Gluing_map::Face{f}).index / 2});
   }
+
+  /*!
+  \brief restores a metric from what its accessors return.
+  \pre the intervals contain the values that `input` and `history` define
+  */
+  Exact_euclidean_metric(std::shared_ptr<const Input_metric> input, Flip_history history,
+                         std::vector<Version> versions, std::vector<FT> squared_lengths,
+                         std::vector<FT> quadruple_areas)
+      : squared_length_(std::move(squared_lengths)), quadruple_area_(std::move(quadruple_areas)),
+        sides_(std::move(versions)), input_(std::move(input)), history_(std::move(history)) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
   bool is_locally_delaunay(const Diamond& d) {
@@ -118,6 +131,8 @@ public:
   int scale_exponent() const { return input_->scale_exponent(); }
   /// returns the input, which defines all values exactly.
   const Input_metric& input() const { return *input_; }
+  /// returns the version of face `f`.
+  const Version& version(std::uint32_t f) const { return sides_[f]; }
   /// returns the flips done so far.
   const Flip_history& history() const { return history_; }
   /// returns how predicates were decided.
@@ -148,10 +163,6 @@ public:
   }
 
 private:
-  // Version of a face and the edge in its slot 0. Where both other sides of the face are the same
-  // edge, its slots 1 and 2 may be taken for each other: they have the same length.
-  using Version = std::pair<std::uint32_t, std::uint32_t>;
-
   Diamond_values<FT> values(const Diamond& d) const {
     return {squared_length_[d.ij], squared_length_[d.jk], squared_length_[d.ki],
             squared_length_[d.im], squared_length_[d.mj], quadruple_area_[d.f],

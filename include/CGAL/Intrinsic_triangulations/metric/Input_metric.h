@@ -35,6 +35,19 @@ public:
   Input_metric() = default;
 
   /*!
+  \brief restores a metric from what its accessors return.
+  \param points one point per vertex, or none
+  \param squared_lengths one squared length per edge, or none
+  \param sides what names the sides of each face
+  \param delta what is added to every squared length
+  \param scale_exponent exponent of the scale
+  */
+  Input_metric(std::vector<Point> points, std::vector<double> squared_lengths,
+               std::vector<Sides> sides, double delta, int scale_exponent)
+      : points_(std::move(points)), squared_lengths_(std::move(squared_lengths)),
+        sides_(std::move(sides)), delta_(delta), scale_exponent_(scale_exponent) {}
+
+  /*!
   \brief takes the metric of points in space.
   \param mesh the connectivity
   \param points one point per vertex of `mesh`, scaled

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_FLIP_TO_DELAUNAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_FLIP_TO_DELAUNAY_H
 
+#include <CGAL/Intrinsic_triangulations/concepts.h>
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -62,19 +63,20 @@ class Delaunay_flipper {
 public:
   Delaunay_flipper(Triangulation& t, Constrained constrained, Visitor& visitor, std::uint64_t cap)
       : t_(t), session_(t), constrained_(constrained), visitor_(visitor), cap_(cap),
-        on_stack_(num_edges(t.mesh()), 0) {}
+        is_waiting_(num_edges(t.mesh()), 0) {}
 
-  // Edges of the range are taken in their order, which is that of memory; between them those that
-  // flips made suspect are taken from a stack. So the stack stays small and its edges in cache.
+  // Edges wait in the order in which they became suspect, each at most once: a sweep tests those that
+  // wait and collects those that its flips make suspect for the next. Starting edges come in the
+  // order of memory, and an edge that waits is tested once for all flips near it until then.
   template <class EdgeRange>
   Flip_to_delaunay_result run(const EdgeRange& range) {
-    for (const Edge e : range) {
-      stack_.push_back(halfedge(e, t_.mesh()));
-      on_stack_[t_.index(e)] = 1;
-      while (!stack_.empty()) {
-        const Halfedge h = stack_.back();
-        stack_.pop_back();
-        on_stack_[t_.index(edge(h, t_.mesh()))] = 0;
+    for (const Edge e : range) push(halfedge(e, t_.mesh()));
+    std::vector<Halfedge> sweep;
+    while (!waiting_.empty()) {
+      sweep.swap(waiting_);
+      waiting_.clear();
+      for (const Halfedge h : sweep) {
+        is_waiting_[t_.index(edge(h, t_.mesh()))] = 0;
         if (!process(h)) return result_;
       }
     }
@@ -106,10 +108,10 @@ private:
   }
 
   void push(Halfedge h) {
-    char& marked = on_stack_[t_.index(edge(h, t_.mesh()))];
-    if (marked) return;
-    marked = 1;
-    stack_.push_back(h);
+    char& waits = is_waiting_[t_.index(edge(h, t_.mesh()))];
+    if (waits) return;
+    waits = 1;
+    waiting_.push_back(h);
   }
 
   Triangulation& t_;
@@ -118,8 +120,8 @@ private:
   Visitor& visitor_;
   std::uint64_t cap_;
   Flip_to_delaunay_result result_;
-  std::vector<Halfedge> stack_;
-  std::vector<char> on_stack_;
+  std::vector<Halfedge> waiting_;
+  std::vector<char> is_waiting_;
 };
 
 } // namespace internal
@@ -149,7 +151,7 @@ flips makes it end.
 \complexity linear in the number of flips, which is linear in the mesh in practice (§4.2), quadratic
   on points of a parabola
 */
-template <class Triangulation, class EdgeRange,
+template <IntrinsicTriangulation Triangulation, class EdgeRange,
           class NamedParameters = parameters::Default_named_parameters>
 Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edges,
                                          const NamedParameters& np = parameters::default_values()) {
@@ -178,7 +180,8 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
 
 See the overload with a range of edges.
 */
-template <class Triangulation, class NamedParameters = parameters::Default_named_parameters>
+template <IntrinsicTriangulation Triangulation,
+          class NamedParameters = parameters::Default_named_parameters>
   requires requires { typename NamedParameters::base; } ||
            std::is_same_v<NamedParameters, parameters::Default_named_parameters>
 Flip_to_delaunay_result flip_to_delaunay(Triangulation& t,

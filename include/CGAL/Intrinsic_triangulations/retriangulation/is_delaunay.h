@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_IS_DELAUNAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_IS_DELAUNAY_H
 
+#include <CGAL/Intrinsic_triangulations/concepts.h>
+
 #include <CGAL/enum.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -35,7 +37,7 @@ Edges on the border, or with the same face on both sides, are locally Delaunay.
 \tparam Triangulation a model of `IntrinsicTriangulation`
 \complexity linear
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
 Delaunay_report<typename Triangulation::edge_descriptor> check_delaunay(Triangulation& t) {
   using Edge = typename Triangulation::edge_descriptor;
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -58,7 +60,7 @@ Delaunay_report<typename Triangulation::edge_descriptor> check_delaunay(Triangul
 \tparam Triangulation a model of `IntrinsicTriangulation`
 \complexity linear
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
 bool is_delaunay(Triangulation& t) {
   typename Triangulation::Session session(t);
   for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))

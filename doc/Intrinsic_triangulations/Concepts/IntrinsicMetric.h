@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Read by doxygen only.
+
+/*!
+\cgalConcept
+
+The concept `IntrinsicMetric` describes the store of a cone metric on a triangulation: one squared
+length per edge, one quadruple area per face, and the predicates and constructions of flips on them.
+
+Edges and faces are named by numbers from 0, which flips do not change. Faces and edges at an edge
+are passed as a `CGAL::Intrinsic_triangulations::Diamond`. Values are in scaled units: lengths of the
+input times 2 to the power of `scale_exponent()`.
+
+<b>Invariants.</b> Areas and squared lengths are not negative. The quadruple area of a face belongs to
+the squared lengths of its sides, up to the accuracy of `FT`. If `is_exact`, predicates decide on the
+exact values.
+
+<b>Complexity.</b> Constructors are linear. Everything else takes constant time, except that an exact
+metric may need time for a decision that depends on how many flips the values went through.
+
+<b>Which operation needs what</b>
+
+| operation | needs |
+|---|---|
+| constructors of `Intrinsic_triangulation` | constructors, `is_degenerate`, `is_zero_length` |
+| `is_locally_delaunay()`, `flip_to_delaunay()` | `is_locally_delaunay`, `flip`, `is_exact` |
+| `is_delaunay()` | `is_locally_delaunay` |
+| `check_delaunay()`, `delaunay_sign()`, `flip_status()`, `flip_edge()` | `sign` |
+| lengths and areas | `squared_length`, `quadruple_area`, `scale_exponent` |
+| Laplacians | `cotangent_weight` |
+
+\cgalHasModel{`CGAL::Intrinsic_triangulations::Euclidean_metric<FT>`\,
+`CGAL::Intrinsic_triangulations::Exact_euclidean_metric`}
+*/
+class IntrinsicMetric {
+public:
+  /// Number type of the stored values.
+  typedef unspecified_type FT;
+  /// Default constructible; lives around every use of the metric, and may set the rounding mode.
+  typedef unspecified_type Scope;
+  /// Whether predicates are exact, so that flipping to Delaunay ends without a cap.
+  static constexpr bool is_exact;
+
+  /// constructs an empty metric.
+  IntrinsicMetric();
+  /*!
+  \brief evaluates the input.
+  \throws CGAL::Intrinsic_triangulations::Invalid_input naming a face that breaks the triangle
+    inequality, or for which `FT` cannot represent the area
+  */
+  IntrinsicMetric(const CGAL::Intrinsic_triangulations::Gluing_map& mesh,
+                  std::shared_ptr<CGAL::Intrinsic_triangulations::Input_metric> input);
+
+  /// tells whether the angles opposite the edge sum to at most pi; ties do.
+  bool is_locally_delaunay(const CGAL::Intrinsic_triangulations::Diamond& d);
+  /*!
+  \brief returns the sign of an expression in the values of a diamond.
+  \tparam Expression a functor with a template `operator()(const Diamond_values<Number>&)` that uses
+    field operations only: `Delaunay_expression`, `Convexity_at_source_expression`,
+    `Convexity_at_target_expression`
+  */
+  template <class Expression>
+  CGAL::Sign sign(const CGAL::Intrinsic_triangulations::Diamond& d, const Expression& expression);
+  /*!
+  \brief computes the values that a flip makes and stores them under the same numbers.
+  \return whether it was done; if not, nothing has changed
+  \pre the diamond is strictly convex
+  */
+  bool flip(const CGAL::Intrinsic_triangulations::Diamond& d);
+
+  /// tells whether the area of a face is zero.
+  bool is_degenerate(std::uint32_t face) const;
+  /// tells whether the length of an edge is zero.
+  bool is_zero_length(std::uint32_t edge) const;
+  /// returns the squared length of an edge; `CGAL::to_double()` converts it.
+  FT squared_length(std::uint32_t edge) const;
+  /// returns four times the area of a face; `CGAL::to_double()` converts it.
+  FT quadruple_area(std::uint32_t face) const;
+  /// returns the exponent of the power of two that lengths are scaled by.
+  int scale_exponent() const;
+
+  /// returns half the sum of the cotangents of the angles opposite an edge between two faces.
+  double cotangent_weight(const CGAL::Intrinsic_triangulations::Diamond& d);
+  /// returns half the cotangent of the angle opposite `ij` in a face with sides ij, jk and ki.
+  double cotangent_weight(std::uint32_t ij, std::uint32_t jk, std::uint32_t ki, std::uint32_t face);
+};

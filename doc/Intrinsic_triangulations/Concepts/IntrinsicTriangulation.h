@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Read by doxygen only.
+
+/*!
+\cgalConcept
+
+The concept `IntrinsicTriangulation` describes what algorithms that flip edges need of a triangulation:
+its mesh, numbers for its edges, and predicates and flips in a `Session`.
+
+<b>Invariants.</b> The mesh is a valid Delta-complex. Flips change neither the set of its elements nor
+their numbers. An edge with the same face on both sides, or with one face, counts as locally Delaunay.
+
+<b>Complexity.</b> Constant time for everything, as far as that of the arithmetic is.
+
+<b>Which operation needs what</b>
+
+| operation | needs |
+|---|---|
+| `flip_to_delaunay()` | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::flip_status` (its type), `Session::suspended` |
+| `is_delaunay()` | `mesh`, `Session::is_locally_delaunay` |
+| `check_delaunay()` | `mesh`, `Session::delaunay_sign` |
+
+\cgalHasModel{`CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Mesh\, Traits\, Correspondence>`}
+*/
+class IntrinsicTriangulation {
+public:
+  /// The connectivity: the part of `MutableDeltaComplex` that reads.
+  typedef unspecified_type Mesh;
+  /// Has a constant `static bool is_exact`: whether predicates are exact.
+  typedef unspecified_type Metric;
+  /// Halfedge of the mesh.
+  typedef unspecified_type halfedge_descriptor;
+  /// Edge of the mesh.
+  typedef unspecified_type edge_descriptor;
+
+  /// Decides predicates and makes moves; constructed from a reference to the triangulation.
+  class Session {
+  public:
+    /// tells whether the angles opposite an edge sum to at most pi.
+    bool is_locally_delaunay(halfedge_descriptor h) const;
+    /*!
+    \brief returns the sign of pi minus the angles opposite an edge.
+    \pre the edge has two different faces
+    */
+    CGAL::Sign delaunay_sign(halfedge_descriptor h) const;
+    /// returns whether an edge can be flipped: a value of an enumeration with an enumerator `done`.
+    unspecified_type flip_status(halfedge_descriptor h) const;
+    /*!
+    \brief flips an edge; `h` turns clockwise. Returns `done`, or why the arithmetic refused.
+    \pre `!is_locally_delaunay(h)`
+    */
+    unspecified_type flip_non_delaunay_edge(halfedge_descriptor h);
+    /// calls `f` in the default floating point environment and returns what it returns.
+    template <class Function>
+    auto suspended(Function f) const;
+  };
+
+  /// returns the connectivity.
+  const Mesh& mesh() const;
+  /// returns the number of an edge: from 0, dense, unchanged by flips.
+  std::uint32_t index(edge_descriptor e) const;
+};

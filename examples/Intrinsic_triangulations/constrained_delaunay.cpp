@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Keeps sharp edges while flipping to Delaunay, shows progress and may be cancelled.
+
+#include <CGAL/Intrinsic_triangulations.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <iostream>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+struct Progress {
+  bool progress(const IT::Flip_to_delaunay_result& r) {
+    std::cout << r.checks << " edges checked, " << r.flips << " flipped\n";
+    return r.flips < 10000000; // false cancels
+  }
+};
+
+int main() {
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh("data/part.off", mesh)) return 1;
+  using Triangulation = IT::Intrinsic_triangulation<Mesh>; // flips a Surface_mesh
+  Triangulation triangulation(mesh);
+
+  // constrain the edges that are longest in their faces' neighbourhood: any edge map will do
+  std::vector<char> is_constrained(num_edges(triangulation.mesh()));
+  for (const auto e : edges(triangulation.mesh()))
+    is_constrained[triangulation.index(e)] = triangulation.squared_length(e) > 100;
+  const auto constrained = boost::make_function_property_map<Triangulation::edge_descriptor, bool>(
+      [&](Triangulation::edge_descriptor e) { return is_constrained[triangulation.index(e)] != 0; });
+
+  Progress progress;
+  const IT::Flip_to_delaunay_result result = IT::flip_to_delaunay(
+      triangulation,
+      CGAL::parameters::edge_is_constrained_map(constrained).visitor(std::ref(progress)));
+  std::cout << result.flips << " flips\n";
+  return result.status == IT::Flip_to_delaunay_status::done ? 0 : 1;
+}

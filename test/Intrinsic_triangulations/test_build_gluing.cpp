@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+
+#include "gallery.h"
+#include "mesh_types.h"
+
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/validity.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+void expect_same_maps(const IT::Gluing_map& a, const IT::Gluing_map& b) {
+  ASSERT_EQ(a.number_of_vertices(), b.number_of_vertices());
+  ASSERT_EQ(a.number_of_halfedges(), b.number_of_halfedges());
+  ASSERT_EQ(a.number_of_faces(), b.number_of_faces());
+  for (std::uint32_t h = 0; h < a.number_of_halfedges(); ++h) {
+    EXPECT_EQ(a.next({h}), b.next({h}));
+    EXPECT_EQ(a.target({h}), b.target({h}));
+    EXPECT_EQ(a.face({h}), b.face({h}));
+  }
+  for (std::uint32_t f = 0; f < a.number_of_faces(); ++f)
+    EXPECT_EQ(a.halfedge(IT::Gluing_map::Face{f}), b.halfedge(IT::Gluing_map::Face{f}));
+}
+
+void expect_error(std::uint32_t n, const Triangles& triangles, IT::Element_kind kind,
+                  const std::vector<std::string>& parts) {
+  try {
+    IT::gluing_from_triangles(n, triangles);
+    ADD_FAILURE() << "no error: " << parts.front();
+  } catch (const IT::Invalid_input& e) {
+    EXPECT_EQ(e.kind(), kind) << e.what();
+    for (const std::string& part : parts)
+      EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+  }
+}
+
+} // namespace
+
+template <class Mesh>
+class Build_gluing : public ::testing::Test {};
+TYPED_TEST_SUITE(Build_gluing, All_meshes);
+
+TYPED_TEST(Build_gluing, oriented_gallery_comes_back_from_every_mesh_type_with_its_numbers) {
+  for (const gallery::Surface& s : gallery::oriented()) {
+    SCOPED_TRACE(s.name);
+    const IT::Gluing_map map(s.gluing);
+    TypeParam mesh;
+    IT::copy_gluing_map(map, mesh);
+    EXPECT_EQ(IT::delta_complex_defect(mesh).value_or("none"), "none");
+    const IT::Gluing_map back = IT::gluing_map_from_face_graph(mesh);
+    EXPECT_EQ(IT::delta_complex_defect(back).value_or("none"), "none");
+    expect_same_maps(map, back);
+  }
+}
+
+TYPED_TEST(Build_gluing, isolated_vertex_has_no_halfedge_in_any_mesh_type) {
+  TypeParam mesh;
+  IT::copy_gluing_map(IT::Gluing_map(gallery::two_fans_and_an_isolated_vertex().gluing), mesh);
+  const auto isolated = IT::isolated_vertices(mesh);
+  ASSERT_EQ(isolated.size(), 1U);
+  EXPECT_TRUE(halfedge(isolated.front(), mesh) == boost::graph_traits<TypeParam>::null_halfedge());
+}
+
+TYPED_TEST(Build_gluing, flipped_delta_complex_is_read_right) {
+  const IT::Gluing_map map(gallery::octagon_of_genus_2().gluing);
+  TypeParam mesh;
+  IT::copy_gluing_map(map, mesh);
+  IT::Gluing_map expected = map;
+  std::vector<typename boost::graph_traits<TypeParam>::halfedge_descriptor> side;
+  for (const typename boost::graph_traits<TypeParam>::edge_descriptor e : edges(mesh))
+    side.push_back(halfedge(e, mesh));
+  for (std::uint32_t e = 0; e < side.size(); ++e) {
+    if (expected.face({2 * e}) == expected.face({2 * e + 1})) continue;
+    CGAL::Euler::flip_edge(side[e], mesh);
+    CGAL::Euler::flip_edge(IT::Gluing_map::Halfedge{2 * e}, expected);
+  }
+  expect_same_maps(IT::gluing_map_from_face_graph(mesh), expected);
+}
+
+TYPED_TEST(Build_gluing, face_that_is_no_triangle_is_named) {
+  TypeParam mesh;
+  IT::copy_gluing_map(IT::Gluing_map(gallery::tetrahedron().gluing), mesh);
+  if constexpr (!std::is_same_v<TypeParam, OpenMesh_triangles> &&
+                !std::is_same_v<TypeParam, IT::Gluing_map>) {
+    // removing an edge leaves a quadrilateral
+    CGAL::Euler::join_face(halfedge(*edges(mesh).begin(), mesh), mesh);
+    try {
+      IT::gluing_map_from_face_graph(mesh);
+      ADD_FAILURE();
+    } catch (const IT::Invalid_input& e) {
+      EXPECT_EQ(e.kind(), IT::Element_kind::face);
+      EXPECT_NE(std::string(e.what()).find("is not a triangle"), std::string::npos) << e.what();
+    }
+  }
+}
+
+TEST(Build_gluing_from_meshes, gaps_of_removed_elements_are_closed) {
+  Surface_mesh mesh;
+  IT::copy_gluing_map(IT::Gluing_map(gallery::annulus(4).gluing), mesh);
+  CGAL::Euler::remove_face(mesh.halfedge(Surface_mesh::Face_index(2)), mesh);
+  ASSERT_TRUE(mesh.has_garbage());
+  const IT::Gluing_map map = IT::gluing_map_from_face_graph(mesh);
+  EXPECT_EQ(map.number_of_faces(), 7U);
+  EXPECT_EQ(IT::delta_complex_defect(map).value_or("none"), "none");
+  EXPECT_EQ(IT::delta_complex_defect(mesh).value_or("none"), "none");
+  EXPECT_EQ(IT::euler_characteristic(mesh), 0);
+}
+
+TEST(Build_gluing_from_triangles, two_faces_on_the_same_three_vertices_make_a_pillow) {
+  const IT::Gluing g = IT::gluing_from_triangles(3, Triangles{{0, 1, 2}, {1, 0, 2}});
+  EXPECT_EQ(g.glue, (std::vector<std::uint32_t>{3, 5, 4, 0, 2, 1}));
+  EXPECT_EQ(IT::euler_characteristic(IT::Gluing_map(g)), 2);
+}
+
+TEST(Build_gluing_from_triangles, same_face_twice_is_refused) {
+  expect_error(3, {{0, 1, 2}, {1, 2, 0}}, IT::Element_kind::edge,
+               {"edge (0, 1)", "faces 0 and 1", "same direction", "reverse"});
+}
+
+TEST(Build_gluing_from_triangles, edge_with_three_faces_is_named_with_its_faces) {
+  expect_error(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, IT::Element_kind::edge,
+               {"edge (0, 1) has 3 faces (0, 1, 2)"});
+}
+
+TEST(Build_gluing_from_triangles, inconsistent_orientation_is_named) {
+  expect_error(4, {{0, 1, 2}, {0, 1, 3}}, IT::Element_kind::edge,
+               {"edge (0, 1)", "same direction by faces 0 and 1"});
+}
+
+TEST(Build_gluing_from_triangles, repeated_and_missing_vertices_are_named) {
+  expect_error(3, {{0, 1, 2}, {2, 1, 2}}, IT::Element_kind::face, {"face 1 repeats vertex 2"});
+  expect_error(3, {{0, 1, 1}}, IT::Element_kind::face, {"face 0 repeats vertex 1"});
+  expect_error(3, {{0, 1, 3}}, IT::Element_kind::face, {"face 0 refers to vertex 3"});
+}
+
+TEST(Build_gluing_from_triangles, no_triangles_make_an_empty_gluing) {
+  const IT::Gluing g = IT::gluing_from_triangles(4, Triangles{});
+  EXPECT_EQ(g.number_of_faces(), 0U);
+  EXPECT_EQ(IT::isolated_vertices(IT::Gluing_map(g)).size(), 4U);
+}
+
+TEST(Build_gluing_from_triangles, vertex_with_many_faces_is_glued_right) {
+  const gallery::Surface s = gallery::disc_fan(1000);
+  const IT::Gluing_map m(s.gluing);
+  EXPECT_EQ(IT::boundary_loops(m).size(), 1U);
+  EXPECT_EQ(IT::degrees(m)[0], 1000U);
+}
