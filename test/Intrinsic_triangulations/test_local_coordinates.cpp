@@ -251,7 +251,7 @@ TEST(Local_coordinates, intervals_enclose) {
     }
 }
 
-#ifdef CGAL_PRECONDITIONS_ENABLED
+#if CGAL_PRECONDITIONS_ENABLED
 TEST(Local_coordinates, impossible_requests_are_refused) {
   EXPECT_THROW(IT::axis_layout(1.0, 3.0, 1.0), CGAL::Precondition_exception); // obtuse
   EXPECT_THROW(IT::planar_layout(0.0, 1.0, 1.0, 0.0), CGAL::Precondition_exception);

@@ -328,7 +328,7 @@ TEST(Triangle_formulas, diagonal_of_two_caps_is_accurate_to_eight_u) {
   EXPECT_GT(by_eq_22, 1e3 * u);
 }
 
-#ifdef CGAL_PRECONDITIONS_ENABLED
+#if CGAL_PRECONDITIONS_ENABLED
 TEST(Triangle_formulas, violated_triangle_inequality_is_refused) {
   EXPECT_THROW(IT::quadruple_area_from_lengths(1.0, 1.0, 3.0), CGAL::Precondition_exception);
   EXPECT_THROW(IT::quadruple_area_from_squared_lengths(1.0, 1.0, 9.0),

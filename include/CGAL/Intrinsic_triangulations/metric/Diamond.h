@@ -124,7 +124,9 @@ struct Convexity_at_target_expression {
 /*!
 \brief computes the squared length and the quadruple areas that a flip makes.
 
-L_km = L_ki + L_im - (p_k p_m - a_f a_g) / (2 L_ij), and the areas as in
+L_km = ((p_k - p_m)^2 + (a_f + a_g)^2) / (4 L_ij): with ij on an axis, the feet of k and m are
+(p_k - p_m) / (2 l_ij) apart, their heights (a_f + a_g) / (2 l_ij). A sum of squares loses nothing to
+cancellation on slivers, unlike L_ki + L_im - (p_k p_m - a_f a_g) / (2 L_ij). The areas are as in
 `Convexity_at_source_expression` and `Convexity_at_target_expression`.
 \pre the diamond is strictly convex, `d.ij` is not zero
 */
@@ -132,9 +134,13 @@ template <class FT>
 Flipped_values<FT> flipped(const Diamond_values<FT>& d) {
   const FT p_k = d.ij + d.ki - d.jk;
   const FT p_m = d.ij + d.im - d.mj;
-  const FT r = FT(1) / (d.ij + d.ij);
-  return {d.ki + d.im - (p_k * p_m - d.area_f * d.area_g) * r,
-          Convexity_at_target_expression()(d) * r, (p_m * d.area_f + p_k * d.area_g) * r};
+  const FT x = p_k - p_m;
+  const FT y = d.area_f + d.area_g;
+  const FT twice = d.ij + d.ij;
+  const FT quarter = FT(1) / (twice + twice);
+  const FT half = quarter + quarter;
+  return {(x * x + y * y) * quarter, Convexity_at_target_expression()(d) * half,
+          (p_m * d.area_f + p_k * d.area_g) * half};
 }
 
 } // namespace CGAL::Intrinsic_triangulations
