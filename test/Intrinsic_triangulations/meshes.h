@@ -319,10 +319,10 @@ inline Mesh l_shape(std::uint32_t levels) {
   return prism({{1, 1}, {0, 2}, {0, 0}, {2, 0}, {2, 1}}, levels);
 }
 
-/// A strip folded along parallel lines into stairs, then cut by diagonals the wrong way: cocircular
-/// unions of faces reach over several planes.
-inline Mesh stairs(std::uint32_t steps, std::uint32_t width) {
+/// Stairs of unit squares, sheared along the steps.
+inline Mesh stairs(std::uint32_t steps, std::uint32_t width, double shear = 0) {
   Mesh m = grid(2 * steps, width);
+  for (Point& p : m.points) p[1] += shear * p[0];
   for (Point& p : m.points) {
     const auto i = static_cast<std::uint32_t>(p[0]);
     p[0] = (i + 1) / 2;
@@ -331,13 +331,16 @@ inline Mesh stairs(std::uint32_t steps, std::uint32_t width) {
   return m;
 }
 
-/// A sheared grid, folded along the lines of its rows by turning them through a 3-4-5 angle, so that
-/// faces of the unfolded unit grid lie in several planes, and coordinates stay rational.
-inline Mesh folded_sheared_grid(std::uint32_t n, std::uint32_t m, double shear) {
-  Mesh g = sheared_grid(n, m, shear);
+/*!
+The square lattice turned by 45 degrees, sheared, and folded along every other row through a 3-4-5
+angle: squares of the lattice have their corners in two planes, and are ties. Integer coordinates.
+*/
+inline Mesh folded_lattice(std::uint32_t n, std::uint32_t m, std::uint32_t shear) {
+  Mesh g = grid(n, m);
   for (Point& p : g.points) {
-    const auto j = static_cast<std::uint32_t>(p[1]);
-    p = {5 * p[0], 3.0 * j, 4.0 * (j % 2)}; // rows are 5 apart along the surface
+    const auto i = static_cast<std::uint32_t>(p[0]), j = static_cast<std::uint32_t>(p[1]);
+    const std::uint32_t height = j % 4 <= 2 ? j % 4 : 4 - j % 4; // rows are 5 apart along the surface
+    p = {5.0 * (2 * i + j % 2 + 2 * shear * j), 3.0 * j, 4.0 * height};
   }
   return g;
 }

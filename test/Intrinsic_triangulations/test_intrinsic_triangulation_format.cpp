@@ -137,10 +137,10 @@ TEST(Intrinsic_triangulation_format, small_complexes_come_back_with_every_number
 TEST(Intrinsic_triangulation_format, exact_triangulation_goes_on_as_if_it_had_not_been_stored) {
   for (const bool integer : {false, true}) {
     Exact t(terrain(6, integer));
-    ASSERT_GT(flip_at_random(t, 3000, 3), 300U);
+    ASSERT_GT(flip_at_random(t, 900, 3), 200U);
     Exact back = from_text<Exact>(text(t));
     EXPECT_EQ(delaunay_signs(back), delaunay_signs(t));
-    EXPECT_EQ(flip_at_random(back, 1000, 4), flip_at_random(t, 1000, 4));
+    EXPECT_EQ(flip_at_random(back, 300, 4), flip_at_random(t, 300, 4));
     EXPECT_EQ(text(back), text(t));
     IT::flip_to_delaunay(t);
     IT::flip_to_delaunay(back);

@@ -113,6 +113,17 @@ void mollify(Prepared_input<Metric>& p, std::shared_ptr<Input_metric> input, Mol
   p.metric = Metric(p.mesh, input);
 }
 
+// Makes each face start at a side that is not glued to another side of the same face, so that its
+// edge names that side alone: exact metrics tell sides by their edges.
+inline void start_at_single_sides(Gluing_map& mesh) {
+  using Halfedge = Gluing_map::Halfedge;
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Halfedge h = mesh.halfedge(Gluing_map::Face{f}), n = mesh.next(h), l = mesh.next(n);
+    if (n == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, l);
+    if (l == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, n);
+  }
+}
+
 template <class Metric>
 Prepared_input<Metric> prepare(Intrinsic_input&& in) {
   if (in.mesh.number_of_faces() == 0)
@@ -130,6 +141,7 @@ Prepared_input<Metric> prepare(Intrinsic_input&& in) {
     p.renumbering = renumber(p.mesh, in.points);
     p.report.renumbered = true;
   }
+  start_at_single_sides(p.mesh);
   auto input = std::make_shared<Input_metric>(
       embedded
           ? Input_metric::from_points(p.mesh, std::move(in.points), scale)

@@ -44,8 +44,8 @@ public:
   using Scope = Protect_FPU_rounding<true>;
   /// Predicates are exact: algorithms end without a cap.
   static constexpr bool is_exact = true;
-  /// Version of a face and the edge in its slot 0. Where both other sides of the face are the same
-  /// edge, its slots 1 and 2 may be taken for each other: they have the same length.
+  /// Version of a face and the edge in its slot 0, which must not be in another slot too. If slots 1
+  /// and 2 have the same edge, they may be taken for each other: they have the same length.
   using Version = std::pair<std::uint32_t, std::uint32_t>;
 
   /// constructs an empty metric.
@@ -53,6 +53,7 @@ public:
 
   /*!
   \brief evaluates the input in interval arithmetic and keeps it for exact evaluation.
+  \pre no face of `mesh` has the edge of `halfedge(face)` twice
   \throws Invalid_input see `quadruple_area()`
   \complexity linear
   */

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/metric/History_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/metric/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/metric/Zero_test.h>
 
@@ -18,6 +17,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -39,9 +40,10 @@ private:
 /*!
 \brief decides signs that floating point intervals leave open.
 
-Values are recomputed from the input in intervals of 128 bits. If the sign is still open, a
-`Zero_test` tells whether the value is zero. If it is not, the precision is doubled until the sign
-shows, which must happen.
+Most of these values are zero, which a `Zero_test` tells. If not, values are recomputed from the
+input in intervals of 128 bits, and the precision is doubled until the sign shows, which must
+happen if the value is proven not to be zero. One that is only probably zero counts as zero at 1024
+bits.
 */
 class Exact_evaluation {
 public:
@@ -55,58 +57,54 @@ public:
   \param left side on the left
   \param right side on the right, glued to `left`
   \param expression the expression
-  \param better set to intervals that contain the values, about as small as doubles allow
+  \param better set to intervals that contain the values: about as small as doubles allow if the
+  expression is not zero, all reals if it is
   \param statistics counts how the sign was decided
   */
   template <class Expression>
   Sign sign(const Input_metric& input, const Flip_history& history, Side left, Side right,
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
             Predicate_statistics& statistics) {
-    if (values_.size() > maximal_memory) values_ = {};
-    Uncertain<Sign> s =
-        interval_sign(input, history, left, right, expression, better, values_, 128);
-    unsigned bits = 128;
-    if (!is_certain(s)) {
-      switch (Zero_test(input, history, left, right)(expression)) {
-      case Zero_test::Answer::zero:
-        ++statistics.certified_zero;
-        return ZERO;
-      case Zero_test::Answer::probably_zero:
-        ++statistics.probable_zero;
-        return ZERO;
-      case Zero_test::Answer::not_zero: break;
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Interval_nt<false> unknown(-infinity, infinity);
+    better = {unknown, unknown, unknown, unknown, unknown, unknown, unknown};
+    const Zero_test::Answer answer = is_zero_(input, history, left, right, expression);
+    if (answer == Zero_test::Answer::zero) {
+      ++statistics.certified_zero;
+      return ZERO;
+    }
+    for (unsigned bits = 128;; bits *= 2) {
+      const Gmpfi_precision precision(bits);
+      const Diamond_values<Gmpfi> d = values(input, history, left, right);
+      better = {interval(d.ij), interval(d.jk),     interval(d.ki),    interval(d.im),
+                interval(d.mj), interval(d.area_f), interval(d.area_g)};
+      const Uncertain<Sign> s = expression(d).sign();
+      if (is_certain(s)) {
+        ++statistics.escalations[bits];
+        return get_certain(s);
       }
+      if (answer == Zero_test::Answer::probably_zero && bits >= maximal_bits) break;
     }
-    while (!is_certain(s)) {
-      bits *= 2;
-      History_values<Gmpfi> fresh;
-      s = interval_sign(input, history, left, right, expression, better, fresh, bits);
-    }
-    ++statistics.escalations[bits];
-    return get_certain(s);
+    ++statistics.probable_zero;
+    return ZERO;
   }
 
 private:
-  // values that are kept between calls, about 400 bytes each
-  static constexpr std::size_t maximal_memory = 100000;
+  // precision at which a value that is probably zero is taken for zero
+  static constexpr unsigned maximal_bits = 1024;
 
-  template <class Expression>
-  static Uncertain<Sign> interval_sign(const Input_metric& input, const Flip_history& history,
-                                       Side left, Side right, const Expression& expression,
-                                       Diamond_values<Interval_nt<false>>& better,
-                                       History_values<Gmpfi>& values, unsigned bits) {
-    const Gmpfi_precision precision(bits);
+  // by unfolding, where the error does not grow with the number of flips, or by repeating the flips
+  Diamond_values<Gmpfi> values(const Input_metric& input, const Flip_history& history, Side left,
+                               Side right) const {
     const auto face = [&input](std::uint32_t f) {
       return std::pair<std::array<Gmpfi, 3>, Gmpfi>(
           {Gmpfi(input.squared_length<Gmpq>(f, 0)), Gmpfi(input.squared_length<Gmpq>(f, 1)),
            Gmpfi(input.squared_length<Gmpq>(f, 2))},
           Gmpfi(input.squared_quadruple_area<Gmpq>(f)).sqrt());
     };
-    History_evaluator<Gmpfi, decltype(face)> evaluator(history, face, values);
-    const Diamond_values<Gmpfi> d = evaluator.diamond(left, right);
-    better = {interval(d.ij), interval(d.jk),     interval(d.ki),    interval(d.im),
-              interval(d.mj), interval(d.area_f), interval(d.area_g)};
-    return expression(d).sign();
+    if (is_zero_.diamond()) return is_zero_.diamond()->values<Gmpfi>(face);
+    History_values<Gmpfi> memory;
+    return History_evaluator<Gmpfi, decltype(face)>(history, face, memory).diamond(left, right);
   }
 
   static Interval_nt<false> interval(const Gmpfi& x) {
@@ -114,7 +112,7 @@ private:
     return {i.first, i.second};
   }
 
-  History_values<Gmpfi> values_; // at 128 bits
+  Zero_test is_zero_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -4,11 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_FLIP_HISTORY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_FLIP_HISTORY_H
 
-#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
-
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -78,6 +77,34 @@ public:
       s = {parent.version, (parent.slot + (s.slot == 1 ? 2 : 1)) % 3};
     }
     return s;
+  }
+
+  /*!
+  \brief lists flips from which two versions came about, in increasing order, which is an order of
+  evaluation.
+  \param a a version
+  \param b a version
+  \param is_known a predicate on flips; flips that are known are left out, with their ancestors
+  \complexity linear in the number of flips listed, but for sorting; an explicit stack: nothing
+  recurses, however deep the history
+  */
+  template <class Is_known>
+  std::vector<std::uint32_t> ancestors(std::uint32_t a, std::uint32_t b,
+                                       const Is_known& is_known) const {
+    std::vector<std::uint32_t> order, stack{a, b};
+    std::unordered_set<std::uint32_t> seen;
+    while (!stack.empty()) {
+      const std::uint32_t v = stack.back();
+      stack.pop_back();
+      if (is_input(v)) continue;
+      const std::uint32_t n = flip_of(v);
+      if (is_known(n) || !seen.insert(n).second) continue;
+      order.push_back(n);
+      stack.push_back(left_parent(n).version);
+      stack.push_back(right_parent(n).version);
+    }
+    std::sort(order.begin(), order.end());
+    return order;
   }
 
 private:

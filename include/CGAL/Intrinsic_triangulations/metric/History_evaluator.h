@@ -7,11 +7,9 @@
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -38,8 +36,7 @@ struct History_values {
 /*!
 \brief evaluates versions of faces from the input, in the arithmetic of `FT`.
 
-Ancestors are collected with an explicit stack and evaluated in the order of their flips: nothing
-recurses, however deep the history.
+Ancestors are evaluated in the order of their flips: nothing recurses, however deep the history.
 \tparam FT a model of `Field`
 \tparam Input_values a functor from the number of an input face to `History_values::Face_values`
 */
@@ -64,20 +61,8 @@ private:
   using Side = Flip_history::Side;
 
   void evaluate_ancestors(std::uint32_t a, std::uint32_t b) {
-    std::vector<std::uint32_t> order, stack{a, b};
-    std::unordered_set<std::uint32_t> seen;
-    while (!stack.empty()) {
-      const std::uint32_t v = stack.back();
-      stack.pop_back();
-      if (history_.is_input(v)) continue;
-      const std::uint32_t n = history_.flip_of(v);
-      if (values_.flips.count(n) != 0 || !seen.insert(n).second) continue;
-      order.push_back(n);
-      stack.push_back(history_.left_parent(n).version);
-      stack.push_back(history_.right_parent(n).version);
-    }
-    std::sort(order.begin(), order.end());
-    for (const std::uint32_t n : order)
+    const auto is_known = [this](std::uint32_t n) { return values_.flips.count(n) != 0; };
+    for (const std::uint32_t n : history_.ancestors(a, b, is_known))
       values_.flips.emplace(n, flipped(gather(history_.left_parent(n), history_.right_parent(n))));
   }
 

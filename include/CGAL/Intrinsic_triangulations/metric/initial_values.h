@@ -35,7 +35,10 @@ inline bool rational_square_root(const Gmpq& x, Gmpq& root) {
 }
 
 /*!
-\brief converts a rational number to `FT`, correctly rounded or enclosed if `FT` is inexact.
+\brief converts a rational number to `FT`, rounded or enclosed if `FT` is inexact.
+
+A type that is not constructible from `Gmpq` gets about 400 bits, far below the least rounding error of its
+own. \pre such values are in the range of `double`
 */
 template <class FT>
 FT from_rational(const Gmpq& x) {
@@ -46,8 +49,16 @@ FT from_rational(const Gmpq& x) {
   else if constexpr (std::is_same_v<FT, Interval_nt<false>>) {
     const std::pair<double, double> i = CGAL::to_interval(x);
     return FT(i.first, i.second);
-  } else
-    return FT(x.numerator().to_double()) / FT(x.denominator().to_double());
+  } else {
+    FT sum(0);
+    Gmpq rest = x;
+    for (int digits = 0; digits < 8 && rest != Gmpq(0); ++digits) {
+      const double digit = CGAL::to_double(rest);
+      sum = sum + FT(digit);
+      rest = rest - Gmpq(digit);
+    }
+    return sum;
+  }
 }
 
 namespace internal {
@@ -95,18 +106,19 @@ inline Gmpq checked_squared_quadruple_area(const Input_metric& m, std::uint32_t 
   return d;
 }
 
-// Doubles are trusted where rounding, about 2^-52 |u| |v| in a, is below 2^-30 of a (a^2 against
-// |u|^2 |v|^2 from points, D against L_0 L_2 from lengths); all else is computed from rationals.
-inline double quadruple_area_double(const Input_metric& m, std::uint32_t f) {
+// Floating point is trusted where rounding, at most about 2^-52 |u| |v| in a, is below 2^-30 of a (a^2
+// against |u|^2 |v|^2 from points, D against L_0 L_2 from lengths); all else is computed from rationals.
+template <class FT>
+FT quadruple_area_float(const Input_metric& m, std::uint32_t f) {
   if (m.is_embedded()) {
-    const Embedded_area<double> d(m, f);
-    if (d.squared > 0x1p-40 * d.scale) return std::sqrt(d.squared);
+    const Embedded_area<FT> d(m, f);
+    if (d.squared > FT(0x1p-40) * d.scale) return CGAL::sqrt(d.squared);
   } else {
-    const double d = m.squared_quadruple_area<double>(f);
-    if (d > 0x1p-20 * m.squared_length<double>(f, 0) * m.squared_length<double>(f, 2))
-      return std::sqrt(d);
+    const FT d = m.squared_quadruple_area<FT>(f);
+    if (d > FT(0x1p-20) * m.squared_length<FT>(f, 0) * m.squared_length<FT>(f, 2))
+      return CGAL::sqrt(d);
   }
-  return std::sqrt(CGAL::to_double(checked_squared_quadruple_area(m, f)));
+  return CGAL::sqrt(from_rational<FT>(checked_squared_quadruple_area(m, f)));
 }
 
 inline Interval_nt<false> quadruple_area_interval(const Input_metric& m, std::uint32_t f) {
@@ -114,6 +126,19 @@ inline Interval_nt<false> quadruple_area_interval(const Input_metric& m, std::ui
   const FT d = m.is_embedded() ? Embedded_area<FT>(m, f).squared : m.squared_quadruple_area<FT>(f);
   if (d.inf() > 0 && d.sup() - d.inf() <= 0x1p-30 * d.sup()) return CGAL::sqrt(d);
   return CGAL::sqrt(from_rational<FT>(checked_squared_quadruple_area(m, f)));
+}
+
+inline Interval_nt<true> protected_quadruple_area_interval(const Input_metric& m, std::uint32_t f) {
+  const Protect_FPU_rounding<true> upwards;
+  const Interval_nt<false> a = quadruple_area_interval(m, f);
+  return {a.inf(), a.sup()};
+}
+
+template <class FT>
+FT quadruple_area_exact(const Input_metric& m, std::uint32_t f) {
+  const FT d = m.is_embedded() ? Embedded_area<FT>(m, f).squared : m.squared_quadruple_area<FT>(f);
+  if (d < FT(0)) checked_squared_quadruple_area(m, f);
+  return CGAL::sqrt(d);
 }
 
 template <class FT>
@@ -133,9 +158,8 @@ FT quadruple_area_rational(const Input_metric& m, std::uint32_t f) {
 /*!
 \brief computes the quadruple area 4A of input face `f`, in scaled units.
 
-`double` and intervals are accurate to about 2^-30 even on slivers, and zero exactly where the area
-is zero. Other inexact types are as accurate as the cross product in their arithmetic; exact types
-with square root are exact; exact types without are exact where the area is rational.
+Inexact types are accurate to about 2^-30 even on slivers, and zero exactly where the area is zero;
+exact types with square root are exact; types without are exact where the area is rational.
 \tparam FT a number type
 \throws Invalid_input if the face violates the triangle inequality, or its area is irrational and
   `FT` has no square root
@@ -143,15 +167,16 @@ with square root are exact; exact types without are exact where the area is rati
 template <class FT>
 FT quadruple_area(const Input_metric& m, std::uint32_t f) {
   using Structure = Algebraic_structure_traits<FT>;
-  if constexpr (std::is_same_v<FT, double>)
-    return internal::quadruple_area_double(m, f);
-  else if constexpr (std::is_same_v<FT, Interval_nt<false>>)
+  if constexpr (std::is_same_v<FT, Interval_nt<false>>)
     return internal::quadruple_area_interval(m, f);
+  else if constexpr (std::is_same_v<FT, Interval_nt<true>>)
+    return internal::protected_quadruple_area_interval(m, f);
   else if constexpr (std::is_same_v<typename Structure::Sqrt, Null_functor>)
     return internal::quadruple_area_rational<FT>(m, f);
+  else if constexpr (std::is_same_v<typename Structure::Is_exact, Tag_true>)
+    return internal::quadruple_area_exact<FT>(m, f);
   else
-    return CGAL::sqrt(m.is_embedded() ? internal::Embedded_area<FT>(m, f).squared
-                                      : m.squared_quadruple_area<FT>(f));
+    return internal::quadruple_area_float<FT>(m, f);
 }
 
 /*!

@@ -180,12 +180,19 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
 
 See the overload with a range of edges.
 */
-template <IntrinsicTriangulation Triangulation,
-          class NamedParameters = parameters::Default_named_parameters>
-  requires requires { typename NamedParameters::base; } ||
-           std::is_same_v<NamedParameters, parameters::Default_named_parameters>
+template <IntrinsicTriangulation Triangulation>
+Flip_to_delaunay_result flip_to_delaunay(Triangulation& t) {
+  return flip_to_delaunay(t, edges(t.mesh()), parameters::default_values());
+}
+
+/*!
+\brief flips edges until all are locally Delaunay.
+
+See the overload with a range of edges.
+*/
+template <IntrinsicTriangulation Triangulation, class T, class Tag, class Base>
 Flip_to_delaunay_result flip_to_delaunay(Triangulation& t,
-                                         const NamedParameters& np = parameters::default_values()) {
+                                         const Named_function_parameters<T, Tag, Base>& np) {
   return flip_to_delaunay(t, edges(t.mesh()), np);
 }
 

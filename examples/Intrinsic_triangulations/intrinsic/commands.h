@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_COMMANDS_H
+#define INTRINSIC_COMMANDS_H
+
+#include "options.h"
+
+namespace program {
+
+/// flips to Delaunay and writes the intrinsic triangulation.
+void run_delaunay(const Options& options);
+/// flips to Delaunay unless told not to and writes Laplacian and mass matrix.
+void run_laplacian(const Options& options);
+/// describes a mesh or an intrinsic triangulation, as it is.
+void run_info(const Options& options);
+
+} // namespace program
+
+#endif // INTRINSIC_COMMANDS_H

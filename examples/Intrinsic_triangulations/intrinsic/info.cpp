@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "load.h"
+#include "output_files.h"
+#include "progress.h"
+#include "report.h"
+#include "statistics.h"
+
+#include <iostream>
+#include <stdexcept>
+
+namespace program {
+
+void run_info(const Options& options) {
+  Progress progress;
+  with_loaded(options, progress, [&](auto& loaded) {
+    Json json = flip_and_measure(loaded, false, options, progress);
+    Stopwatch watch;
+    Output_files files;
+    finish(json, options, files, watch);
+    if (!options.stats.empty()) return;
+    print_summary(std::cout, json);
+    if (!std::cout.flush()) throw std::runtime_error("standard output cannot be written");
+  });
+}
+
+} // namespace program

@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_LOAD_H
+#define INTRINSIC_LOAD_H
+
+#include "options.h"
+#include "progress.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/read_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/read_triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+/// Coordinates of a vertex.
+using Point = std::array<double, 3>;
+
+/// What is known of the input before anything is done with it.
+struct Input_facts {
+  std::size_t vertices = 0, edges = 0, faces = 0, boundary_edges = 0, components = 0;
+  std::optional<std::size_t> genus;
+  std::size_t boundary_loops = 0, isolated_vertices = 0, nonmanifold_vertices = 0;
+  std::size_t polygons = 0, triangulated_polygons = 0; ///< 0 for an intrinsic triangulation
+};
+
+/// Seconds that the parts of the work took.
+struct Seconds {
+  double read = 0, build = 0;
+};
+
+/// An intrinsic triangulation and what is known of its input.
+template <class Triangulation>
+struct Loaded {
+  Triangulation triangulation;
+  Input_facts facts;
+  Seconds seconds;
+  /// One point per vertex of the triangulation, scaled as its metric is; empty where that keeps
+  /// them itself or there are none.
+  std::vector<Point> points;
+
+  /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
+  const std::vector<Point>& scaled_points() const {
+    if constexpr (Triangulation::Metric::is_exact)
+      if (points.empty()) return triangulation.metric().input().points();
+    return points;
+  }
+};
+
+/// counts the elements of a mesh.
+Input_facts facts_of(const IT::Gluing_map& mesh);
+
+/// reads a mesh file. \throws Invalid_input naming the file, the element and the remedy
+IT::Intrinsic_input read_mesh(const Options& options, Input_facts& facts);
+
+/// tells whether a file name has the extension of intrinsic triangulations.
+inline bool is_triangulation_file(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".idt";
+}
+
+/// builds the intrinsic triangulation of a mesh file.
+template <class Triangulation>
+Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
+  Stopwatch watch;
+  Input_facts facts;
+  Seconds seconds;
+  progress.show("reading");
+  IT::Intrinsic_input input = read_mesh(options, facts);
+  seconds.read = watch.lap();
+  progress.show("building");
+  // exact traits keep the points unless they only keep changed lengths
+  const bool are_points_kept =
+      Triangulation::Metric::is_exact && input.mollification != IT::Mollification::lengths;
+  const std::vector<Point> points = are_points_kept ? std::vector<Point>() : input.points;
+  try {
+    Loaded<Triangulation> loaded{Triangulation(std::move(input)), facts, seconds, {}};
+    const Triangulation& t = loaded.triangulation;
+    loaded.points.reserve(points.size());
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      loaded.points.push_back(points[t.input_vertex({static_cast<std::uint32_t>(v)})]);
+      for (double& x : loaded.points.back()) x = std::ldexp(x, t.metric().scale_exponent());
+    }
+    loaded.seconds.build = watch.lap();
+    return loaded;
+  } catch (const IT::Invalid_input& e) {
+    throw IT::Invalid_input(e.kind(), e.index(), options.input + ": " + e.what());
+  }
+}
+
+/// reads an intrinsic triangulation from its file.
+template <class Triangulation>
+Loaded<Triangulation> load_triangulation(const Options& options, Progress& progress) {
+  Stopwatch watch;
+  progress.show("reading");
+  Loaded<Triangulation> loaded{
+      IT::read_intrinsic_triangulation<Triangulation>(std::filesystem::path(options.input)),
+      {}, {}, {}};
+  loaded.facts = facts_of(loaded.triangulation.mesh());
+  loaded.seconds.read = watch.lap();
+  return loaded;
+}
+
+/// returns the arithmetic to compute in: that of a stored triangulation, else what is asked for.
+/// \throws Invalid_input if options contradict a stored triangulation
+std::string arithmetic_of(const Options& options);
+
+/*!
+\brief loads the input and calls a function with it.
+\param options the options
+\param progress where to show progress
+\param function called with `Loaded<Triangulation>&`
+*/
+template <class Function>
+void with_loaded(const Options& options, Progress& progress, const Function& function) {
+  const auto call = [&](auto loaded) { function(loaded); };
+  using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits>;
+  using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
+  const bool exact = arithmetic_of(options) == "exact";
+  const bool stored = is_triangulation_file(options.input);
+  if (exact && stored)
+    call(load_triangulation<Exact>(options, progress));
+  else if (exact)
+    call(load_mesh<Exact>(options, progress));
+  else if (stored)
+    call(load_triangulation<Double>(options, progress));
+  else
+    call(load_mesh<Double>(options, progress));
+}
+
+} // namespace program
+
+#endif // INTRINSIC_LOAD_H

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "options.h"
+#include "output_files.h"
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace {
+
+using program::Options;
+using Command = void (*)(const Options&);
+
+// Exit codes: valid usage that failed, and usage that is not valid.
+constexpr int failed = 1, misused = 2;
+
+CLI::Validator extension(const std::string& wanted, const std::string& what) {
+  return CLI::Validator(
+      [=](std::string& path) {
+        return std::filesystem::path(path).extension() == wanted
+                   ? std::string()
+                   : path + ": this version writes " + what + ", to a file with extension " +
+                         wanted + " only";
+      },
+      "FILE" + wanted);
+}
+
+CLI::Validator no_correspondence() {
+  return CLI::Validator(
+      [](std::string& word) {
+        return word == "none" ? std::string()
+                              : "the correspondence " + word +
+                                    " is not offered; this version offers only none";
+      },
+      "");
+}
+
+void add_common_options(CLI::App& command, Options& options) {
+  command.add_option("IN", options.input,
+                     "mesh (.off .obj .ply .stl .ts) or intrinsic triangulation (.idt)")
+      ->required();
+  command
+      .add_option_function<std::string>(
+          "--arithmetic",
+          [&options](const std::string& word) {
+            options.arithmetic = word;
+            options.is_arithmetic_given = true;
+          },
+          "exact (certified predicates, default) or double")
+      ->check(CLI::IsMember({"exact", "double"}));
+  command
+      .add_option_function<std::string>(
+          "--mollification",
+          [&options](const std::string& word) {
+            options.mollification = word;
+            options.is_mollification_given = true;
+          },
+          "treatment of faces without area: automatic (only where flips cannot remove them, "
+          "default), none, lengths or squared")
+      ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
+  command.add_option("--correspondence", options.correspondence,
+                     "what is kept of where edges run on the input: none")
+      ->check(CLI::IsMember({"none", "integer", "signposts", "crossings"}))
+      ->check(no_correspondence());
+  command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
+      ->type_name("FILE");
+}
+
+void add_delaunay(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command =
+      *app.add_subcommand("delaunay", "flip to the intrinsic Delaunay triangulation");
+  add_common_options(command, options);
+  command.add_option("-o", options.output, "write the intrinsic triangulation")
+      ->check(extension(".idt", "intrinsic triangulations"));
+  command.callback([&chosen] { chosen = program::run_delaunay; });
+}
+
+void add_laplacian(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "laplacian", "write the cotangent Laplacian of the intrinsic Delaunay triangulation");
+  add_common_options(command, options);
+  command.add_option("-o", options.output, "write the Laplacian in Matrix Market format")
+      ->check(extension(".mtx", "matrices in Matrix Market format"));
+  command.add_option("--mass", options.mass, "write the mass matrix in Matrix Market format")
+      ->check(extension(".mtx", "matrices in Matrix Market format"));
+  command.add_option("--mass-kind", options.mass_kind, "lumped (diagonal, default) or galerkin")
+      ->check(CLI::IsMember({"lumped", "galerkin"}));
+  command.add_flag("--no-flip", options.no_flip, "take the triangulation as it is");
+  command.callback([&chosen] { chosen = program::run_laplacian; });
+}
+
+void add_info(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command =
+      *app.add_subcommand("info", "describe a mesh or an intrinsic triangulation as it is");
+  add_common_options(command, options);
+  command.callback([&chosen] { chosen = program::run_info; });
+}
+
+bool names_a_file_twice(const Options& o) {
+  return (!o.output.empty() && (o.output == o.mass || o.output == o.stats)) ||
+         (!o.mass.empty() && o.mass == o.stats);
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  Command chosen = nullptr;
+  CLI::App app("Intrinsic triangulations of triangle meshes, with exact predicates", "intrinsic");
+  app.set_version_flag("--version", std::string("intrinsic ") + INTRINSIC_TRIANGULATIONS_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(32);
+  add_delaunay(app, options, chosen);
+  add_laplacian(app, options, chosen);
+  add_info(app, options, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : misused;
+  }
+  if (names_a_file_twice(options)) {
+    std::cerr << "intrinsic: two outputs have the same file name; give each its own\n";
+    return misused;
+  }
+  chosen(options);
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  program::remove_incomplete_files_on_signals();
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "intrinsic: there is not enough memory; use a machine with more, or a smaller "
+                 "mesh\n";
+  } catch (const std::exception& e) {
+    std::cerr << "intrinsic: " << e.what() << '\n';
+  }
+  return failed;
+}

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_OPTIONS_H
+#define INTRINSIC_OPTIONS_H
+
+#include <CGAL/Intrinsic_triangulations/metric/mollification.h>
+
+#include <string>
+
+namespace program {
+
+/// What the command line asks for.
+struct Options {
+  std::string input;
+  std::string arithmetic = "exact"; ///< `exact` or `double`
+  std::string correspondence = "none";
+  std::string mollification = "automatic"; ///< `automatic`, `none`, `lengths` or `squared`
+  std::string output;                      ///< empty: none
+  std::string mass;                        ///< empty: none
+  std::string mass_kind = "lumped";        ///< `lumped` or `galerkin`
+  std::string stats;                       ///< empty: none; `-`: standard output
+  bool no_flip = false;
+  bool is_arithmetic_given = false;
+  bool is_mollification_given = false;
+};
+
+/// returns what the option `--mollification` means.
+inline CGAL::Intrinsic_triangulations::Mollification mollification_of(const Options& options) {
+  using CGAL::Intrinsic_triangulations::Mollification;
+  if (options.mollification == "none") return Mollification::none;
+  if (options.mollification == "lengths") return Mollification::lengths;
+  if (options.mollification == "squared") return Mollification::squared_lengths;
+  return Mollification::automatic;
+}
+
+} // namespace program
+
+#endif // INTRINSIC_OPTIONS_H

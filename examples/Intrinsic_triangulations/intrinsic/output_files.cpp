@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output_files.h"
+
+#include <array>
+#include <climits>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+
+#include <unistd.h>
+
+namespace program {
+
+namespace {
+
+constexpr std::array<int, 3> handled_signals = {SIGINT, SIGTERM, SIGHUP};
+
+// What the signal handler removes: plain arrays, as it may not allocate or lock.
+constexpr std::size_t maximal_files = 4;
+std::array<std::array<char, PATH_MAX>, maximal_files> incomplete_files;
+volatile std::sig_atomic_t number_of_incomplete_files = 0;
+
+// Holds signals back while files and the list of them change together.
+class Signals_held_back {
+public:
+  Signals_held_back() {
+    sigset_t set;
+    sigemptyset(&set);
+    for (const int s : handled_signals) sigaddset(&set, s);
+    pthread_sigmask(SIG_BLOCK, &set, &previous_);
+  }
+  ~Signals_held_back() { pthread_sigmask(SIG_SETMASK, &previous_, nullptr); }
+  Signals_held_back(const Signals_held_back&) = delete;
+  Signals_held_back& operator=(const Signals_held_back&) = delete;
+
+private:
+  sigset_t previous_;
+};
+
+extern "C" void remove_and_end(int signal) {
+  for (int i = 0; i < number_of_incomplete_files; ++i)
+    unlink(incomplete_files[static_cast<std::size_t>(i)].data());
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+void append_incomplete_file(const std::string& path) {
+  const auto i = static_cast<std::size_t>(number_of_incomplete_files);
+  if (path.size() >= PATH_MAX || i >= maximal_files)
+    throw std::runtime_error(path + ": the path is too long; choose a shorter one");
+  std::memcpy(incomplete_files[i].data(), path.c_str(), path.size() + 1);
+  number_of_incomplete_files = number_of_incomplete_files + 1;
+}
+
+} // namespace
+
+void remove_incomplete_files_on_signals() {
+  for (const int s : handled_signals)
+    if (std::signal(s, remove_and_end) == SIG_IGN) std::signal(s, SIG_IGN); // as under nohup
+}
+
+Output_files::~Output_files() {
+  const Signals_held_back guard;
+  files_.clear();
+  number_of_incomplete_files = 0;
+}
+
+std::ostream& Output_files::open(const std::string& path) {
+  const Signals_held_back guard;
+  files_.emplace_back(path);
+  const std::string temporary = files_.back().temporary().string();
+  if (!temporary.empty()) append_incomplete_file(temporary);
+  return files_.back().stream();
+}
+
+void Output_files::commit() {
+  const Signals_held_back guard;
+  for (auto& file : files_) file.commit();
+  files_.clear();
+  number_of_incomplete_files = 0;
+}
+
+} // namespace program

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "statistics.h"
+
+#include <iostream>
+#include <sstream>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace program {
+
+double area(const Point& p, const Point& q, const Point& r) {
+  std::array<double, 3> u{}, v{};
+  for (unsigned k = 0; k < 3; ++k) {
+    u[k] = q[k] - p[k];
+    v[k] = r[k] - p[k];
+  }
+  return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                    u[0] * v[1] - u[1] * v[0]) /
+         2;
+}
+
+namespace {
+
+const char* name(IT::Mollification kind) {
+  switch (kind) {
+  case IT::Mollification::lengths: return "lengths";
+  case IT::Mollification::squared_lengths: return "squared";
+  default: return "none";
+  }
+}
+
+} // namespace
+
+Json input_json(const Options& options, const std::string& arithmetic, const Input_facts& facts,
+                const IT::Input_report& report) {
+  Json json;
+  json["version"] = INTRINSIC_TRIANGULATIONS_VERSION;
+  Json& input = json["input"];
+  input["file"] = options.input;
+  input["vertices"] = facts.vertices;
+  input["edges"] = facts.edges;
+  input["faces"] = facts.faces;
+  input["boundary_edges"] = facts.boundary_edges;
+  input["boundary_loops"] = facts.boundary_loops;
+  input["components"] = facts.components;
+  input["genus"] = facts.genus ? Json(*facts.genus) : Json(nullptr);
+  input["degenerate_faces"] = report.degenerate_faces;
+  input["isolated_vertices"] = facts.isolated_vertices;
+  input["nonmanifold_vertices"] = facts.nonmanifold_vertices;
+  if (facts.polygons > 0) input["polygons"] = facts.polygons;
+  input["triangulated_polygons"] = facts.triangulated_polygons;
+  input["renumbered"] = report.renumbered;
+  json["arithmetic"] = arithmetic;
+  json["correspondence"] = options.correspondence;
+  json["mollification"] = {{"kind", name(report.mollification.kind)},
+                           {"delta", report.mollification.delta}};
+  return json;
+}
+
+Json delaunay_json(const IT::Flip_to_delaunay_result& flips,
+                   const IT::Predicate_statistics& statistics, const Delaunay_check& check) {
+  Json json;
+  json["checks"] = flips.checks;
+  json["flips"] = flips.flips;
+  json["refused_flips"] = flips.refused_flips;
+  json["filter_failures"] = statistics.filter_failures;
+  json["integer"] = statistics.integer;
+  json["escalations"] = Json::object();
+  for (const auto& [bits, count] : statistics.escalations)
+    json["escalations"][std::to_string(bits)] = count;
+  json["certified_zero"] = statistics.certified_zero;
+  json["probable_zero"] = statistics.probable_zero + check.probable_zero;
+  json["non_delaunay_edges"] = check.non_delaunay_edges;
+  json["cocircular_edges"] = check.cocircular_edges;
+  return json;
+}
+
+std::string certificate(bool is_exact, std::uint64_t probable_zero, const Delaunay_check& check) {
+  if (!is_exact || check.non_delaunay_edges > 0) return "none";
+  return probable_zero + check.probable_zero > 0 ? "interval" : "exact";
+}
+
+Json quality_json(const Quality& quality) {
+  return {{"min_angle_deg", quality.min_angle},
+          {"max_angle_deg", quality.max_angle},
+          {"min_cotan_weight", quality.min_cotan_weight}};
+}
+
+void add_integrals(Json& json, const Integrals& integrals, double input_area, bool has_points) {
+  json["laplacian"]["trace"] = integrals.trace;
+  if (has_points)
+    json["dirichlet"] = {{"x", integrals.dirichlet[0]},
+                         {"y", integrals.dirichlet[1]},
+                         {"z", integrals.dirichlet[2]}};
+  json["area"] = {{"input", input_area}, {"intrinsic", integrals.area}};
+}
+
+double peak_rss_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void print_summary(std::ostream& stream, const Json& json) {
+  std::ostringstream out; // the caller's stream keeps its format
+  const auto row = [&](const std::string& title) -> std::ostream& {
+    return out << title << std::string(title.size() < 16 ? 16 - title.size() : 1, ' ');
+  };
+  const Json& input = json["input"];
+  row("file") << input["file"].get<std::string>() << '\n';
+  row("elements") << input["vertices"] << " vertices, " << input["edges"] << " edges, "
+                  << input["faces"] << " faces\n";
+  row("topology") << "components " << input["components"] << ", genus ";
+  (input["genus"].is_null() ? out << "none: not orientable" : out << input["genus"])
+      << ", boundary loops " << input["boundary_loops"] << " (" << input["boundary_edges"]
+      << " edges)\n";
+  for (const auto& [key, what] :
+       {std::pair("triangulated_polygons", "polygons were triangulated"),
+        std::pair("degenerate_faces", "faces have no area"),
+        std::pair("isolated_vertices", "vertices have no face"),
+        std::pair("nonmanifold_vertices", "vertices are not manifold")})
+    if (input[key] != 0) row("") << input[key] << ' ' << what << '\n';
+  if (json["mollification"]["kind"] != "none")
+    row("mollification") << json["mollification"]["kind"].get<std::string>() << ", delta "
+                         << json["mollification"]["delta"] << '\n';
+  const Json& delaunay = json["delaunay"];
+  row("Delaunay") << delaunay["non_delaunay_edges"] << " edges are not, "
+                  << delaunay["cocircular_edges"] << " are ties; " << delaunay["flips"]
+                  << " flips; certificate: " << json["certificate"].get<std::string>() << " ("
+                  << json["arithmetic"].get<std::string>() << " arithmetic)\n";
+  const Json& quality = json["quality"];
+  row("angles") << quality["min_angle_deg"] << " to " << quality["max_angle_deg"] << " degrees\n";
+  row("cotan weights") << "from " << quality["min_cotan_weight"] << ", trace of the Laplacian "
+                       << json["laplacian"]["trace"] << '\n';
+  row("area") << json["area"]["intrinsic"] << '\n';
+  stream << out.str();
+}
+
+void print_summary_on_terminal(const Json& json) {
+  if (isatty(STDERR_FILENO) != 0) print_summary(std::cerr, json);
+}
+
+} // namespace program

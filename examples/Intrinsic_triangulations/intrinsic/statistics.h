@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_STATISTICS_H
+#define INTRINSIC_STATISTICS_H
+
+#include "load.h"
+#include "options.h"
+
+#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace program {
+
+/// JSON with keys in the order in which they are set. Numbers that are not finite become null.
+using Json = nlohmann::ordered_json;
+
+/// What testing every edge for the Delaunay property found.
+struct Delaunay_check {
+  std::size_t non_delaunay_edges = 0, cocircular_edges = 0;
+  std::uint64_t probable_zero = 0; ///< ties taken for such without proof
+  std::vector<char> is_tie;        ///< per edge, by number
+};
+
+/// What depends on the shape of the faces; angles in degrees.
+struct Quality {
+  double min_angle = 180, max_angle = 0;
+  /// of the edges between two faces; border edges have one cotangent, of any sign
+  double min_cotan_weight = std::numeric_limits<double>::infinity();
+};
+
+/// Integrals over the surface in the units of the input.
+struct Integrals {
+  double area = 0;
+  double trace = 0;                    ///< sum of the diagonal of the Laplacian
+  std::array<double, 3> dirichlet = {}; ///< x^T L x of each coordinate function
+};
+
+/// tests every edge.
+template <class Triangulation>
+Delaunay_check check(Triangulation& t) {
+  const std::uint64_t before = t.metric().statistics().probable_zero;
+  const auto report = IT::check_delaunay(t);
+  Delaunay_check result{report.non_delaunay_edges, report.cocircular_edges.size(),
+                        t.metric().statistics().probable_zero - before,
+                        std::vector<char>(num_edges(t.mesh()), 0)};
+  for (const typename Triangulation::edge_descriptor e : report.cocircular_edges)
+    result.is_tie[t.index(e)] = 1;
+  return result;
+}
+
+/// returns the cotangent weight of an edge without deciding again whether it is a tie, which costs.
+template <class Triangulation>
+double weight_of(typename Triangulation::Session& session, const Triangulation& t,
+                 typename Triangulation::edge_descriptor e, const Delaunay_check& check) {
+  return check.is_tie[t.index(e)] != 0 ? 0 : session.cotangent_weight(e);
+}
+
+/// measures the faces: cot = q / a, with q = L_ij + L_ik - L_jk and a = 4A, see Diamond.h.
+template <class Triangulation>
+Quality quality_of(Triangulation& t, const Delaunay_check& check) {
+  Quality result;
+  const auto& mesh = t.mesh();
+  const auto squared_length = [&](auto h) {
+    return CGAL::to_double(t.metric().squared_length(t.index(edge(h, mesh))));
+  };
+  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
+    const double area = CGAL::to_double(t.metric().quadruple_area(t.index(f)));
+    const auto h = halfedge(f, mesh), n = next(h, mesh);
+    const double a = squared_length(h), b = squared_length(n), c = squared_length(next(n, mesh));
+    for (const double q : {a + b - c, b + c - a, c + a - b}) {
+      const double angle = std::atan2(area, q) * (180 / std::numbers::pi);
+      result.min_angle = std::min(result.min_angle, angle);
+      result.max_angle = std::max(result.max_angle, angle);
+    }
+  }
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+  typename Triangulation::Session session(t);
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const auto h = halfedge(e, mesh);
+    if (face(h, mesh) != null && face(opposite(h, mesh), mesh) != null)
+      result.min_cotan_weight =
+          std::min(result.min_cotan_weight, weight_of(session, t, e, check));
+  }
+  return result;
+}
+
+/// integrates over the surface; x^T L x is summed over edges as w (x_i - x_j)^2, without
+/// cancellation. Weights of edges from a vertex to itself do not count.
+template <class Triangulation>
+Integrals integrals_of(Triangulation& t, const std::vector<Point>& scaled_points,
+                       const Delaunay_check& check) {
+  const auto& mesh = t.mesh();
+  const int s = t.metric().scale_exponent();
+  long double area = 0, trace = 0;
+  std::array<long double, 3> dirichlet = {};
+  for (const typename Triangulation::face_descriptor f : faces(mesh))
+    area += CGAL::to_double(t.metric().quadruple_area(t.index(f)));
+  typename Triangulation::Session session(t);
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const auto i = source(halfedge(e, mesh), mesh), j = target(halfedge(e, mesh), mesh);
+    if (i == j) continue;
+    const double weight = weight_of(session, t, e, check);
+    trace += 2 * weight;
+    if (scaled_points.empty()) continue;
+    for (unsigned k = 0; k < 3; ++k) {
+      const double d = scaled_points[i.index][k] - scaled_points[j.index][k];
+      dirichlet[k] += weight * d * d;
+    }
+  }
+  Integrals result;
+  result.area = std::ldexp(static_cast<double>(area), -2 * s - 2);
+  result.trace = static_cast<double>(trace);
+  for (unsigned k = 0; k < 3; ++k)
+    result.dirichlet[k] = std::ldexp(static_cast<double>(dirichlet[k]), -2 * s);
+  return result;
+}
+
+/// returns the area of a triangle in space.
+double area(const Point& p, const Point& q, const Point& r);
+
+/// returns the area of the input from its coordinates, before any mollification, in its units; NaN
+/// where the coordinates are not known. \pre no edge was flipped, unless traits are exact
+template <class Triangulation>
+double input_area(const Loaded<Triangulation>& loaded) {
+  const Triangulation& t = loaded.triangulation;
+  const std::vector<Point>& p = loaded.scaled_points();
+  if (p.empty()) return std::numeric_limits<double>::quiet_NaN();
+  long double sum = 0;
+  if constexpr (Triangulation::Metric::is_exact) {
+    if (loaded.points.empty()) { // the metric keeps input faces whatever was flipped
+      const IT::Input_metric& input = t.metric().input();
+      for (std::uint32_t f = 0; f < input.number_of_faces(); ++f)
+        sum += area(p[input.sides(f)[0]], p[input.sides(f)[1]], p[input.sides(f)[2]]);
+      return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent());
+    }
+  }
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
+    const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
+    sum += area(p[source(h, t.mesh()).index], p[target(h, t.mesh()).index],
+                p[target(n, t.mesh()).index]);
+  }
+  return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent());
+}
+
+/// returns what is known of input and mollification, and the program's version.
+Json input_json(const Options& options, const std::string& arithmetic, const Input_facts& facts,
+                const IT::Input_report& report);
+/// returns what flipping did.
+Json delaunay_json(const IT::Flip_to_delaunay_result& flips,
+                   const IT::Predicate_statistics& statistics, const Delaunay_check& check);
+/// returns the certificate: `exact`, `interval` or `none`.
+std::string certificate(bool is_exact, std::uint64_t probable_zero, const Delaunay_check& check);
+/// returns what depends on the shape of faces.
+Json quality_json(const Quality& quality);
+/// adds integrals.
+void add_integrals(Json& json, const Integrals& integrals, double input_area, bool has_points);
+/// returns the peak of resident memory so far, in MiB.
+double peak_rss_mib();
+
+/*!
+\brief loads, flips unless told not to, and measures; the common part of all commands.
+\param loaded what was loaded
+\param flip whether to flip to Delaunay
+\param options the options
+\param progress where to show progress
+\throws std::runtime_error if flipping does not end, which happens in inexact arithmetic only
+\return the statistics so far
+*/
+template <class Triangulation>
+Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& options,
+                      Progress& progress) {
+  constexpr bool is_exact = Triangulation::Metric::is_exact;
+  Triangulation& t = loaded.triangulation;
+  Json json = input_json(options, is_exact ? "exact" : "double", loaded.facts, t.report());
+  const bool has_points = !loaded.scaled_points().empty();
+  const double area = input_area(loaded);
+  Stopwatch watch;
+  IT::Flip_to_delaunay_result result;
+  t.metric().statistics() = {};
+  if (flip)
+    result = IT::flip_to_delaunay(t, edges(t.mesh()),
+                                  CGAL::parameters::visitor(std::ref(progress)));
+  const double delaunay_seconds = watch.lap();
+  if (result.status == IT::Flip_to_delaunay_status::cap)
+    throw std::runtime_error(options.input + ": flipping did not end after " +
+                             std::to_string(result.flips) +
+                             " flips in double arithmetic; use --arithmetic exact");
+  const IT::Predicate_statistics statistics = t.metric().statistics();
+  progress.show("verifying");
+  const Delaunay_check checked = check(t);
+  json["delaunay"] = delaunay_json(result, statistics, checked);
+  json["certificate"] = certificate(is_exact, statistics.probable_zero, checked);
+  json["quality"] = quality_json(quality_of(t, checked));
+  add_integrals(json, integrals_of(t, loaded.scaled_points(), checked), area, has_points);
+  json["seconds"] = {{"read", loaded.seconds.read},
+                     {"build", loaded.seconds.build},
+                     {"delaunay", delaunay_seconds},
+                     {"verify", watch.lap()}};
+  return json;
+}
+
+/// prints statistics for people.
+void print_summary(std::ostream& out, const Json& json);
+/// prints the summary to standard error if that is a terminal.
+void print_summary_on_terminal(const Json& json);
+
+} // namespace program
+
+#endif // INTRINSIC_STATISTICS_H

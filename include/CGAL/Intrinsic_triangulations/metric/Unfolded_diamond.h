@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_UNFOLDED_DIAMOND_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_UNFOLDED_DIAMOND_H
+
+#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a tree of input triangles, to be unfolded into a plane, that reaches all corners of a
+diamond.
+
+Points 0 and 1 are the ends of side 0 of the first triangle. Triangle number n adds point n + 2, the
+corner opposite the side by which it is entered. With that side from z_t to z_u, squared lengths
+L_t of the side, L_u of the next and L_v of the last, and D = 4 L_t L_v - p^2, p = L_t + L_v - L_u,
+
+    z_v = z_t + (z_u - z_t) w,     w = (p + sqrt(-D)) / (2 L_t),
+
+in complex numbers. Nothing is ever divided by but squared lengths of the input, and the figure does
+not depend on the flips that made the diamond.
+*/
+struct Unfolded_diamond {
+  /// An input triangle in the tree.
+  struct Triangle {
+    std::uint32_t face;                 ///< input face
+    std::uint32_t entry;                ///< slot of the side by which it is entered; 0 in the first
+    std::uint32_t parent;               ///< triangle on the other side of it; itself in the first
+    std::array<std::uint32_t, 3> point; ///< points in the corners, where sides 0, 1, 2 start
+
+    /// returns the point where the entry starts.
+    std::uint32_t start() const { return point[entry]; }
+    /// returns the point where the entry ends.
+    std::uint32_t end() const { return point[(entry + 1) % 3]; }
+  };
+
+  /// A corner of the diamond.
+  struct Corner {
+    std::uint32_t triangle; ///< triangle in the tree
+    std::uint32_t slot;     ///< corner in the triangle
+  };
+
+  /// The tree, parents first.
+  std::vector<Triangle> triangles;
+  /// Corners i, j, k, m of the diamond.
+  std::array<Corner, 4> corners;
+
+  /// returns the triangle that is glued along slot `entry` to slot `exit` of triangle `parent`, to
+  /// be added to the tree.
+  Triangle beyond(std::uint32_t parent, std::uint32_t exit, std::uint32_t face,
+                  std::uint32_t entry) const {
+    const std::array<std::uint32_t, 3>& p = triangles[parent].point;
+    Triangle t{face, entry, parent, {}};
+    t.point[entry] = p[(exit + 1) % 3];
+    t.point[(entry + 1) % 3] = p[exit];
+    t.point[(entry + 2) % 3] = static_cast<std::uint32_t>(triangles.size()) + 2;
+    return t;
+  }
+
+  /// returns the number of the point in corner `c` of the diamond.
+  std::uint32_t point(std::size_t c) const {
+    return triangles[corners[c].triangle].point[corners[c].slot];
+  }
+
+  /*!
+  \brief evaluates the diamond by unfolding.
+  \tparam FT a model of `Field`
+  \tparam Input_values a functor from the number of an input face to a pair of its three squared
+  lengths and its quadruple area, see `History_values::Face_values`
+  */
+  template <class FT, class Input_values>
+  Diamond_values<FT> values(const Input_values& input) const {
+    std::vector<Complex<FT>> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
+    for (const Triangle& t : triangles) {
+      const auto face = input(t.face);
+      const FT& l = face.first[t.entry];
+      const FT p = l + face.first[(t.entry + 2) % 3] - face.first[(t.entry + 1) % 3];
+      const Complex<FT> e = z[t.end()] - z[t.start()], &a = z[t.start()];
+      const FT r = FT(1) / (l + l);
+      z.push_back(
+          {a.x + (e.x * p - e.y * face.second) * r, a.y + (e.x * face.second + e.y * p) * r});
+    }
+    const auto first = input(triangles.front().face);
+    const FT& unit = first.first[0];
+    const Complex<FT>&i = z[point(0)], &j = z[point(1)], &k = z[point(2)], &m = z[point(3)];
+    const auto length = [&unit](const Complex<FT>& e) { return unit * (e.x * e.x + e.y * e.y); };
+    const auto area = [&unit](const Complex<FT>& u, const Complex<FT>& v) {
+      return (unit + unit) * (u.x * v.y - u.y * v.x);
+    };
+    return {length(j - i), length(k - j),      length(i - k),     length(m - i),
+            length(j - m), area(j - i, k - i), area(i - j, m - j)};
+  }
+
+private:
+  template <class FT>
+  struct Complex {
+    FT x, y;
+    friend Complex operator-(const Complex& a, const Complex& b) { return {a.x - b.x, a.y - b.y}; }
+  };
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_UNFOLDED_DIAMOND_H

@@ -1,0 +1,127 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tests of the program `intrinsic` share: running it, and reading what it writes."""
+
+import argparse
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+TIME_LIMIT = 60  # seconds, for machines that are slow or busy
+
+
+class Run:
+    """One run of the program and all that it said."""
+
+    def __init__(self, program, arguments, directory):
+        start = time.monotonic()
+        done = subprocess.run([program] + [str(a) for a in arguments], cwd=directory,
+                              capture_output=True, text=True, timeout=TIME_LIMIT)
+        self.seconds = time.monotonic() - start
+        self.code = done.returncode
+        self.out = done.stdout
+        self.err = done.stderr
+
+    def json(self):
+        return json.loads(self.out)
+
+
+class Cli_test(unittest.TestCase):
+    """Runs the program in a directory of its own."""
+
+    program = None
+    data = None
+
+    def setUp(self):
+        self._directory = tempfile.TemporaryDirectory()
+        self.directory = self._directory.name
+        self.addCleanup(self._directory.cleanup)
+
+    def run_program(self, *arguments):
+        return Run(self.program, arguments, self.directory)
+
+    def stats(self, command, mesh, *arguments):
+        run = self.run_program(command, mesh, "--stats", "-", *arguments)
+        self.assertEqual(run.code, 0, run.err)
+        return run.json()
+
+    def path(self, name):
+        return os.path.join(self.directory, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w") as file:
+            file.write(text)
+        return self.path(name)
+
+    def write_off(self, name, points, faces):
+        lines = ["OFF", f"{len(points)} {len(faces)} 0"]
+        lines += [" ".join(repr(float(x)) for x in p) for p in points]
+        lines += [" ".join(str(i) for i in [len(f), *f]) for f in faces]
+        return self.write(name, "\n".join(lines) + "\n")
+
+    def assert_close(self, a, b, relative, message=None):
+        self.assertLessEqual(abs(a - b), relative * max(abs(a), abs(b)), message or f"{a} {b}")
+
+    def assert_certified(self, stats):
+        self.assertEqual(stats["certificate"], "exact")
+        self.assertEqual(stats["delaunay"]["non_delaunay_edges"], 0)
+        self.assertEqual(stats["delaunay"]["probable_zero"], 0)
+
+    def assert_fails(self, run, *words):
+        """The run failed on valid usage and its message has all the words."""
+        self.assertEqual(run.code, 1, run.out + run.err)
+        self.assertEqual(run.out, "")
+        for word in words:
+            self.assertIn(word, run.err)
+
+
+def icosphere(levels):
+    """An icosahedron, subdivided; points on the unit sphere."""
+    g = (1 + math.sqrt(5)) / 2
+    points = [(-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g),
+              (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1)]
+    faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4),
+             (11, 10, 2), (10, 7, 6), (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8),
+             (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1)]
+    for _ in range(levels):
+        middle, finer = {}, []
+
+        def between(a, b):
+            key = (min(a, b), max(a, b))
+            if key not in middle:
+                middle[key] = len(points)
+                points.append(tuple((x + y) / 2 for x, y in zip(points[a], points[b])))
+            return middle[key]
+
+        for a, b, c in faces:
+            ab, bc, ca = between(a, b), between(b, c), between(c, a)
+            finer += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+        faces = finer
+    return [tuple(x / math.hypot(*p) for x in p) for p in points], faces
+
+
+def grid(n):
+    """A planar grid with integer coordinates: every square is an exact tie."""
+    points = [(i, j, 0) for i in range(n + 1) for j in range(n + 1)]
+    faces = []
+    for i in range(n):
+        for j in range(n):
+            a, b = i * (n + 1) + j, (i + 1) * (n + 1) + j
+            faces += [(a, b, b + 1), (a, b + 1, a + 1)]
+    return points, faces
+
+
+def main():
+    """Runs the tests of the calling script; the options are those that ctest gives."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--intrinsic", required=True)
+    parser.add_argument("--data", required=True)
+    options, rest = parser.parse_known_args()
+    Cli_test.program = os.path.abspath(options.intrinsic)
+    Cli_test.data = os.path.abspath(options.data)
+    unittest.main(argv=[sys.argv[0]] + rest, verbosity=2)

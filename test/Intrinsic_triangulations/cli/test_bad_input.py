@@ -1,0 +1,176 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bad input gives a certified result, or an error that names the element."""
+
+import unittest
+
+from cli_support import Cli_test, grid, icosphere, main
+
+TETRAHEDRON = ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
+               [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
+
+
+class Refused_input(Cli_test):
+    def refuse(self, mesh, *words):
+        for command in ("delaunay", "laplacian", "info"):
+            for arithmetic in ("exact", "double"):
+                self.assert_fails(self.run_program(command, mesh, "--arithmetic", arithmetic),
+                                  str(mesh), *words)
+
+    def test_missing_file(self):
+        self.refuse("missing.off", "does not exist")
+
+    def test_directory(self):
+        self.refuse(self.directory, "directory")
+
+    def test_unknown_extension(self):
+        self.refuse(self.write("mesh.xyz", "0 0 0\n"), ".off")
+
+    def test_truncated_file(self):
+        path = self.write_off("t.off", *TETRAHEDRON)
+        with open(path) as file:
+            text = file.read()
+        self.refuse(self.write("a.off", text[:len(text) // 2]), "a.off")
+        self.refuse(self.write("b.off", "\n".join(text.split("\n")[:8]) + "\n"), "b.off")
+        self.refuse(self.write("c.off", ""), "empty")
+
+    def test_coordinates_that_are_not_finite(self):
+        for word in ("nan", "inf", "-inf", "1e999"):
+            self.refuse(self.write("n.off", f"OFF\n3 1 0\n0 0 0\n1 {word} 0\n0 1 0\n3 0 1 2\n"),
+                        "vertex 1", "finite")
+
+    def test_repeated_vertex_in_a_face(self):
+        self.refuse(self.write_off("r.off", TETRAHEDRON[0], [(0, 1, 2), (0, 3, 3)]),
+                    "face 1", "repeats vertex 3")
+
+    def test_vertex_that_does_not_exist(self):
+        self.refuse(self.write_off("v.off", TETRAHEDRON[0], [(0, 1, 9)]), "face 0", "vertex 9")
+
+    def test_zero_faces(self):
+        self.refuse(self.write_off("z.off", TETRAHEDRON[0], []), "no faces")
+
+    def test_edge_with_three_faces(self):
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1)]
+        self.refuse(self.write_off("e.off", points, [(0, 1, 2), (1, 0, 3), (0, 1, 4)]),
+                    "edge (0, 1)", "3 faces (0, 1, 2)")
+
+    def test_inconsistent_orientation(self):
+        faces = list(TETRAHEDRON[1])
+        faces[3] = faces[3][::-1]
+        self.refuse(self.write_off("o.off", TETRAHEDRON[0], faces), "edge (", "same direction",
+                    "3")
+
+    def test_moebius_strip(self):
+        n = 5
+        points = [(i, j, 0) for i in range(n) for j in range(2)]
+        faces = []
+        for i in range(n):
+            a, b = 2 * i, 2 * i + 1
+            c, d = (2 * i + 2, 2 * i + 3) if i + 1 < n else (1, 0)
+            faces += [(a, c, d), (a, d, b)]
+        self.refuse(self.write_off("m.off", points, faces), "edge (", "same direction")
+
+
+class Accepted_input(Cli_test):
+    def certify(self, mesh, *arguments):
+        stats = self.stats("delaunay", mesh, *arguments)
+        self.assert_certified(stats)
+        return stats
+
+    def test_disconnected(self):
+        points, faces = TETRAHEDRON
+        points = points + [(x + 5, y, z) for x, y, z in points]
+        faces = faces + [tuple(v + 4 for v in f) for f in faces]
+        stats = self.certify(self.write_off("d.off", points, faces))
+        self.assertEqual(stats["input"]["components"], 2)
+        self.assertEqual(stats["input"]["genus"], 0)
+
+    def test_boundary(self):
+        stats = self.certify(self.write_off("b.off", *grid(4)))
+        self.assertEqual(stats["input"]["boundary_edges"], 16)
+        self.assertEqual(stats["input"]["boundary_loops"], 1)
+        self.assertEqual(stats["delaunay"]["flips"], 0)
+        self.assertEqual(stats["delaunay"]["cocircular_edges"], 16)  # the diagonals are ties
+
+    def test_isolated_vertices(self):
+        points, faces = TETRAHEDRON
+        stats = self.certify(self.write_off("i.off", points + [(9, 9, 9), (8, 8, 8)], faces))
+        self.assertEqual(stats["input"]["isolated_vertices"], 2)
+        self.assertEqual(stats["input"]["vertices"], 6)
+
+    def test_two_faces_on_the_same_vertices(self):
+        stats = self.certify(
+            self.write_off("p.off", [(0, 0, 0), (3, 0, 0), (0, 4, 0)], [(0, 1, 2), (0, 2, 1)]))
+        self.assertEqual(stats["input"]["faces"], 2)
+        self.assertEqual(stats["input"]["edges"], 3)
+        # both faces are the right triangle 3, 4, 5: cotangents 0, 4/3, 3/4, each twice
+        self.assertAlmostEqual(stats["laplacian"]["trace"], 2 * (4 / 3 + 3 / 4), 12)
+
+    def test_nonmanifold_vertex(self):
+        stats = self.certify(self.write_off(
+            "n.off", [(0, 0, 0), (1, 0, 0), (1, 1, 0), (-1, 0, 0), (-1, -1, 0)],
+            [(0, 1, 2), (0, 3, 4)]))
+        self.assertEqual(stats["input"]["nonmanifold_vertices"], 1)
+
+    def test_polygons_are_triangulated(self):
+        stats = self.certify(self.write_off(
+            "q.off", [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)],
+            [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]))
+        self.assertEqual(stats["input"]["triangulated_polygons"], 6)
+        self.assertEqual(stats["input"]["faces"], 12)
+        self.assertEqual(stats["delaunay"]["cocircular_edges"], 6)
+
+    def test_small_edges_far_from_the_origin(self):
+        points, faces = icosphere(2)
+        # spacing of doubles at 1e8 is 1.5e-8: edges of 1e-6 have about 6 bits, some faces none
+        far = [tuple(1e8 + 3e-6 * x for x in p) for p in points]
+        stats = self.certify(self.write_off("f.off", far, faces))
+        # every face is computed from differences, which are exact: only squares and sums round
+        self.assert_close(stats["area"]["input"], stats["area"]["intrinsic"], 1e-9)
+
+    def test_needles(self):
+        points = [(0, 0, 0), (1e-15, 0, 0), (0.5, 1, 0), (0.5, -1, 0)]
+        self.certify(self.write_off("n.off", points, [(0, 1, 2), (1, 0, 3)]))
+        points = [(0, 0, 0), (1, 0, 0), (0.5, 1e-15, 0), (0.5, -1e-15, 0)]
+        self.certify(self.write_off("c.off", points, [(0, 1, 2), (1, 0, 3)]))
+
+    def test_caps_are_flipped_away(self):
+        points = [(0, 0, 0), (4, 0, 0), (1, 0, 0), (2, -3, 0)]
+        stats = self.certify(self.write_off("c.off", points, [(0, 1, 2), (1, 0, 3)]))
+        self.assertEqual(stats["input"]["degenerate_faces"], 1)
+        self.assertEqual(stats["mollification"]["kind"], "none")
+        self.assertEqual(stats["delaunay"]["flips"], 1)
+
+    def test_zero_length_is_mollified_and_reported(self):
+        points = [(0, 0, 0), (1, 0, 0), (1, 0, 0), (0, 1, 0)]
+        mesh = self.write_off("z.off", points, [(0, 1, 2), (0, 2, 3)])
+        stats = self.certify(mesh)
+        self.assertEqual(stats["mollification"]["kind"], "squared")
+        self.assertGreater(stats["mollification"]["delta"], 0)
+        # without, the Laplacian does not exist; the face that has no area is named
+        self.assert_fails(
+            self.run_program("laplacian", mesh, "--mollification", "none", "-o", "l.mtx"),
+            mesh, "face 0")
+
+    def test_extreme_scales(self):
+        points, faces = icosphere(2)
+        points = [(x, 0.01 * y, z) for x, y, z in points]
+        reference = self.certify(self.write_off("s.off", points, faces))
+        self.assertGreater(reference["delaunay"]["flips"], 0)
+        for scale in (1e120, 1e-160):
+            scaled = [tuple(scale * x for x in p) for p in points]
+            for arithmetic in ("exact", "double"):
+                stats = self.stats("delaunay", self.write_off("s.off", scaled, faces),
+                                   "--arithmetic", arithmetic)
+                if arithmetic == "exact":
+                    self.assert_certified(stats)
+                else: # the sign of a tie is rounding's
+                    self.assertLessEqual(stats["delaunay"]["non_delaunay_edges"],
+                                         reference["delaunay"]["cocircular_edges"])
+                # rounding of the scaled coordinates moves angles by some 1e-16 / 0.01
+                self.assert_close(stats["laplacian"]["trace"], reference["laplacian"]["trace"],
+                                  1e-9)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,73 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All meshes of CGAL's data set: certified, or refused with the edge or face at fault."""
+
+import os
+import re
+import unittest
+
+from cli_support import Cli_test, main
+
+MESHES = os.environ.get("INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR", "")
+EXTENSIONS = (".off", ".obj", ".ply", ".stl", ".ts")
+SECONDS = 10  # for one mesh; the longest takes about half a second on an idle machine
+
+
+def mesh_files():
+    return sorted(name for name in os.listdir(MESHES) if name.endswith(EXTENSIONS))
+
+
+@unittest.skipUnless(MESHES and os.path.isdir(MESHES), "CGAL's data set is not installed")
+class Cgal_meshes(Cli_test):
+    def check_areas(self, stats):
+        """Flips conserve area. Both sums round: products of coordinates to 2^-53 of |u| |v|, whose
+        ratio to the area of a face is its worst cotangent or more; 1e-12 leaves a mean ratio of
+        1e3, which no mesh of the set has, except where mollification acted, which adds to areas."""
+        if stats["mollification"]["kind"] == "none":
+            self.assert_close(stats["area"]["input"], stats["area"]["intrinsic"], 1e-12)
+        else:
+            self.assert_close(stats["area"]["input"], stats["area"]["intrinsic"], 1e-6)
+
+    def check_agreement(self, exact, double):
+        """The Laplacian of a Delaunay triangulation is unique, and continuous where ties are decided
+        differently. Doubles lose up to the worst aspect ratio of a face of the input, squared in
+        the trace: 1e-6 leaves it 1e5."""
+        self.assertEqual(double["certificate"], "none")
+        if exact["mollification"]["kind"] != "none":
+            return
+        self.assert_close(exact["laplacian"]["trace"], double["laplacian"]["trace"], 1e-6)
+        total = sum(exact["dirichlet"].values())
+        for axis in "xyz":
+            difference = abs(exact["dirichlet"][axis] - double["dirichlet"][axis])
+            self.assertLessEqual(difference, 1e-6 * total)
+
+    def test_every_mesh_is_certified_or_refused(self):
+        accepted, refused = 0, []
+        for name in mesh_files():
+            path = os.path.join(MESHES, name)
+            with self.subTest(mesh=name):
+                runs = [self.run_program("delaunay", path, "--arithmetic", a, "--stats", "-")
+                        for a in ("exact", "double")]
+                for run in runs:
+                    self.assertLess(run.seconds, SECONDS)
+                self.assertEqual(runs[0].code, runs[1].code, runs[0].err + runs[1].err)
+                if runs[0].code == 1:
+                    refused.append(name)
+                    self.assertEqual(runs[0].out, "")
+                    self.assertIn(name, runs[0].err)
+                    self.assertRegex(runs[0].err, re.compile(r"(edge|face) \(?\d+|no faces"))
+                    continue
+                self.assertEqual(runs[0].code, 0, runs[0].err)
+                accepted += 1
+                exact, double = runs[0].json(), runs[1].json()
+                self.assert_certified(exact)
+                if exact["quality"]["min_cotan_weight"] is not None: # else all edges are border
+                    self.assertGreaterEqual(exact["quality"]["min_cotan_weight"], 0)
+                self.check_areas(exact)
+                self.check_agreement(exact, double)
+        print(f"{accepted} meshes certified, {len(refused)} refused: {' '.join(refused)}")
+        self.assertGreater(accepted, 100)
+
+
+if __name__ == "__main__":
+    main()

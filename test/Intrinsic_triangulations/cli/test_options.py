@@ -1,0 +1,165 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Options, exit codes, the keys of the statistics, and the files that are written."""
+
+import os
+import signal
+import subprocess
+import time
+
+from cli_support import Cli_test, grid, icosphere, main
+
+KEYS = {
+    "input": {"file", "vertices", "edges", "faces", "boundary_edges", "components", "genus",
+              "degenerate_faces"},
+    "mollification": {"kind", "delta"},
+    "delaunay": {"checks", "flips", "filter_failures", "escalations", "certified_zero",
+                 "probable_zero", "non_delaunay_edges"},
+    "quality": {"min_angle_deg", "max_angle_deg", "min_cotan_weight"},
+    "laplacian": {"trace"},
+    "dirichlet": {"x", "y", "z"},
+    "area": {"input", "intrinsic"},
+    "seconds": {"read", "build", "delaunay", "write"},
+}
+
+
+class Options(Cli_test):
+    def setUp(self):
+        super().setUp()
+        points, faces = icosphere(2)
+        self.mesh = self.write_off("m.off", [(x, y, 0.1 * z) for x, y, z in points], faces)
+        self.points = points
+
+    def files(self):
+        return sorted(os.listdir(self.directory))
+
+    def assert_misused(self, *arguments, word=""):
+        before = self.files()
+        run = self.run_program(*arguments)
+        self.assertEqual(run.code, 2, run.out + run.err)
+        self.assertEqual(run.out, "")
+        self.assertIn(word, run.err)
+        self.assertEqual(self.files(), before)
+
+    def test_help_and_version(self):
+        for arguments in (["--help"], ["--version"], ["delaunay", "--help"]):
+            run = self.run_program(*arguments)
+            self.assertEqual(run.code, 0)
+            self.assertNotEqual(run.out, "")
+            self.assertEqual(run.err, "")
+
+    def test_wrong_usage(self):
+        self.assert_misused()
+        self.assert_misused("delaunay")
+        self.assert_misused("refine", self.mesh)
+        self.assert_misused("delaunay", self.mesh, "--arithmetic", "float")
+        self.assert_misused("delaunay", self.mesh, "--mollification", "some")
+        self.assert_misused("delaunay", self.mesh, "--mass", "m.mtx")
+        self.assert_misused("laplacian", self.mesh, "--mass-kind", "full")
+        self.assert_misused("delaunay", self.mesh, "extra.off")
+        for word in ("integer", "signposts", "crossings"):
+            self.assert_misused("delaunay", self.mesh, "--correspondence", word, word="only none")
+        self.assert_misused("delaunay", self.mesh, "-o", "out.ply", word=".idt")
+        self.assert_misused("laplacian", self.mesh, "-o", "out.txt", word=".mtx")
+        self.assert_misused("laplacian", self.mesh, "-o", "a.mtx", "--mass", "a.mtx", word="two")
+
+    def test_keys_of_the_statistics(self):
+        for command in ("delaunay", "laplacian", "info"):
+            for arithmetic in ("exact", "double"):
+                stats = self.stats(command, self.mesh, "--arithmetic", arithmetic)
+                for key, inner in KEYS.items():
+                    self.assertLessEqual(inner, stats[key].keys())
+                self.assertEqual(stats["arithmetic"], arithmetic)
+                self.assertEqual(stats["correspondence"], "none")
+                self.assertGreater(stats["peak_rss_mib"], 1)
+                self.assertEqual(stats["input"]["file"], self.mesh)
+                self.assertEqual(stats["input"]["genus"], 0)
+
+    def test_standard_output_has_only_what_is_asked_for(self):
+        run = self.run_program("delaunay", self.mesh, "-o", "a.idt", "--stats", "s.json")
+        self.assertEqual((run.code, run.out, run.err), (0, "", ""))
+        self.assertEqual(self.files(), ["a.idt", "m.off", "s.json"])
+        run = self.run_program("info", self.mesh)
+        self.assertEqual((run.code, run.err), (0, ""))
+        self.assertIn("162 vertices", run.out)
+
+    def test_mollification(self):
+        kinds = {"automatic": "none", "none": "none", "squared": "squared"}
+        for option, kind in kinds.items():
+            stats = self.stats("delaunay", self.mesh, "--mollification", option)
+            self.assertEqual(stats["mollification"]["kind"], kind)
+            self.assertEqual(stats["mollification"]["delta"] > 0, kind != "none")
+        stats = self.stats("delaunay", self.mesh, "--mollification", "lengths")
+        self.assertIn("dirichlet", stats)
+
+    def test_triangulation_is_read_back(self):
+        for arithmetic in ("exact", "double"):
+            done = self.stats("delaunay", self.mesh, "--arithmetic", arithmetic, "-o", "a.idt")
+            again = self.stats("info", "a.idt")
+            self.assertEqual(again["arithmetic"], arithmetic)
+            self.assertEqual(again["certificate"], done["certificate"])
+            self.assertEqual(again["laplacian"], done["laplacian"])
+            self.assertEqual(again["quality"], done["quality"])
+            self.assertEqual(again["area"]["intrinsic"], done["area"]["intrinsic"])
+            if arithmetic == "exact":
+                self.assertEqual(again["dirichlet"], done["dirichlet"])
+                self.assertEqual(again["area"], done["area"])
+            more = self.stats("delaunay", "a.idt", "-o", "b.idt")
+            self.assertEqual(more["delaunay"]["flips"], 0)
+            with open(self.path("a.idt"), "rb") as a, open(self.path("b.idt"), "rb") as b:
+                self.assertEqual(a.read(), b.read())
+            other = "double" if arithmetic == "exact" else "exact"
+            self.assert_fails(self.run_program("info", "a.idt", "--arithmetic", other), "a.idt")
+            self.assert_fails(self.run_program("info", "a.idt", "--mollification", "none"), "a.idt")
+
+    def test_damaged_triangulation_is_refused(self):
+        self.run_program("delaunay", self.mesh, "-o", "a.idt")
+        with open(self.path("a.idt")) as file:
+            text = file.read()
+        self.assert_fails(self.run_program("info", self.write("b.idt", text[:len(text) // 2])),
+                          "b.idt:")
+        self.assert_fails(self.run_program("info", self.write("c.idt", "OFF\n")), "c.idt:1")
+
+    def test_laplacian_of_the_input(self):
+        raw = self.stats("laplacian", self.mesh, "--no-flip")
+        flipped = self.stats("laplacian", self.mesh)
+        self.assertEqual(raw["delaunay"]["flips"], 0)
+        self.assertGreater(raw["delaunay"]["non_delaunay_edges"], 0)
+        self.assertEqual(raw["certificate"], "none")
+        # x^T L x of the input is that of its coordinates; flips to Delaunay can only lower it
+        self.assertLess(flipped["dirichlet"]["x"], raw["dirichlet"]["x"])
+
+    def test_target_that_cannot_be_written(self):
+        before = self.files()
+        self.assert_fails(self.run_program("delaunay", self.mesh, "-o", "none/a.idt"), "none/a.idt")
+        # the second output fails: the first does not appear either
+        self.assert_fails(self.run_program("laplacian", self.mesh, "-o", "a.mtx", "--mass",
+                                           "none/m.mtx"), "none/m.mtx")
+        self.assert_fails(self.run_program("delaunay", self.mesh, "-o", "a.idt", "--stats",
+                                           "none/s.json"), "none/s.json")
+        self.assertEqual(self.files(), before)
+
+    def test_interrupt_leaves_no_half_written_file(self):
+        points, faces = grid(150)
+        mesh = self.write_off("g.off", [(x, y, 0.3 * ((7 * x + 3 * y) % 5)) for x, y, _ in points],
+                              faces)
+        old = self.write("out.idt", "what was there before")
+        for delay in (0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4):
+            with subprocess.Popen([self.program, "delaunay", mesh, "-o", old],
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+                time.sleep(delay)
+                process.send_signal(signal.SIGINT)
+                process.wait(60)
+            with open(old) as file:
+                text = file.read()
+            if process.returncode != 0:
+                self.assertEqual(process.returncode, -signal.SIGINT)
+                self.assertEqual(text, "what was there before")
+            else:
+                self.assertTrue(text.endswith("\nend\n"))
+                self.write("out.idt", "what was there before")
+            self.assertEqual(self.files(), ["g.off", "m.off", "out.idt"])
+
+
+if __name__ == "__main__":
+    main()
