@@ -109,13 +109,11 @@ inline Mesh welded(const Mesh& m) {
   std::map<Point, std::uint32_t> number;
   std::vector<std::uint32_t> name;
   for (const Point& p : m.points) {
-    const auto [i, fresh] =
-        number.try_emplace(p, static_cast<std::uint32_t>(result.points.size()));
+    const auto [i, fresh] = number.try_emplace(p, static_cast<std::uint32_t>(result.points.size()));
     if (fresh) result.points.push_back(p);
     name.push_back(i->second);
   }
-  for (const auto& [a, b, c] : m.triangles)
-    result.triangles.push_back({name[a], name[b], name[c]});
+  for (const auto& [a, b, c] : m.triangles) result.triangles.push_back({name[a], name[b], name[c]});
   return result;
 }
 
@@ -144,7 +142,8 @@ inline Mesh sheared_grid(std::uint32_t n, std::uint32_t m, double shear) {
 
 /*!
 Triangulates the convex hull of points in the plane by sweeping them in lexicographic order: each
-point is joined to all that it sees of the hull of those before. Coordinates are integers below 2^20.
+point is joined to all that it sees of the hull of those before. Coordinates are integers below
+2^20.
 */
 inline Mesh swept(std::vector<Point> points) {
   std::sort(points.begin(), points.end());
@@ -191,11 +190,13 @@ inline Mesh random_planar(std::size_t n, unsigned size, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<Point> points;
   for (std::size_t i = 0; i < n; ++i)
-    points.push_back({static_cast<double>(random() % size), static_cast<double>(random() % size), 0});
+    points.push_back(
+        {static_cast<double>(random() % size), static_cast<double>(random() % size), 0});
   return swept(std::move(points));
 }
 
-/// The points (i, i^2), all joined to the last: no circle through four of them, and far from Delaunay.
+/// The points (i, i^2), all joined to the last: no circle through four of them, and far from
+/// Delaunay.
 inline Mesh parabola_fan(std::uint32_t n) {
   Mesh m;
   for (std::uint32_t i = 1; i <= n; ++i) m.points.push_back({1.0 * i, 1.0 * i * i, 0});
@@ -339,7 +340,8 @@ inline Mesh folded_lattice(std::uint32_t n, std::uint32_t m, std::uint32_t shear
   Mesh g = grid(n, m);
   for (Point& p : g.points) {
     const auto i = static_cast<std::uint32_t>(p[0]), j = static_cast<std::uint32_t>(p[1]);
-    const std::uint32_t height = j % 4 <= 2 ? j % 4 : 4 - j % 4; // rows are 5 apart along the surface
+    const std::uint32_t height =
+        j % 4 <= 2 ? j % 4 : 4 - j % 4; // rows are 5 apart along the surface
     p = {5.0 * (2 * i + j % 2 + 2 * shear * j), 3.0 * j, 4.0 * height};
   }
   return g;
@@ -347,8 +349,8 @@ inline Mesh folded_lattice(std::uint32_t n, std::uint32_t m, std::uint32_t shear
 
 // ---- degenerate
 
-/// Splits the first side of face `f` at its midpoint, in that face alone and with the same vertices on
-/// the other side: the new triangle has its third vertex exactly inside its long edge.
+/// Splits the first side of face `f` at its midpoint, in that face alone and with the same
+/// vertices on the other side: the new triangle has its third vertex exactly inside its long edge.
 inline Mesh with_cap(Mesh m, std::size_t f) {
   const auto [a, b, c] = m.triangles[f];
   const auto v = static_cast<std::uint32_t>(m.points.size());

@@ -20,9 +20,9 @@
 #include <utility>
 #include <vector>
 
-// Delaunay flips done slowly and differently: by lengths, not their squares; by unfolding two faces to
-// the plane and testing whether one point is in the circle through three; by trying all edges over and
-// over. Shares neither data structures nor formulas nor arithmetic with the library.
+// Delaunay flips done slowly and differently: by lengths, not their squares; by unfolding two
+// faces to the plane and testing whether one point is in the circle through three; by trying all
+// edges over and over. Shares neither data structures nor formulas nor arithmetic with the library.
 
 namespace oracle {
 
@@ -117,9 +117,7 @@ private:
   const Number& length(Side s) const { return triangles_[s.triangle].length[s.k]; }
   Side across(Side s) const { return triangles_[s.triangle].across[s.k]; }
   std::uint32_t start(Side s) const { return triangles_[s.triangle].vertex[s.k]; }
-  bool is_inner(Side s) const {
-    return across(s) != border && across(s).triangle != s.triangle;
-  }
+  bool is_inner(Side s) const { return across(s) != border && across(s).triangle != s.triangle; }
 
   // the third vertex of a triangle whose side s lies on the x axis and starts at 0
   Vector apex(Side s) const {
@@ -134,7 +132,8 @@ private:
     return {length(s) - v.x, -v.y};
   }
 
-  // positive iff the vertex across is outside of the circle: the lifting to a paraboloid, from vertex i
+  // positive iff the vertex across is outside of the circle: the lifting to a paraboloid, from
+  // vertex i
   Number outside_circle(Side s) const {
     const Number& l = length(s);
     const Vector k = apex(s), m = apex_across(s);
@@ -148,7 +147,8 @@ private:
     const Number x = k.x - m.x, y = k.y - m.y;
     const Number km = sqrt(x * x + y * y);
     const Triangle f = triangles_[s.triangle], g = triangles_[o.triangle];
-    const std::size_t s1 = (s.k + 1) % 3, s2 = (s.k + 2) % 3, o1 = (o.k + 1) % 3, o2 = (o.k + 2) % 3;
+    const std::size_t s1 = (s.k + 1) % 3, s2 = (s.k + 2) % 3, o1 = (o.k + 1) % 3,
+                      o2 = (o.k + 2) % 3;
     // k m j and m k i
     triangles_[s.triangle] = {{f.vertex[s2], g.vertex[o2], f.vertex[s1]},
                               {km, g.length[o2], f.length[s1]},

@@ -91,7 +91,8 @@ std::vector<double> values(const T& t) {
 
 using Vertex_pair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The cotangent weights between different vertices of the input, added up; none where all are zero.
+/// The cotangent weights between different vertices of the input, added up; none where all are
+/// zero.
 template <class T>
 std::map<Vertex_pair, double> laplacian(T& t) {
   std::map<Vertex_pair, double> result;
@@ -128,7 +129,8 @@ inline void expect_same_tessellation(const std::vector<Tessellation_edge>& a,
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(std::get<0>(a[i]), std::get<0>(b[i])) << "edge " << i;
     EXPECT_EQ(std::get<1>(a[i]), std::get<1>(b[i])) << "edge " << i;
-    EXPECT_NEAR(std::get<2>(a[i]), std::get<2>(b[i]), tolerance * std::get<2>(b[i])) << "edge " << i;
+    EXPECT_NEAR(std::get<2>(a[i]), std::get<2>(b[i]), tolerance * std::get<2>(b[i]))
+        << "edge " << i;
   }
 }
 
@@ -141,8 +143,8 @@ inline void expect_same_laplacian(std::map<Vertex_pair, double> a, std::map<Vert
         << "between " << ij.first << " and " << ij.second;
 }
 
-/// The values of the diamond of `h`, exactly, from the input and the flips since. They refer to what
-/// `f` gets and must not leave it.
+/// The values of the diamond of `h`, exactly, from the input and the flips since. They refer to
+/// what `f` gets and must not leave it.
 template <class T, class Function>
 void with_exact_values(const T& t, Halfedge<T> h, const Function& f) {
   const IT::Diamond d = t.diamond(h);

@@ -60,7 +60,9 @@ public:
   }
 
 private:
-  Point point() { return {Gmpq(static_cast<int>(random_() % 7)), Gmpq(static_cast<int>(random_() % 7))}; }
+  Point point() {
+    return {Gmpq(static_cast<int>(random_() % 7)), Gmpq(static_cast<int>(random_() % 7))};
+  }
   std::mt19937 random_{20260711};
 };
 
@@ -102,7 +104,8 @@ TEST(Diamond, two_flips_are_the_identity_on_values) {
   for (int n = 0; n < 1000; ++n) {
     const Diamond_values<Gmpq> d = draw().values();
     const Flipped_values<Gmpq> f = flipped(d);
-    const Flipped_values<Gmpq> back = flipped<Gmpq>({f.km, d.mj, d.jk, d.ki, d.im, f.area_f, f.area_g});
+    const Flipped_values<Gmpq> back =
+        flipped<Gmpq>({f.km, d.mj, d.jk, d.ki, d.im, f.area_f, f.area_g});
     EXPECT_EQ(back.km, d.ij);
     EXPECT_EQ(back.area_f, d.area_g); // the halfedge has turned by half a turn
     EXPECT_EQ(back.area_g, d.area_f);
@@ -110,7 +113,8 @@ TEST(Diamond, two_flips_are_the_identity_on_values) {
 }
 
 TEST(Diamond, a_cap_on_the_left_is_not_delaunay_and_flips_to_two_proper_triangles) {
-  const Quadrilateral q{{Gmpq(0), Gmpq(0)}, {Gmpq(4), Gmpq(0)}, {Gmpq(1), Gmpq(0)}, {Gmpq(2), Gmpq(-3)}};
+  const Quadrilateral q{
+      {Gmpq(0), Gmpq(0)}, {Gmpq(4), Gmpq(0)}, {Gmpq(1), Gmpq(0)}, {Gmpq(2), Gmpq(-3)}};
   const Diamond_values<Gmpq> d = q.values();
   EXPECT_EQ(d.area_f, 0);
   EXPECT_LT(Delaunay_expression()(d), 0);

@@ -42,8 +42,10 @@ struct Exact_state {
 std::vector<IT::Intrinsic_input> inputs() {
   std::vector<IT::Intrinsic_input> all;
   for (const gallery::Surface& s : gallery::oriented())
-    all.emplace_back(IT::Gluing_map(s.gluing), gallery::squared_lengths(s), IT::Mollification::none);
-  for (const meshes::Mesh& m : {meshes::box(1, 1, 1), meshes::rough_grid(2, 3), meshes::potato(1, 4)})
+    all.emplace_back(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
+                     IT::Mollification::none);
+  for (const meshes::Mesh& m :
+       {meshes::box(1, 1, 1), meshes::rough_grid(2, 3), meshes::potato(1, 4)})
     all.push_back(m.input());
   return all;
 }
@@ -92,7 +94,8 @@ TEST(Exact_euclidean_traits, stored_intervals_contain_the_exact_values) {
   for (const IT::Intrinsic_input& in : inputs()) {
     Exact t(in);
     const auto edges = properties::flippable_by_connectivity(t);
-    for (std::size_t i = 0; !edges.empty() && i < 8; ++i) t.flip_edge(edges[random() % edges.size()]);
+    for (std::size_t i = 0; !edges.empty() && i < 8; ++i)
+      t.flip_edge(edges[random() % edges.size()]);
     for (const Halfedge h : properties::flippable_by_connectivity(t))
       properties::with_exact_values(t, h, [&](const auto& exact) {
         const IT::Gmpfi_precision precision(300);
@@ -111,8 +114,8 @@ TEST(Exact_euclidean_traits, stored_intervals_contain_the_exact_values) {
 TEST(Exact_euclidean_traits, signs_agree_with_exact_arithmetic_after_random_flips) {
   std::mt19937 random(20260711);
   int ties = 0;
-  for (const meshes::Mesh& m :
-       {meshes::box(2, 2, 1), meshes::folded_lattice(3, 4, 1), meshes::integer_height_field(3, 2, 1)}) {
+  for (const meshes::Mesh& m : {meshes::box(2, 2, 1), meshes::folded_lattice(3, 4, 1),
+                                meshes::integer_height_field(3, 2, 1)}) {
     Exact t(m.input());
     auto edges = properties::flippable_by_connectivity(t);
     for (int i = 0; i < 25; ++i) t.flip_edge(edges[random() % edges.size()]);
@@ -165,7 +168,8 @@ TEST(Exact_euclidean_traits, near_ties_are_decided_and_not_taken_for_ties) {
     for (const double sign : {-1.0, 1.0}) {
       // a square with one corner off by an ulp of 2^-k
       const double x = 1 + sign * std::ldexp(1.0, -k);
-      Exact t(meshes::Mesh{{{0, 0, 0}, {1, 0, 0}, {x, x, 0}, {0, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}}.input());
+      Exact t(meshes::Mesh{{{0, 0, 0}, {1, 0, 0}, {x, x, 0}, {0, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}}
+                  .input());
       const Halfedge h = properties::flippable_by_connectivity(t).at(0);
       EXPECT_EQ(t.delaunay_sign(h), sign > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE) << k;
     }

@@ -34,7 +34,9 @@ TEST(Input_metric, both_faces_agree_on_the_length_of_the_edge_between_them) {
     Gluing_map::Halfedge h = map.halfedge(Gluing_map::Face{f});
     for (unsigned k = 0; k < 3; ++k, h = map.next(h)) {
       Gmpq& l = length[h.index / 2];
-      if (l != Gmpq(-1)) EXPECT_EQ(l, metric.squared_length<Gmpq>(f, k));
+      if (l != Gmpq(-1)) {
+        EXPECT_EQ(l, metric.squared_length<Gmpq>(f, k));
+      }
       l = metric.squared_length<Gmpq>(f, k);
     }
   }
@@ -43,7 +45,8 @@ TEST(Input_metric, both_faces_agree_on_the_length_of_the_edge_between_them) {
 TEST(Input_metric, of_lengths_needs_no_points) {
   for (const gallery::Surface& s : gallery::oriented()) {
     const Gluing_map map(s.gluing);
-    const Input_metric metric = Input_metric::from_squared_lengths(map, gallery::squared_lengths(s), 0);
+    const Input_metric metric =
+        Input_metric::from_squared_lengths(map, gallery::squared_lengths(s), 0);
     EXPECT_FALSE(metric.is_embedded());
     for (std::uint32_t f = 0; f < map.number_of_faces(); ++f)
       for (unsigned k = 0; k < 3; ++k)
@@ -65,7 +68,8 @@ TEST(Input_metric, delta_is_added_to_every_squared_length_exactly) {
   EXPECT_EQ(metric.squared_length<Gmpq>(0, 0), Gmpq(1) + Gmpq(0x1p-60));
   EXPECT_EQ(metric.squared_length<Gmpq>(0, 2), Gmpq(4) + Gmpq(0x1p-60));
   // 2 delta (1 + 1 + 4) + 3 delta^2
-  EXPECT_EQ(metric.squared_quadruple_area<Gmpq>(0), Gmpq(12) * Gmpq(0x1p-60) + Gmpq(3) * Gmpq(0x1p-120));
+  EXPECT_EQ(metric.squared_quadruple_area<Gmpq>(0),
+            Gmpq(12) * Gmpq(0x1p-60) + Gmpq(3) * Gmpq(0x1p-120));
 }
 
 TEST(Input_metric, is_restored_from_its_accessors) {

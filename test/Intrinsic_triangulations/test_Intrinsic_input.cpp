@@ -29,14 +29,17 @@ using IT::Element_kind;
 
 // builds both, and checks that the message names the element
 template <class Make>
-void expect_invalid(const Make& make, Element_kind kind, std::size_t index, const std::string& text) {
+void expect_invalid(const Make& make, Element_kind kind, std::size_t index,
+                    const std::string& text) {
   const auto check = [&](auto construct) {
     try {
       construct();
       ADD_FAILURE() << text;
     } catch (const IT::Invalid_input& e) {
       EXPECT_EQ(e.kind(), kind);
-      if (kind != Element_kind::none) EXPECT_EQ(e.index(), index);
+      if (kind != Element_kind::none) {
+        EXPECT_EQ(e.index(), index);
+      }
       EXPECT_NE(std::string(e.what()).find(text), std::string::npos) << e.what();
     }
   };
@@ -55,8 +58,8 @@ TEST(Intrinsic_input, polygonal_faces_of_a_mesh_are_named) {
 }
 
 TEST(Intrinsic_input, coordinates_that_are_not_finite_are_named) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
-                           std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     meshes::Mesh m = meshes::box(1, 1, 1);
     m.points[5][0] = bad;
     expect_invalid([&] { return m.input(); }, Element_kind::vertex, 5, "vertex 5");
@@ -65,7 +68,8 @@ TEST(Intrinsic_input, coordinates_that_are_not_finite_are_named) {
 
 TEST(Intrinsic_input, a_mesh_without_faces_is_refused) {
   expect_invalid([] { return IT::Intrinsic_input(); }, Element_kind::none, 0, "no faces");
-  expect_invalid([] { return IT::Intrinsic_input(Surface_mesh()); }, Element_kind::none, 0, "no faces");
+  expect_invalid([] { return IT::Intrinsic_input(Surface_mesh()); }, Element_kind::none, 0,
+                 "no faces");
 }
 
 TEST(Intrinsic_input, a_nonorientable_gluing_is_refused) {
@@ -79,11 +83,11 @@ TEST(Intrinsic_input, lengths_that_violate_the_triangle_inequality_are_named) {
   const gallery::Surface s = gallery::triangle_pillow();
   std::vector<double> l = gallery::squared_lengths(s);
   l[0] = 4.5;
-  expect_invalid([&] { return IT::Intrinsic_input(IT::Gluing_map(s.gluing), l); }, Element_kind::face, 0,
-                 "face 0");
+  expect_invalid([&] { return IT::Intrinsic_input(IT::Gluing_map(s.gluing), l); },
+                 Element_kind::face, 0, "face 0");
   l[0] = -1;
-  expect_invalid([&] { return IT::Intrinsic_input(IT::Gluing_map(s.gluing), l); }, Element_kind::edge, 0,
-                 "edge 0");
+  expect_invalid([&] { return IT::Intrinsic_input(IT::Gluing_map(s.gluing), l); },
+                 Element_kind::edge, 0, "edge 0");
 }
 
 TEST(Intrinsic_input, isolated_vertices_and_several_components_are_kept) {
@@ -149,7 +153,8 @@ TEST(Intrinsic_input, reads_a_mesh_with_any_point_map_and_after_removals) {
   mesh.remove_vertex(V(0));
   auto doubled = mesh.add_property_map<V, Kernel::Point_3>("v:doubled").first;
   for (const V v : mesh.vertices()) doubled[v] = CGAL::ORIGIN + 2 * (mesh.point(v) - CGAL::ORIGIN);
-  Exact t(mesh), u(IT::Intrinsic_input(mesh, doubled, IT::Mollification::none)), expected(m.input());
+  Exact t(mesh), u(IT::Intrinsic_input(mesh, doubled, IT::Mollification::none)),
+      expected(m.input());
   EXPECT_EQ(num_vertices(t.mesh()), m.points.size());
   EXPECT_EQ(properties::tessellation(t), properties::tessellation(expected));
   EXPECT_EQ(properties::total_area(u), 4 * properties::total_area(expected));

@@ -28,14 +28,16 @@ TYPED_TEST_SUITE(Intrinsic_triangulation, Arithmetics);
 std::vector<IT::Intrinsic_input> inputs() {
   std::vector<IT::Intrinsic_input> all;
   for (const gallery::Surface& s : gallery::oriented())
-    all.emplace_back(IT::Gluing_map(s.gluing), gallery::squared_lengths(s), IT::Mollification::none);
+    all.emplace_back(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
+                     IT::Mollification::none);
   for (const meshes::Mesh& m :
        {meshes::box(1, 2, 1), meshes::rough_grid(4, 3), meshes::potato(2, 4), meshes::l_shape(2)})
     all.push_back(m.input());
   return all;
 }
 
-TYPED_TEST(Intrinsic_triangulation, four_flips_of_an_edge_are_the_identity_and_two_swap_its_halfedges) {
+TYPED_TEST(Intrinsic_triangulation,
+           four_flips_of_an_edge_are_the_identity_and_two_swap_its_halfedges) {
   for (const IT::Intrinsic_input& in : inputs()) {
     TypeParam t(in);
     const auto before = properties::connectivity(t);
@@ -97,7 +99,8 @@ TYPED_TEST(Intrinsic_triangulation, a_refused_flip_leaves_the_state_untouched) {
     }
     // exact predicates may sharpen the intervals of which these are the middle
     const auto after = properties::values(t);
-    for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(after[i], values[i], 1e-14 * values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      EXPECT_NEAR(after[i], values[i], 1e-14 * values[i]);
   }
   EXPECT_GT(borders, 0);
   EXPECT_GT(same_faces, 0);
@@ -106,7 +109,8 @@ TYPED_TEST(Intrinsic_triangulation, a_refused_flip_leaves_the_state_untouched) {
 
 TYPED_TEST(Intrinsic_triangulation, an_edge_whose_diamond_has_a_straight_angle_cannot_be_flipped) {
   // vertex 1 in the middle of the segment from 2 to 3
-  TypeParam t(meshes::Mesh{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {4, -4, 0}}, {{0, 1, 2}, {1, 0, 3}}}.input());
+  TypeParam t(
+      meshes::Mesh{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {4, -4, 0}}, {{0, 1, 2}, {1, 0, 3}}}.input());
   const auto inner = properties::flippable_by_connectivity(t);
   ASSERT_EQ(inner.size(), 1U);
   EXPECT_EQ(t.flip_edge(inner[0]), Move_status::not_convex);

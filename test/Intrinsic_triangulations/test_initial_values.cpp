@@ -109,7 +109,8 @@ TEST(Initial_values, rational_square_roots_are_found) {
 }
 
 TEST(Initial_values, rationals_hold_rational_areas_and_name_the_first_face_with_another) {
-  EXPECT_EQ(quadruple_area<Gmpq>(of_points({{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}}), 0), 24);
+  EXPECT_EQ(quadruple_area<Gmpq>(of_points({{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}}), 0),
+            24);
   meshes::Mesh m = meshes::box(1, 1, 1);
   m.points.back() = {2, 3, 5};
   try {

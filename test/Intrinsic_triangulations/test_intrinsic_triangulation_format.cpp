@@ -237,7 +237,8 @@ TEST(Intrinsic_triangulation_format, damage_is_reported_with_file_and_line) {
   EXPECT_EQ(message_of(replaced(s, "IDT 1", "OFF")).rfind("file.idt:1: ", 0), 0U);
   EXPECT_NE(message_of(replaced(s, "IDT 1", "IDT 9")).find("version 9"), std::string::npos);
   EXPECT_NE(message_of(replaced(s, "exact", "rational")).find("rational"), std::string::npos);
-  EXPECT_NE(message_of(replaced(s, "exact", "double")).find("double arithmetic"), std::string::npos);
+  EXPECT_NE(message_of(replaced(s, "exact", "double")).find("double arithmetic"),
+            std::string::npos);
   EXPECT_EQ(message_of(replaced(s, "vertices 5", "vertices 4")).rfind("file.idt:", 0), 0U);
   EXPECT_NE(message_of(replaced(s, "faces 2", "faces 4000000000")), "");
   EXPECT_NE(message_of(replaced(s, "flips 0", "flips 400000000")), "");

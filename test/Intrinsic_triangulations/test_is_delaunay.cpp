@@ -4,8 +4,8 @@
 #include "meshes.h"
 #include "properties.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
@@ -27,8 +27,8 @@ namespace {
 using Exact = IT::Intrinsic_triangulation<>;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using Planar = CGAL::Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<Vertex_base>>;
+using Planar =
+    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex_base>>;
 using Edges = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 // The edges of the Delaunay tessellation of points in the plane, and the number of all edges.
@@ -41,9 +41,10 @@ std::pair<Edges, std::size_t> planar_tessellation(const meshes::Mesh& m) {
   std::size_t count = 0;
   for (auto e = d.finite_edges_begin(); e != d.finite_edges_end(); ++e, ++count) {
     const auto mirror = d.mirror_edge(*e);
-    const bool tie = !d.is_infinite(e->first) && !d.is_infinite(mirror.first) &&
-                     d.side_of_oriented_circle(e->first, mirror.first->vertex(mirror.second)->point()) ==
-                         CGAL::ON_ORIENTED_BOUNDARY;
+    const bool tie =
+        !d.is_infinite(e->first) && !d.is_infinite(mirror.first) &&
+        d.side_of_oriented_circle(e->first, mirror.first->vertex(mirror.second)->point()) ==
+            CGAL::ON_ORIENTED_BOUNDARY;
     if (!tie)
       result.insert(std::minmax({e->first->vertex(Planar::cw(e->second))->info(),
                                  e->first->vertex(Planar::ccw(e->second))->info()}));
@@ -75,7 +76,8 @@ TEST(Is_delaunay, reports_what_is_wrong_edge_by_edge) {
   EXPECT_EQ(IT::check_delaunay(t).cocircular_edges.size(), 1U);
 
   meshes::Mesh bent = meshes::grid(1, 1, 1, 3);
-  bent.points[1] = {0.5, 1, 0}; // opposite the diagonal: almost a straight angle, against a right one
+  bent.points[1] = {0.5, 1,
+                    0}; // opposite the diagonal: almost a straight angle, against a right one
   Exact u(bent.input());
   EXPECT_FALSE(IT::is_delaunay(u));
   EXPECT_EQ(IT::check_delaunay(u).non_delaunay_edges, 1U);

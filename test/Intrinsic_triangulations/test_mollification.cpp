@@ -23,7 +23,8 @@ namespace {
 using Exact = IT::Intrinsic_triangulation<>;
 using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
 
-// Two caps whose longest side is the same edge, inside a square: following longest sides goes in circles.
+// Two caps whose longest side is the same edge, inside a square: following longest sides goes in
+// circles.
 meshes::Mesh facing_caps() {
   return {{{-2, 0, 0}, {2, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, -2, 0}},
           {{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {2, 1, 4}, {1, 3, 5}, {3, 0, 5}}};
@@ -68,8 +69,8 @@ TEST(Mollification, automatic_leaves_caps_to_flips) {
 }
 
 TEST(Mollification, automatic_acts_where_it_must_and_reports_what_it_added) {
-  for (const meshes::Mesh& shape : {facing_caps(), cap_on_the_border(),
-                                    meshes::with_needle(meshes::box(1, 1, 1), 2, 0)})
+  for (const meshes::Mesh& shape :
+       {facing_caps(), cap_on_the_border(), meshes::with_needle(meshes::box(1, 1, 1), 2, 0)})
     for (const double unit : {1.0, 0x1p40, 0x1p-500}) {
       const meshes::Mesh m = meshes::scaled(shape, unit);
       Exact t(m.input(Mollification::automatic));
@@ -101,7 +102,8 @@ TEST(Mollification, none_leaves_degenerate_faces_and_says_how_many) {
 }
 
 TEST(Mollification, automatic_leaves_proper_meshes_alone) {
-  for (const meshes::Mesh& m : {meshes::box(2, 2, 2), meshes::potato(2, 2), meshes::parabola_fan(20)}) {
+  for (const meshes::Mesh& m :
+       {meshes::box(2, 2, 2), meshes::potato(2, 2), meshes::parabola_fan(20)}) {
     Exact t(m.input(Mollification::automatic));
     EXPECT_EQ(t.report().degenerate_faces, 0U);
     EXPECT_EQ(t.report().mollification.kind, Mollification::none);

@@ -24,8 +24,9 @@ TEST(Scaling, brings_the_mean_edge_near_1_by_a_power_of_two) {
     const auto before = m.points;
     const int s = scale_points(m.map(), m.points);
     const auto [a, b, c] = m.triangles[0];
-    const double length = std::hypot(m.points[a][0] - m.points[b][0], m.points[a][1] - m.points[b][1],
-                                     m.points[a][2] - m.points[b][2]);
+    const double length =
+        std::hypot(m.points[a][0] - m.points[b][0], m.points[a][1] - m.points[b][1],
+                   m.points[a][2] - m.points[b][2]);
     EXPECT_GT(length, 0.25) << factor;
     EXPECT_LT(length, 8) << factor;
     for (std::size_t v = 0; v < before.size(); ++v)
@@ -35,7 +36,8 @@ TEST(Scaling, brings_the_mean_edge_near_1_by_a_power_of_two) {
 }
 
 TEST(Scaling, looks_at_edges_and_not_at_where_the_mesh_lies) {
-  meshes::Mesh m = meshes::translated(meshes::scaled(meshes::grid(4, 4), 0x1p-20), {1e8, -1e8, 1e8});
+  meshes::Mesh m =
+      meshes::translated(meshes::scaled(meshes::grid(4, 4), 0x1p-20), {1e8, -1e8, 1e8});
   const int s = scale_points(m.map(), m.points);
   EXPECT_GE(s, 19);
   EXPECT_LE(s, 21);

@@ -112,7 +112,7 @@ def mm(*loop): return [(GRID * u, GRID * v) for u, v in loop]
 
 def build():
     # The profile in the plane (z, x), counterclockwise: two plates 10 mm thick, fillets 12 and 22.
-    inner, outer = circle(22, 22, 12, 96)[48:73], circle(22, 22, 22, 128)[64:97]
+    inner, outer = circle(22, 22, 12, 64)[32:49], circle(22, 22, 22, 64)[32:49]
     profile = outer + mm((80, 0), (80, 10)) + inner[::-1] + mm((10, 120), (0, 120))
     starts = mm((22, 0), (80, 10), (10, 22), (0, 120))
     ends = mm((80, 0), (22, 10), (10, 120), (0, 22))

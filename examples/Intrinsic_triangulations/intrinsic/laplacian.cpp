@@ -22,13 +22,16 @@ void write_matrices(Triangulation& t, const Options& options, Output_files& file
   if (!options.output.empty())
     IT::write_matrix_market(files.open(options.output), IT::cotangent_laplacian(t),
                             "cotangent Laplacian, positive semidefinite, rows in the order of the "
-                            "input's vertices,\n" + origin);
+                            "input's vertices,\n" +
+                                origin);
   if (options.mass.empty()) return;
   const bool lumped = options.mass_kind == "lumped";
   IT::write_matrix_market(files.open(options.mass),
                           lumped ? IT::lumped_mass_matrix(t) : IT::galerkin_mass_matrix(t),
-                          options.mass_kind + " mass matrix, rows in the order of the input's "
-                                              "vertices,\n" + origin);
+                          options.mass_kind +
+                              " mass matrix, rows in the order of the input's "
+                              "vertices,\n" +
+                              origin);
 }
 
 template <class Triangulation>

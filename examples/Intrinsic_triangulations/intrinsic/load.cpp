@@ -25,8 +25,8 @@ Input_facts facts_of(const IT::Gluing_map& mesh) {
 IT::Intrinsic_input read_mesh(const Options& options, Input_facts& facts) {
   IT::Triangle_soup soup = IT::read_triangle_soup(options.input);
   try {
-    IT::Gluing gluing = IT::gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()),
-                                                  soup.triangles);
+    IT::Gluing gluing =
+        IT::gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
     const std::size_t polygons = soup.input_faces, triangulated = soup.triangulated_polygons;
     std::vector<Point> points = std::move(soup.points);
     soup = {}; // from here on peak memory counts
@@ -37,9 +37,8 @@ IT::Intrinsic_input read_mesh(const Options& options, Input_facts& facts) {
     facts.triangulated_polygons = triangulated;
     return {std::move(mesh), std::move(points), mollification_of(options)};
   } catch (const IT::Invalid_input& e) {
-    const char* const note = soup.triangulated_polygons == 0
-                                 ? ""
-                                 : " (faces are numbered after triangulating polygons)";
+    const char* const note =
+        soup.triangulated_polygons == 0 ? "" : " (faces are numbered after triangulating polygons)";
     throw IT::Invalid_input(e.kind(), e.index(), options.input + ": " + e.what() + note);
   }
 }

@@ -107,7 +107,9 @@ Loaded<Triangulation> load_triangulation(const Options& options, Progress& progr
   progress.show("reading");
   Loaded<Triangulation> loaded{
       IT::read_intrinsic_triangulation<Triangulation>(std::filesystem::path(options.input)),
-      {}, {}, {}};
+      {},
+      {},
+      {}};
   loaded.facts = facts_of(loaded.triangulation.mesh());
   loaded.seconds.read = watch.lap();
   return loaded;

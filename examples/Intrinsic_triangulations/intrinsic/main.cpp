@@ -43,8 +43,9 @@ CLI::Validator no_correspondence() {
 }
 
 void add_common_options(CLI::App& command, Options& options) {
-  command.add_option("IN", options.input,
-                     "mesh (.off .obj .ply .stl .ts) or intrinsic triangulation (.idt)")
+  command
+      .add_option("IN", options.input,
+                  "mesh (.off .obj .ply .stl .ts) or intrinsic triangulation (.idt)")
       ->required();
   command
       .add_option_function<std::string>(
@@ -65,8 +66,9 @@ void add_common_options(CLI::App& command, Options& options) {
           "treatment of faces without area: automatic (only where flips cannot remove them, "
           "default), none, lengths or squared")
       ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
-  command.add_option("--correspondence", options.correspondence,
-                     "what is kept of where edges run on the input: none")
+  command
+      .add_option("--correspondence", options.correspondence,
+                  "what is kept of where edges run on the input: none")
       ->check(CLI::IsMember({"none", "integer", "signposts", "crossings"}))
       ->check(no_correspondence());
   command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")

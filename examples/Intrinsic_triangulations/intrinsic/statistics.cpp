@@ -26,9 +26,12 @@ namespace {
 
 const char* name(IT::Mollification kind) {
   switch (kind) {
-  case IT::Mollification::lengths: return "lengths";
-  case IT::Mollification::squared_lengths: return "squared";
-  default: return "none";
+  case IT::Mollification::lengths:
+    return "lengths";
+  case IT::Mollification::squared_lengths:
+    return "squared";
+  default:
+    return "none";
   }
 }
 
@@ -117,11 +120,10 @@ void print_summary(std::ostream& stream, const Json& json) {
   (input["genus"].is_null() ? out << "none: not orientable" : out << input["genus"])
       << ", boundary loops " << input["boundary_loops"] << " (" << input["boundary_edges"]
       << " edges)\n";
-  for (const auto& [key, what] :
-       {std::pair("triangulated_polygons", "polygons were triangulated"),
-        std::pair("degenerate_faces", "faces have no area"),
-        std::pair("isolated_vertices", "vertices have no face"),
-        std::pair("nonmanifold_vertices", "vertices are not manifold")})
+  for (const auto& [key, what] : {std::pair("triangulated_polygons", "polygons were triangulated"),
+                                  std::pair("degenerate_faces", "faces have no area"),
+                                  std::pair("isolated_vertices", "vertices have no face"),
+                                  std::pair("nonmanifold_vertices", "vertices are not manifold")})
     if (input[key] != 0) row("") << input[key] << ' ' << what << '\n';
   if (json["mollification"]["kind"] != "none")
     row("mollification") << json["mollification"]["kind"].get<std::string>() << ", delta "

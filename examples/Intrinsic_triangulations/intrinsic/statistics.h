@@ -48,7 +48,7 @@ struct Quality {
 /// Integrals over the surface in the units of the input.
 struct Integrals {
   double area = 0;
-  double trace = 0;                    ///< sum of the diagonal of the Laplacian
+  double trace = 0;                     ///< sum of the diagonal of the Laplacian
   std::array<double, 3> dirichlet = {}; ///< x^T L x of each coordinate function
 };
 
@@ -95,8 +95,7 @@ Quality quality_of(Triangulation& t, const Delaunay_check& check) {
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
     if (face(h, mesh) != null && face(opposite(h, mesh), mesh) != null)
-      result.min_cotan_weight =
-          std::min(result.min_cotan_weight, weight_of(session, t, e, check));
+      result.min_cotan_weight = std::min(result.min_cotan_weight, weight_of(session, t, e, check));
   }
   return result;
 }
@@ -195,8 +194,8 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   IT::Flip_to_delaunay_result result;
   t.metric().statistics() = {};
   if (flip)
-    result = IT::flip_to_delaunay(t, edges(t.mesh()),
-                                  CGAL::parameters::visitor(std::ref(progress)));
+    result =
+        IT::flip_to_delaunay(t, edges(t.mesh()), CGAL::parameters::visitor(std::ref(progress)));
   const double delaunay_seconds = watch.lap();
   if (result.status == IT::Flip_to_delaunay_status::cap)
     throw std::runtime_error(options.input + ": flipping did not end after " +

@@ -37,7 +37,8 @@ public:
     written_ = path_;
     is_temporary_ = !std::filesystem::exists(path_, ignored) ||
                     std::filesystem::is_regular_file(path_, ignored);
-    if (is_temporary_) written_ += std::to_string(std::random_device()()).insert(0, 1, '.').append(".tmp");
+    if (is_temporary_)
+      written_ += std::to_string(std::random_device()()).insert(0, 1, '.').append(".tmp");
     stream_.open(written_, std::ios::binary);
     if (!stream_) {
       is_temporary_ = false;

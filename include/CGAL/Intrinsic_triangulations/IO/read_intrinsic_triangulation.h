@@ -54,8 +54,7 @@ inline Input_report read_report(Text_reader& in) {
   const std::string name(in.word());
   const auto kind = std::find_if(mollification_names.begin(), mollification_names.end(),
                                  [&](const auto& n) { return n.second == name; });
-  if (kind == mollification_names.end())
-    in.fail("the mollification \"" + name + "\" is unknown");
+  if (kind == mollification_names.end()) in.fail("the mollification \"" + name + "\" is unknown");
   report.mollification.kind = kind->first;
   in.nonnegative(report.mollification.delta, "delta");
   in.finish_line();
@@ -105,14 +104,13 @@ Triangulation read_sections(Text_reader& in) {
     in.finish_line();
   }
   connectivity.read_border();
-  Renumbering renumbering{checked_permutation(in, report.renumbered,
-                                              std::move(connectivity.input_vertex), "vertex"),
-                          checked_permutation(in, report.renumbered,
-                                              std::move(connectivity.input_face), "face")};
+  Renumbering renumbering{
+      checked_permutation(in, report.renumbered, std::move(connectivity.input_vertex), "vertex"),
+      checked_permutation(in, report.renumbered, std::move(connectivity.input_face), "face")};
   Metric metric;
   if constexpr (Metric::is_exact) {
-    auto input = std::make_shared<const Input_metric>(
-        read_input(in, connectivity.mesh, scale_exponent));
+    auto input =
+        std::make_shared<const Input_metric>(read_input(in, connectivity.mesh, scale_exponent));
     History_reader history(in, connectivity.mesh);
     history.run();
     metric = Metric(std::move(input), std::move(history.history), std::move(history.versions),
@@ -157,8 +155,7 @@ together, that values are not negative. That stored values belong to the input i
 */
 template <class Triangulation>
 Triangulation read_intrinsic_triangulation(std::istream& in, const std::string& name) {
-  constexpr std::string_view arithmetic =
-      internal::arithmetic_name<typename Triangulation::Metric>;
+  constexpr std::string_view arithmetic = internal::arithmetic_name<typename Triangulation::Metric>;
   static_assert(!arithmetic.empty(),
                 "the file format holds exact traits and Euclidean_traits<double>");
   internal::Text_reader text(in, name);

@@ -34,7 +34,8 @@ public:
   Intrinsic_triangulation_writer(std::ostream& out, const Triangulation& t) : out_(out), t_(t) {}
 
   void run() {
-    decltype(auto) mesh = as_gluing_map(t_.mesh()); // elements have the numbers of the triangulation
+    decltype(auto) mesh =
+        as_gluing_map(t_.mesh()); // elements have the numbers of the triangulation
     write_header();
     write_vertices(mesh);
     write_edges(mesh);
@@ -51,8 +52,9 @@ public:
 private:
   void write_header() {
     const Input_report& report = t_.report();
-    const auto kind = std::find_if(mollification_names.begin(), mollification_names.end(),
-                                   [&](const auto& n) { return n.first == report.mollification.kind; });
+    const auto kind =
+        std::find_if(mollification_names.begin(), mollification_names.end(),
+                     [&](const auto& n) { return n.first == report.mollification.kind; });
     out_.line("IDT", intrinsic_triangulation_format_version, arithmetic_name<Metric>);
     out_.line("scale", t_.metric().scale_exponent());
     out_.line("degenerate_faces", report.degenerate_faces);

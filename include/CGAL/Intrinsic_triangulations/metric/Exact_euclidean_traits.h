@@ -150,6 +150,7 @@ public:
   double cotangent_weight(const Diamond& d) {
     const Sign s = sign(d, Delaunay_expression());
     if (s == ZERO) return 0;
+    if (is_wide(quadruple_area_[d.f]) || is_wide(quadruple_area_[d.g])) sharpen(d);
     const Diamond_values<FT> v = values(d);
     const FT weight = Delaunay_expression()(v) / (FT(2) * v.area_f * v.area_g);
     return s == POSITIVE ? CGAL::to_double(FT(std::max(weight.inf(), 0.0), weight.sup()))
@@ -192,6 +193,17 @@ private:
     Diamond_values<FT> better;
     const Sign s =
         evaluation_.sign(*input_, history_, left, right, expression, better, statistics_);
+    refine(d, better);
+    return s;
+  }
+
+  static bool is_wide(const FT& x) { return x.sup() - x.inf() > 0x1p-30 * x.sup(); }
+
+  void sharpen(const Diamond& d) {
+    refine(d, evaluation_.enclosure(*input_, history_, left_side(d), right_side(d)));
+  }
+
+  void refine(const Diamond& d, const Diamond_values<FT>& better) {
     refine(squared_length_[d.ij], better.ij);
     refine(squared_length_[d.jk], better.jk);
     refine(squared_length_[d.ki], better.ki);
@@ -199,7 +211,6 @@ private:
     refine(squared_length_[d.mj], better.mj);
     refine(quadruple_area_[d.f], better.area_f);
     refine(quadruple_area_[d.g], better.area_g);
-    return s;
   }
 
   static void refine(FT& stored, const FT& better) {

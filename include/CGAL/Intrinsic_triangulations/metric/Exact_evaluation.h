@@ -76,8 +76,7 @@ public:
     for (unsigned bits = 128;; bits *= 2) {
       const Gmpfi_precision precision(bits);
       const Diamond_values<Gmpfi> d = values(input, history, left, right);
-      better = {interval(d.ij), interval(d.jk),     interval(d.ki),    interval(d.im),
-                interval(d.mj), interval(d.area_f), interval(d.area_g)};
+      better = intervals(d);
       const Uncertain<Sign> s = expression(d).sign();
       if (is_certain(s)) {
         ++statistics.escalations[bits];
@@ -87,6 +86,17 @@ public:
     }
     ++statistics.probable_zero;
     return ZERO;
+  }
+
+  /*!
+  \brief computes intervals that contain the values of the diamond between two sides, about as small
+  as doubles allow.
+  */
+  Diamond_values<Interval_nt<false>> enclosure(const Input_metric& input,
+                                               const Flip_history& history, Side left, Side right) {
+    const Gmpfi_precision precision(256);
+    is_zero_.unfold(input, history, left, right);
+    return intervals(values(input, history, left, right));
   }
 
 private:
@@ -107,9 +117,13 @@ private:
     return History_evaluator<Gmpfi, decltype(face)>(history, face, memory).diamond(left, right);
   }
 
-  static Interval_nt<false> interval(const Gmpfi& x) {
-    const std::pair<double, double> i = x.to_interval();
-    return {i.first, i.second};
+  static Diamond_values<Interval_nt<false>> intervals(const Diamond_values<Gmpfi>& d) {
+    const auto interval = [](const Gmpfi& x) {
+      const std::pair<double, double> i = x.to_interval();
+      return Interval_nt<false>(i.first, i.second);
+    };
+    return {interval(d.ij), interval(d.jk),     interval(d.ki),    interval(d.im),
+            interval(d.mj), interval(d.area_f), interval(d.area_g)};
   }
 
   Zero_test is_zero_;

@@ -21,8 +21,8 @@ of terms, quotients by more than one term, and all that is computed from them, a
 */
 class Limited_multiquadratic_number {
 public:
-  /// Largest number of pairs of terms that are multiplied; a few milliseconds.
-  static constexpr std::size_t maximal_products = 1 << 16;
+  /// Largest number of pairs of terms that are multiplied; under a millisecond.
+  static constexpr std::size_t maximal_products = 1 << 13;
 
   /// constructs an integer.
   Limited_multiquadratic_number(int n = 0) : value_(Multiquadratic_number(n)) {}

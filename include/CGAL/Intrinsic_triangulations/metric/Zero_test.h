@@ -83,6 +83,17 @@ public:
     return vanishes(expression, bits, true) ? Answer::zero : Answer::not_zero;
   }
 
+  /// unfolds the diamond between two sides, without deciding anything.
+  void unfold(const Input_metric& input, const Flip_history& history, Side left, Side right) {
+    basis_ = {};
+    metric_.clear();
+    shapes_.clear();
+    diamond_.reset();
+    // the sides of an edge inside one face are told apart by no `Diamond`
+    if (left.version != right.version) diamond_ = unfolding_.diamond(history, left, right);
+    if (diamond_ && !find_shapes(input)) diamond_.reset();
+  }
+
   /// returns the diamond of the last call, or nothing if it cannot be unfolded.
   const std::optional<Unfolded_diamond>& diamond() const { return diamond_; }
 
@@ -128,16 +139,6 @@ private:
                                                       area / Multiquadratic_number(unit));
     };
     return expression(diamond_->template values<Number>(face)).is_proven_zero();
-  }
-
-  void unfold(const Input_metric& input, const Flip_history& history, Side left, Side right) {
-    basis_ = {};
-    metric_.clear();
-    shapes_.clear();
-    diamond_.reset();
-    // the sides of an edge inside one face are told apart by no `Diamond`
-    if (left.version != right.version) diamond_ = unfolding_.diamond(history, left, right);
-    if (diamond_ && !find_shapes(input)) diamond_.reset();
   }
 
   // tells whether the diamond can be evaluated

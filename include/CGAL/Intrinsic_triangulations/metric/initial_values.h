@@ -37,8 +37,8 @@ inline bool rational_square_root(const Gmpq& x, Gmpq& root) {
 /*!
 \brief converts a rational number to `FT`, rounded or enclosed if `FT` is inexact.
 
-A type that is not constructible from `Gmpq` gets about 400 bits, far below the least rounding error of its
-own. \pre such values are in the range of `double`
+A type that is not constructible from `Gmpq` gets about 400 bits, far below the least rounding
+error of its own. \pre such values are in the range of `double`
 */
 template <class FT>
 FT from_rational(const Gmpq& x) {
@@ -106,8 +106,9 @@ inline Gmpq checked_squared_quadruple_area(const Input_metric& m, std::uint32_t 
   return d;
 }
 
-// Floating point is trusted where rounding, at most about 2^-52 |u| |v| in a, is below 2^-30 of a (a^2
-// against |u|^2 |v|^2 from points, D against L_0 L_2 from lengths); all else is computed from rationals.
+// Floating point is trusted where rounding, at most about 2^-52 |u| |v| in a, is below 2^-30 of a
+// (a^2 against |u|^2 |v|^2 from points, D against L_0 L_2 from lengths); all else is computed from
+// rationals.
 template <class FT>
 FT quadruple_area_float(const Input_metric& m, std::uint32_t f) {
   if (m.is_embedded()) {
@@ -124,7 +125,7 @@ FT quadruple_area_float(const Input_metric& m, std::uint32_t f) {
 inline Interval_nt<false> quadruple_area_interval(const Input_metric& m, std::uint32_t f) {
   using FT = Interval_nt<false>;
   const FT d = m.is_embedded() ? Embedded_area<FT>(m, f).squared : m.squared_quadruple_area<FT>(f);
-  if (d.inf() > 0 && d.sup() - d.inf() <= 0x1p-30 * d.sup()) return CGAL::sqrt(d);
+  if (d.inf() > 0 && d.sup() - d.inf() <= 0x1p-36 * d.sup()) return CGAL::sqrt(d);
   return CGAL::sqrt(from_rational<FT>(checked_squared_quadruple_area(m, f)));
 }
 

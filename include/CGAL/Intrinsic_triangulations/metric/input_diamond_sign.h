@@ -77,29 +77,25 @@ struct Bit_range {
 
 /*
 The sign of an expression that is linear in the areas, A a_f + B a_g, from integer squared lengths.
-It follows from the signs of A and B if they agree, else from that of A^2 D_f - B^2 D_g. Squared
-lengths must be below 2^(bits / 2 - 6); coefficients are sums of a few of them.
+It follows from the signs of A and B if they agree, else from that of A^2 D_f - B^2 D_g. Coefficients
+are sums of a few squared lengths; squared lengths must be below 2^(b / 4 - 6) for integers of b bits.
 */
-template <unsigned bits, class Expression>
-Sign integer_diamond_sign(Diamond_values<Fixed_integer<bits / 2>> d, const Expression& expression) {
-  using Length = Fixed_integer<bits / 2>;
-  using Area = Fixed_integer<bits>;
+template <class Integer, class Expression>
+Sign integer_diamond_sign(Diamond_values<Integer> d, const Expression& expression) {
   d.area_f = 1, d.area_g = 0;
-  const Length a = expression(d);
+  const Integer a = expression(d);
   d.area_f = 0, d.area_g = 1;
-  const Length b = expression(d);
+  const Integer b = expression(d);
   if (a.is_zero() && b.is_zero()) return ZERO; // two right angles
-  const auto squared_area = [](const Length& ij, const Length& jk, const Length& ki) {
-    const Area p = ij + ki - jk; // D = 4 L_ij L_ki - p^2
-    return Area(4 * Area(ij) * Area(ki) - p * p);
+  const auto squared_area = [](const Integer& ij, const Integer& jk, const Integer& ki) {
+    const Integer p = ij + ki - jk; // D = 4 L_ij L_ki - p^2
+    return Integer(4 * ij * ki - p * p);
   };
-  const Area left = squared_area(d.ij, d.jk, d.ki), right = squared_area(d.ij, d.mj, d.im);
+  const Integer left = squared_area(d.ij, d.jk, d.ki), right = squared_area(d.ij, d.mj, d.im);
   const int sign_a = left.is_zero() ? 0 : a.sign(), sign_b = right.is_zero() ? 0 : b.sign();
   if (sign_a == sign_b || sign_b == 0) return CGAL::sign(sign_a);
   if (sign_a == 0) return CGAL::sign(sign_b);
-  using Product = Fixed_integer<2 * bits>;
-  const Product x = Product(a) * Product(a) * Product(left);
-  const Product y = Product(b) * Product(b) * Product(right);
+  const Integer x = a * a * left, y = b * b * right;
   return x == y ? ZERO : CGAL::sign(x > y ? sign_a : sign_b);
 }
 
@@ -173,13 +169,13 @@ private:
   Bit_range range_;
 };
 
-// Coordinates of b bits have squared lengths below 2^(2b + 4), and 2b + 4 <= bits / 2 - 6.
+// Coordinates of w bits have squared lengths below 2^(2w + 4), and 2w + 4 <= b / 4 - 6.
 template <class Source, class Expression>
 std::optional<Sign> integer_diamond_sign(const Source& source, const Expression& expression) {
   if (source.width() <= 58)
-    return integer_diamond_sign<256>(source.template lengths<Fixed_integer<128>>(), expression);
+    return integer_diamond_sign(source.template lengths<Fixed_integer<512>>(), expression);
   if (source.width() <= 122)
-    return integer_diamond_sign<512>(source.template lengths<Fixed_integer<256>>(), expression);
+    return integer_diamond_sign(source.template lengths<Fixed_integer<1024>>(), expression);
   return {};
 }
 

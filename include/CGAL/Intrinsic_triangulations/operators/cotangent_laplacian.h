@@ -77,8 +77,8 @@ x^T L x = integral of |grad x|^2 for the piecewise linear function x. (Many pape
 sign.) It is the weak form: the smooth equation Laplacian u = f becomes `L u = M f`, with a mass matrix
 `M` of `mass_matrix.h`. Border edges have one cotangent, which is the natural (Neumann) boundary
 condition. Several edges between the same vertices add up; edges from a vertex to itself do not
-contribute. In a Delaunay triangulation no inner edge has a negative weight (a border edge has one where it faces an
-obtuse angle), and the matrix does not depend on which Delaunay triangulation it is (Bobenko and
+contribute. In a Delaunay triangulation no inner edge has a negative weight (a border edge has one
+where it faces an obtuse angle), and the matrix does not depend on which one it is (Bobenko and
 Springborn 2007).
 
 All diagonal entries are stored, those of isolated vertices as zeros. Of the others those of nonzero

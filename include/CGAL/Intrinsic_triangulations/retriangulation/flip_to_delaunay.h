@@ -15,6 +15,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -53,6 +54,15 @@ struct Flip_to_delaunay_visitor {
 };
 
 namespace internal {
+
+template <class T>
+T& unwrapped(T& value) {
+  return value;
+}
+template <class T>
+T& unwrapped(std::reference_wrapper<T>& reference) {
+  return reference.get();
+}
 
 template <class Triangulation, class Constrained, class Visitor>
 class Delaunay_flipper {
@@ -144,7 +154,8 @@ flips makes it end.
   - `edge_is_constrained_map(m)`: a readable property map from edges to `bool`; constrained edges are
     never flipped. Default: none is.
   - `visitor(v)`: has a member `bool progress(const Flip_to_delaunay_result&)` that is called now and
-    then and returns whether to go on. Default: `Flip_to_delaunay_visitor`.
+    then and returns whether to go on. It is copied; pass `std::ref(v)` to have `v` itself called.
+    Default: `Flip_to_delaunay_visitor`.
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100
     per edge and a million.
 \return status and counts
@@ -157,13 +168,12 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
                                          const NamedParameters& np = parameters::default_values()) {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
   using Edge = typename Triangulation::edge_descriptor;
-  Flip_to_delaunay_visitor none;
   auto constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                       Static_boolean_property_map<Edge, false>());
-  auto& visitor =
-      choose_parameter(get_parameter_reference(np, internal_np::visitor), none);
+  auto stored_visitor =
+      choose_parameter(get_parameter(np, internal_np::visitor), Flip_to_delaunay_visitor());
+  auto& visitor = internal::unwrapped(stored_visitor);
   constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t cap = choose_parameter(
       get_parameter(np, internal_np::maximum_number),
