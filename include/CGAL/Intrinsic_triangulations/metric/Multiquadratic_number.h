@@ -121,9 +121,13 @@ public:
     return x * y.inverse();
   }
 
+  /// adds `y`.
   Multiquadratic_number& operator+=(const Multiquadratic_number& y) { return *this = *this + y; }
+  /// subtracts `y`.
   Multiquadratic_number& operator-=(const Multiquadratic_number& y) { return *this = *this - y; }
+  /// multiplies by `y`.
   Multiquadratic_number& operator*=(const Multiquadratic_number& y) { return *this = *this * y; }
+  /// divides by `y`.
   Multiquadratic_number& operator/=(const Multiquadratic_number& y) { return *this = *this / y; }
 
   /// tells whether two numbers are equal, exactly.

@@ -66,6 +66,7 @@ public:
   /// tells whether the number is proven not to be zero.
   bool is_proven_nonzero() const { return is_defined() && (real_ != 0 || imaginary_ != 0); }
 
+  /// returns the negative.
   Modular_image operator-() const { return Modular_image() - *this; }
   friend Modular_image operator+(const Modular_image& x, const Modular_image& y) {
     if (!x.is_defined() || !y.is_defined()) return undefined();
@@ -90,9 +91,13 @@ public:
     return x * Modular_image(multiply(y.real_, r), subtract(0, multiply(y.imaginary_, r)));
   }
 
+  /// adds `y`.
   Modular_image& operator+=(const Modular_image& y) { return *this = *this + y; }
+  /// subtracts `y`.
   Modular_image& operator-=(const Modular_image& y) { return *this = *this - y; }
+  /// multiplies by `y`.
   Modular_image& operator*=(const Modular_image& y) { return *this = *this * y; }
+  /// divides by `y`.
   Modular_image& operator/=(const Modular_image& y) { return *this = *this / y; }
 
   /// tells whether two images are defined and equal.
