@@ -206,13 +206,11 @@ public:
 
   /// returns the squared length of an edge as a double, in the units of the input.
   double squared_length(edge_descriptor e) const {
-    return std::ldexp(CGAL::to_double(metric_.squared_length(index(e))),
-                      -2 * metric_.scale_exponent());
+    return std::ldexp(metric_.approximate_squared_length(index(e)), -2 * metric_.scale_exponent());
   }
   /// returns the area of a face as a double, in the units of the input.
   double area(face_descriptor f) const {
-    return std::ldexp(CGAL::to_double(metric_.quadruple_area(index(f))),
-                      -2 * metric_.scale_exponent() - 2);
+    return std::ldexp(metric_.approximate_quadruple_area(index(f)), -2 * metric_.scale_exponent() - 2);
   }
 
   /*!

@@ -49,6 +49,8 @@ struct Metric {
   bool is_zero_length(std::uint32_t) const { return false; }
   double squared_length(std::uint32_t) const { return 1; }
   double quadruple_area(std::uint32_t) const { return 1; }
+  double approximate_squared_length(std::uint32_t) const { return 1; }
+  double approximate_quadruple_area(std::uint32_t) const { return 1; }
   int scale_exponent() const { return 0; }
 };
 

@@ -28,7 +28,7 @@ metric may need time for a decision that depends on how many flips the values we
 | `is_locally_delaunay()`, `flip_to_delaunay()` | `is_locally_delaunay`, `flip`, `is_exact` |
 | `is_delaunay()` | `is_locally_delaunay` |
 | `check_delaunay()`, `delaunay_sign()`, `flip_status()`, `flip_edge()` | `sign` |
-| lengths and areas | `squared_length`, `quadruple_area`, `scale_exponent` |
+| lengths and areas | `squared_length`, `quadruple_area`, `approximate_squared_length`, `approximate_quadruple_area`, `scale_exponent` |
 | Laplacians | `cotangent_weight` |
 
 \cgalHasModel{`CGAL::Intrinsic_triangulations::Euclidean_metric<FT>`\,
@@ -74,10 +74,14 @@ public:
   bool is_degenerate(std::uint32_t face) const;
   /// tells whether the length of an edge is zero.
   bool is_zero_length(std::uint32_t edge) const;
-  /// returns the squared length of an edge; `CGAL::to_double()` converts it.
+  /// returns the squared length of an edge.
   FT squared_length(std::uint32_t edge) const;
-  /// returns four times the area of a face; `CGAL::to_double()` converts it.
+  /// returns four times the area of a face.
   FT quadruple_area(std::uint32_t face) const;
+  /// returns a double near the squared length of an edge.
+  double approximate_squared_length(std::uint32_t edge) const;
+  /// returns a double near four times the area of a face.
+  double approximate_quadruple_area(std::uint32_t face) const;
   /// returns the exponent of the power of two that lengths are scaled by.
   int scale_exponent() const;
 

@@ -78,10 +78,10 @@ Quality quality_of(Triangulation& t, const Delaunay_check& check) {
   Quality result;
   const auto& mesh = t.mesh();
   const auto squared_length = [&](auto h) {
-    return CGAL::to_double(t.metric().squared_length(t.index(edge(h, mesh))));
+    return t.metric().approximate_squared_length(t.index(edge(h, mesh)));
   };
   for (const typename Triangulation::face_descriptor f : faces(mesh)) {
-    const double area = CGAL::to_double(t.metric().quadruple_area(t.index(f)));
+    const double area = t.metric().approximate_quadruple_area(t.index(f));
     const auto h = halfedge(f, mesh), n = next(h, mesh);
     const double a = squared_length(h), b = squared_length(n), c = squared_length(next(n, mesh));
     for (const double q : {a + b - c, b + c - a, c + a - b}) {
@@ -110,7 +110,7 @@ Integrals integrals_of(Triangulation& t, const std::vector<Point>& scaled_points
   long double area = 0, trace = 0;
   std::array<long double, 3> dirichlet = {};
   for (const typename Triangulation::face_descriptor f : faces(mesh))
-    area += CGAL::to_double(t.metric().quadruple_area(t.index(f)));
+    area += t.metric().approximate_quadruple_area(t.index(f));
   typename Triangulation::Session session(t);
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto i = source(halfedge(e, mesh), mesh), j = target(halfedge(e, mesh), mesh);

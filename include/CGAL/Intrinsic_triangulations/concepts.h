@@ -125,8 +125,8 @@ concept IntrinsicMetric = std::default_initializable<Metric> && std::movable<Met
   { c.is_zero_length(i) } -> std::same_as<bool>;
   { c.squared_length(i) } -> std::convertible_to<typename Metric::FT>;
   { c.quadruple_area(i) } -> std::convertible_to<typename Metric::FT>;
-  { CGAL::to_double(c.squared_length(i)) } -> std::convertible_to<double>;
-  { CGAL::to_double(c.quadruple_area(i)) } -> std::convertible_to<double>;
+  { c.approximate_squared_length(i) } -> std::same_as<double>;
+  { c.approximate_quadruple_area(i) } -> std::same_as<double>;
   { c.scale_exponent() } -> std::same_as<int>;
 };
 

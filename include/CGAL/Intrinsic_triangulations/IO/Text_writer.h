@@ -22,8 +22,13 @@ public:
   explicit Text_writer(std::ostream& out) : out_(out) {}
 
   template <class... Values>
-  void line(const Values&... values) {
+  void words(const Values&... values) {
     (put(values), ...);
+  }
+
+  template <class... Values>
+  void line(const Values&... values) {
+    words(values...);
     append('\n');
     at_start_ = true;
   }

@@ -90,10 +90,12 @@ Triangulation read_sections(Text_reader& in) {
   Connectivity_reader connectivity(in);
   connectivity.read_vertices();
   std::vector<FT> squared_lengths(0), areas(0);
+  std::vector<double> near_lengths(0), near_areas(0);
   const std::uint32_t edges = read_count(in, "edges", Gluing::none / 2);
   for (std::uint32_t e = 0; e < edges; ++e) {
     in.next_line();
     in.nonnegative(squared_lengths.emplace_back(), "squared length");
+    if (Metric::is_exact) in.nonnegative(near_lengths.emplace_back(), "squared length");
     in.finish_line();
   }
   connectivity.start_faces(edges);
@@ -101,6 +103,7 @@ Triangulation read_sections(Text_reader& in) {
     in.next_line();
     connectivity.read_face(f);
     in.nonnegative(areas.emplace_back(), "quadruple area");
+    if (Metric::is_exact) in.nonnegative(near_areas.emplace_back(), "quadruple area");
     in.finish_line();
   }
   connectivity.read_border();
@@ -114,7 +117,8 @@ Triangulation read_sections(Text_reader& in) {
     History_reader history(in, connectivity.mesh);
     history.run();
     metric = Metric(std::move(input), std::move(history.history), std::move(history.versions),
-                    std::move(squared_lengths), std::move(areas));
+                    std::move(squared_lengths), std::move(areas), std::move(near_lengths),
+                    std::move(near_areas));
   } else
     metric = Metric(scale_exponent, std::move(squared_lengths), std::move(areas));
   in.next_line();

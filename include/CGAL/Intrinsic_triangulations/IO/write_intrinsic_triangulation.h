@@ -81,16 +81,22 @@ private:
   void write_edges(const Gluing_map& mesh) {
     out_.line("edges", mesh.number_of_edges());
     for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
-      out_.line(t_.metric().squared_length(e));
+      if constexpr (Metric::is_exact)
+        out_.line(t_.metric().squared_length(e), t_.metric().approximate_squared_length(e));
+      else
+        out_.line(t_.metric().squared_length(e));
   }
 
   void write_faces(const Gluing_map& mesh) {
     out_.line("faces", mesh.number_of_faces());
     for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
       const Halfedge a = mesh.halfedge(Gluing_map::Face{f}), b = mesh.next(a), c = mesh.next(b);
-      out_.line(a.index, b.index, c.index, mesh.target(c).index, mesh.target(a).index,
-                mesh.target(b).index, input_number(t_.renumbering().input_face, f),
-                t_.metric().quadruple_area(f));
+      out_.words(a.index, b.index, c.index, mesh.target(c).index, mesh.target(a).index,
+                 mesh.target(b).index, input_number(t_.renumbering().input_face, f));
+      if constexpr (Metric::is_exact)
+        out_.line(t_.metric().quadruple_area(f), t_.metric().approximate_quadruple_area(f));
+      else
+        out_.line(t_.metric().quadruple_area(f));
     }
   }
 

@@ -102,6 +102,14 @@ public:
   const FT& squared_length(std::uint32_t e) const { return squared_length_[e]; }
   /// returns the quadruple area of a face, in scaled units.
   const FT& quadruple_area(std::uint32_t f) const { return quadruple_area_[f]; }
+  /// returns a double near the squared length of an edge, in scaled units.
+  double approximate_squared_length(std::uint32_t e) const {
+    return CGAL::to_double(squared_length_[e]);
+  }
+  /// returns a double near the quadruple area of a face, in scaled units.
+  double approximate_quadruple_area(std::uint32_t f) const {
+    return CGAL::to_double(quadruple_area_[f]);
+  }
   /// returns s, where coordinates are scaled by 2^s.
   int scale_exponent() const { return scale_exponent_; }
   /// returns how predicates were decided.

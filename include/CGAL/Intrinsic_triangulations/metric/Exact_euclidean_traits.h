@@ -62,6 +62,8 @@ public:
     const Scope scope;
     squared_length_ = Intrinsic_triangulations::squared_lengths<FT>(*input_, mesh);
     quadruple_area_ = Intrinsic_triangulations::quadruple_areas<FT>(*input_);
+    for (const FT& x : squared_length_) length_.push_back(CGAL::to_double(x));
+    for (const FT& x : quadruple_area_) area_.push_back(CGAL::to_double(x));
     sides_.reserve(input_->number_of_faces());
     for (std::uint32_t f = 0; f < input_->number_of_faces(); ++f)
       sides_.push_back({f, mesh.halfedge(Gluing_map::Face{f}).index / 2});
@@ -73,9 +75,10 @@ public:
   */
   Exact_euclidean_metric(std::shared_ptr<const Input_metric> input, Flip_history history,
                          std::vector<Version> versions, std::vector<FT> squared_lengths,
-                         std::vector<FT> quadruple_areas)
+                         std::vector<FT> quadruple_areas, std::vector<double> lengths,
+                         std::vector<double> areas)
       : squared_length_(std::move(squared_lengths)), quadruple_area_(std::move(quadruple_areas)),
-        sides_(std::move(versions)), input_(std::move(input)), history_(std::move(history)) {}
+        length_(std::move(lengths)), area_(std::move(areas)), sides_(std::move(versions)), input_(std::move(input)), history_(std::move(history)) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
   bool is_locally_delaunay(const Diamond& d) {
@@ -111,9 +114,13 @@ public:
   */
   bool flip(const Diamond& d) {
     const Flipped_values<FT> n = flipped(values(d));
+    const Flipped_values<double> m = flipped(approximations(d));
     squared_length_[d.ij] = positive_part(n.km);
     quadruple_area_[d.f] = positive_part(n.area_f);
     quadruple_area_[d.g] = positive_part(n.area_g);
+    length_[d.ij] = nearest(m.km, squared_length_[d.ij]);
+    area_[d.f] = nearest(m.area_f, quadruple_area_[d.f]);
+    area_[d.g] = nearest(m.area_g, quadruple_area_[d.g]);
     const std::uint32_t version = history_.record_flip(left_side(d), right_side(d));
     sides_[d.f] = {version, d.ij};
     sides_[d.g] = {version + 1, d.ij};
@@ -128,6 +135,10 @@ public:
   const FT& squared_length(std::uint32_t e) const { return squared_length_[e]; }
   /// returns an interval that contains the quadruple area of a face, in scaled units.
   const FT& quadruple_area(std::uint32_t f) const { return quadruple_area_[f]; }
+  /// returns a double near the squared length of an edge, in scaled units.
+  double approximate_squared_length(std::uint32_t e) const { return length_[e]; }
+  /// returns a double near the quadruple area of a face, in scaled units.
+  double approximate_quadruple_area(std::uint32_t f) const { return area_[f]; }
   /// returns s, where coordinates are scaled by 2^s.
   int scale_exponent() const { return input_->scale_exponent(); }
   /// returns the input, which defines all values exactly.
@@ -150,18 +161,16 @@ public:
   double cotangent_weight(const Diamond& d) {
     const Sign s = sign(d, Delaunay_expression());
     if (s == ZERO) return 0;
-    if (is_wide(quadruple_area_[d.f]) || is_wide(quadruple_area_[d.g])) sharpen(d);
-    const Diamond_values<FT> v = values(d);
-    const FT weight = Delaunay_expression()(v) / (FT(2) * v.area_f * v.area_g);
-    return s == POSITIVE ? CGAL::to_double(FT(std::max(weight.inf(), 0.0), weight.sup()))
-                         : CGAL::to_double(FT(weight.inf(), std::min(weight.sup(), 0.0)));
+    if (is_vague(quadruple_area_[d.f]) || is_vague(quadruple_area_[d.g])) sharpen(d);
+    const double weight = cotangent_weight(d.ij, d.jk, d.ki, d.f) +
+                          cotangent_weight(d.ij, d.im, d.mj, d.g);
+    return s == POSITIVE ? std::max(weight, 0.0) : std::min(weight, 0.0);
   }
 
   /// returns half the cotangent of the angle opposite side `ij` of face `f` with sides ij, jk, ki.
   double cotangent_weight(std::uint32_t ij, std::uint32_t jk, std::uint32_t ki,
                           std::uint32_t f) const {
-    return CGAL::to_double((squared_length_[jk] + squared_length_[ki] - squared_length_[ij]) /
-                           (FT(2) * quadruple_area_[f]));
+    return (length_[jk] + length_[ki] - length_[ij]) / (2 * area_[f]);
   }
 
 private:
@@ -169,6 +178,11 @@ private:
     return {squared_length_[d.ij], squared_length_[d.jk], squared_length_[d.ki],
             squared_length_[d.im], squared_length_[d.mj], quadruple_area_[d.f],
             quadruple_area_[d.g]};
+  }
+
+  Diamond_values<double> approximations(const Diamond& d) const {
+    return {length_[d.ij], length_[d.jk], length_[d.ki], length_[d.im],
+            length_[d.mj], area_[d.f],    area_[d.g]};
   }
 
   Flip_history::Side left_side(const Diamond& d) const { return side(d.f, d.ij, d.jk); }
@@ -197,28 +211,38 @@ private:
     return s;
   }
 
-  static bool is_wide(const FT& x) { return x.sup() - x.inf() > 0x1p-30 * x.sup(); }
+  // too wide for its approximation to be worth anything
+  static bool is_vague(const FT& x) { return x.sup() - x.inf() > 0x1p-10 * x.sup(); }
 
   void sharpen(const Diamond& d) {
     refine(d, evaluation_.enclosure(*input_, history_, left_side(d), right_side(d)));
   }
 
   void refine(const Diamond& d, const Diamond_values<FT>& better) {
-    refine(squared_length_[d.ij], better.ij);
-    refine(squared_length_[d.jk], better.jk);
-    refine(squared_length_[d.ki], better.ki);
-    refine(squared_length_[d.im], better.im);
-    refine(squared_length_[d.mj], better.mj);
-    refine(quadruple_area_[d.f], better.area_f);
-    refine(quadruple_area_[d.g], better.area_g);
+    refine(squared_length_[d.ij], length_[d.ij], better.ij);
+    refine(squared_length_[d.jk], length_[d.jk], better.jk);
+    refine(squared_length_[d.ki], length_[d.ki], better.ki);
+    refine(squared_length_[d.im], length_[d.im], better.im);
+    refine(squared_length_[d.mj], length_[d.mj], better.mj);
+    refine(quadruple_area_[d.f], area_[d.f], better.area_f);
+    refine(quadruple_area_[d.g], area_[d.g], better.area_g);
   }
 
-  static void refine(FT& stored, const FT& better) {
+  static void refine(FT& stored, double& approximation, const FT& better) {
     stored = FT(std::max(stored.inf(), better.inf()), std::min(stored.sup(), better.sup()));
+    approximation = nearest(approximation, stored);
+  }
+
+  static double nearest(double x, const FT& interval) {
+    return std::min(std::max(x, interval.inf()), interval.sup());
   }
 
   std::vector<FT> squared_length_;
   std::vector<FT> quadruple_area_;
+  // The middle of an interval that has grown wide is a poor approximation; doubles that are computed
+  // beside it, and kept within it, are a good one.
+  std::vector<double> length_; // squared
+  std::vector<double> area_;   // quadruple
   std::vector<Version> sides_;
   std::shared_ptr<const Input_metric> input_; // immutable, shared by copies
   Flip_history history_;

@@ -52,7 +52,7 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
     if (metric.is_zero_length(e)) return true;
   const auto length = [&](Gluing_map::Halfedge h) {
-    return CGAL::to_double(metric.squared_length(h.index / 2));
+    return metric.approximate_squared_length(h.index / 2);
   };
   std::vector<char> removable(mesh.number_of_faces(), 0);
   std::vector<std::uint32_t> path;
