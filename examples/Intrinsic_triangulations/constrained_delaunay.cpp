@@ -35,7 +35,9 @@ int main() {
   for (const auto e : edges(triangulation.mesh()))
     is_constrained[triangulation.index(e)] = triangulation.squared_length(e) > 100;
   const auto constrained = boost::make_function_property_map<Triangulation::edge_descriptor, bool>(
-      [&](Triangulation::edge_descriptor e) { return is_constrained[triangulation.index(e)] != 0; });
+      [&](Triangulation::edge_descriptor e) {
+        return is_constrained[triangulation.index(e)] != 0;
+      });
 
   Progress progress;
   const IT::Flip_to_delaunay_result result = IT::flip_to_delaunay(

@@ -33,14 +33,14 @@ int main(int argc, char* argv[]) {
     return 1;
   }
   IT::Intrinsic_triangulation<> triangulation(mesh); // exact predicates, connectivity of its own
-  std::cout << "smallest weight before: "
-            << smallest_weight(IT::cotangent_laplacian(triangulation)) << '\n';
+  std::cout << "smallest weight before: " << smallest_weight(IT::cotangent_laplacian(triangulation))
+            << '\n';
 
   const IT::Flip_to_delaunay_result result = IT::flip_to_delaunay(triangulation);
 
   // rows and columns are numbered like the vertices of the input mesh
   const Eigen::SparseMatrix<double> laplacian = IT::cotangent_laplacian(triangulation);
-  std::cout << "flips: " << result.flips << "\nsmallest weight after: " << smallest_weight(laplacian)
-            << '\n';
+  std::cout << "flips: " << result.flips
+            << "\nsmallest weight after: " << smallest_weight(laplacian) << '\n';
   return smallest_weight(laplacian) < 0; // never: the triangulation is Delaunay, exactly
 }

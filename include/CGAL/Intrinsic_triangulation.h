@@ -30,7 +30,7 @@ enum class Move_status {
   border,     ///< refused: the edge is on the border
   same_face,  ///< refused: both sides of the edge are in one face (an end has degree one)
   not_convex, ///< refused: the faces at the edge do not make a strictly convex quadrilateral
-  arithmetic  ///< refused: the number type made an area that is not positive; never with exact types
+  arithmetic ///< refused: the number type made an area that is not positive; never with exact types
 };
 
 /*!
@@ -99,9 +99,8 @@ public:
       const Move_status s = t_.combinatorial_flip_status(h);
       if (s != Move_status::done) return s;
       const Diamond d = t_.diamond(h);
-      const bool convex =
-          t_.metric_.sign(d, Convexity_at_source_expression()) == POSITIVE &&
-          t_.metric_.sign(d, Convexity_at_target_expression()) == POSITIVE;
+      const bool convex = t_.metric_.sign(d, Convexity_at_source_expression()) == POSITIVE &&
+                          t_.metric_.sign(d, Convexity_at_target_expression()) == POSITIVE;
       return convex ? Move_status::done : Move_status::not_convex;
     }
     /// see `Intrinsic_triangulation::flip_edge()`
@@ -210,7 +209,8 @@ public:
   }
   /// returns the area of a face as a double, in the units of the input.
   double area(face_descriptor f) const {
-    return std::ldexp(metric_.approximate_quadruple_area(index(f)), -2 * metric_.scale_exponent() - 2);
+    return std::ldexp(metric_.approximate_quadruple_area(index(f)),
+                      -2 * metric_.scale_exponent() - 2);
   }
 
   /*!

@@ -176,7 +176,7 @@ TEST_F(Matrix_market, leaves_the_file_as_it_was_when_writing_fails) {
   const fs::path file = directory / "m.mtx";
   std::ofstream(file) << "old";
   {
-    IT::internal::Replacing_file replacing(file);
+    IT::Replacing_file replacing(file);
     replacing.stream() << "half";
   } // no commit
   EXPECT_EQ(content(file), "old");

@@ -143,9 +143,8 @@ Prepared_input<Metric> prepare(Intrinsic_input&& in) {
   }
   start_at_single_sides(p.mesh);
   auto input = std::make_shared<Input_metric>(
-      embedded
-          ? Input_metric::from_points(p.mesh, std::move(in.points), scale)
-          : Input_metric::from_squared_lengths(p.mesh, std::move(in.squared_lengths), scale));
+      embedded ? Input_metric::from_points(p.mesh, std::move(in.points), scale)
+               : Input_metric::from_squared_lengths(p.mesh, std::move(in.squared_lengths), scale));
   p.metric = Metric(p.mesh, input);
   for (std::uint32_t f = 0; f < p.mesh.number_of_faces(); ++f)
     if (p.metric.is_degenerate(f)) ++p.report.degenerate_faces;

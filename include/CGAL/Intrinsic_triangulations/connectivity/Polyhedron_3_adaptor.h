@@ -29,8 +29,9 @@ class Mesh_adaptor<Polyhedron_3<K, I, HDS, A>> {
   using Vertex = typename Traits::vertex_descriptor;
   using Halfedge = typename Traits::halfedge_descriptor;
   using Face = typename Traits::face_descriptor;
-  static constexpr bool has_ids =
-      requires(Vertex v, Halfedge h, Face f) { v->id(), h->id(), f->id(); };
+  static constexpr bool has_ids = requires(Vertex v, Halfedge h, Face f) {
+    v->id(), h->id(), f->id();
+  };
 
 public:
   /// numbers the elements of `mesh`.

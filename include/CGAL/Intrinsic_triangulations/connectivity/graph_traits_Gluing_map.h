@@ -138,12 +138,8 @@ inline Gluing_index_map<Gluing_map::Vertex> get(boost::vertex_index_t, const Glu
 inline Gluing_index_map<Gluing_map::Halfedge> get(boost::halfedge_index_t, const Gluing_map&) {
   return {};
 }
-inline Gluing_index_map<Gluing_map::Edge> get(boost::edge_index_t, const Gluing_map&) {
-  return {};
-}
-inline Gluing_index_map<Gluing_map::Face> get(boost::face_index_t, const Gluing_map&) {
-  return {};
-}
+inline Gluing_index_map<Gluing_map::Edge> get(boost::edge_index_t, const Gluing_map&) { return {}; }
+inline Gluing_index_map<Gluing_map::Face> get(boost::face_index_t, const Gluing_map&) { return {}; }
 /// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations

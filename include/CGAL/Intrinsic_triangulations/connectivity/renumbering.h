@@ -125,8 +125,7 @@ inline Gluing_map renumbered(const Gluing_map& mesh, const New_numbers& number) 
 \pre coordinates are finite
 \complexity linear: a radix sort
 */
-inline std::vector<std::uint32_t>
-morton_order(const std::vector<std::array<double, 3>>& points) {
+inline std::vector<std::uint32_t> morton_order(const std::vector<std::array<double, 3>>& points) {
   std::array<double, 3> low = points[0], high = points[0];
   for (const std::array<double, 3>& p : points)
     for (unsigned k = 0; k < 3; ++k) {

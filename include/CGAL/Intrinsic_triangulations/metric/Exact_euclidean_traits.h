@@ -78,7 +78,8 @@ public:
                          std::vector<FT> quadruple_areas, std::vector<double> lengths,
                          std::vector<double> areas)
       : squared_length_(std::move(squared_lengths)), quadruple_area_(std::move(quadruple_areas)),
-        length_(std::move(lengths)), area_(std::move(areas)), sides_(std::move(versions)), input_(std::move(input)), history_(std::move(history)) {}
+        length_(std::move(lengths)), area_(std::move(areas)), sides_(std::move(versions)),
+        input_(std::move(input)), history_(std::move(history)) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
   bool is_locally_delaunay(const Diamond& d) {
@@ -162,8 +163,8 @@ public:
     const Sign s = sign(d, Delaunay_expression());
     if (s == ZERO) return 0;
     if (is_vague(quadruple_area_[d.f]) || is_vague(quadruple_area_[d.g])) sharpen(d);
-    const double weight = cotangent_weight(d.ij, d.jk, d.ki, d.f) +
-                          cotangent_weight(d.ij, d.im, d.mj, d.g);
+    const double weight =
+        cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
     return s == POSITIVE ? std::max(weight, 0.0) : std::min(weight, 0.0);
   }
 

@@ -45,9 +45,9 @@ public:
   /// multiplies
   friend Limited_multiquadratic_number operator*(const Limited_multiquadratic_number& x,
                                                  const Limited_multiquadratic_number& y) {
-    const bool is_short = x.value_ && y.value_ &&
-                          x.value_->number_of_terms() * y.value_->number_of_terms() <=
-                              maximal_products;
+    const bool is_short =
+        x.value_ && y.value_ &&
+        x.value_->number_of_terms() * y.value_->number_of_terms() <= maximal_products;
     return is_short ? known(*x.value_ * *y.value_) : unknown();
   }
   /// divides

@@ -69,8 +69,9 @@ struct Bit_range {
   void include(const Binary_double& x) {
     if (x.mantissa == 0) return;
     lowest = std::min(lowest, x.exponent);
-    highest = std::max(highest, x.exponent + static_cast<int>(std::bit_width(
-                                                 static_cast<std::uint64_t>(std::abs(x.mantissa)))));
+    highest =
+        std::max(highest, x.exponent + static_cast<int>(std::bit_width(
+                                           static_cast<std::uint64_t>(std::abs(x.mantissa)))));
   }
   int width() const { return highest - lowest; }
 };

@@ -82,9 +82,7 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
 The mean edge is near 1 in these units. Areas of proper faces change by about 1e-14 of themselves, a
 zero length becomes 6e-8 of the mean edge.
 */
-constexpr double default_squared_length_delta() {
-  return 0x1p-48;
-}
+constexpr double default_squared_length_delta() { return 0x1p-48; }
 
 /*!
 \brief computes the epsilon of the course's Eq. 15: the smallest that, added to all lengths, makes

@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_MATRIX_MARKET_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_MATRIX_MARKET_H
 
+#include <CGAL/Intrinsic_triangulations/IO/Replacing_file.h>
+
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -11,12 +13,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <ostream>
-#include <random>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 
 /*!
 \file
@@ -41,52 +40,6 @@ inline bool is_symmetric(const Eigen::SparseMatrix<double>& m) {
   }
   return true;
 }
-
-// The file at a path is replaced when all is written: until commit() the data are in a temporary beside
-// it, which the destructor removes. A path to what is no file, such as a pipe, is written directly.
-class Replacing_file {
-public:
-  explicit Replacing_file(const std::filesystem::path& path) : path_(path), written_(path) {
-    std::error_code ignored;
-    if (std::filesystem::is_symlink(path, ignored)) {
-      const std::filesystem::path target = std::filesystem::canonical(path, ignored);
-      if (!ignored) path_ = written_ = target;
-    }
-    is_temporary_ = !std::filesystem::exists(path_, ignored) ||
-                    std::filesystem::is_regular_file(path_, ignored);
-    if (is_temporary_) written_ += "." + std::to_string(std::random_device()()) + ".tmp";
-    stream_.open(written_, std::ios::binary);
-    if (!stream_) fail("cannot be opened for writing");
-  }
-  Replacing_file(const Replacing_file&) = delete;
-  Replacing_file& operator=(const Replacing_file&) = delete;
-  ~Replacing_file() {
-    stream_.close();
-    std::error_code ignored;
-    if (is_temporary_) std::filesystem::remove(written_, ignored);
-  }
-
-  std::ostream& stream() { return stream_; }
-
-  void commit() {
-    stream_.close();
-    if (!stream_) fail("cannot be written completely; is the disk full?");
-    if (!is_temporary_) return;
-    std::error_code error;
-    std::filesystem::rename(written_, path_, error);
-    if (error) fail("cannot be replaced: " + error.message());
-    is_temporary_ = false;
-  }
-
-private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error(path_.string() + " " + what);
-  }
-
-  std::filesystem::path path_, written_;
-  bool is_temporary_ = false;
-  std::ofstream stream_;
-};
 
 // collects numbers as text and hands them on in blocks
 class Number_writer {
@@ -171,7 +124,7 @@ the file is complete or what it was before.
 inline void write_matrix_market(const std::filesystem::path& path,
                                 const Eigen::SparseMatrix<double>& m,
                                 const std::string& comment = {}) {
-  internal::Replacing_file file(path);
+  Replacing_file file(path);
   try {
     write_matrix_market(file.stream(), m, comment);
   } catch (const std::runtime_error&) {

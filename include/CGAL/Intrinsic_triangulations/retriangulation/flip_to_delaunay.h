@@ -23,8 +23,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// How flipping to Delaunay ended.
 enum class Flip_to_delaunay_status {
-  done,     ///< all edges that may be flipped are locally Delaunay, as far as the arithmetic can tell
-  cap,      ///< the cap on the number of flips was reached
+  done, ///< all edges that may be flipped are locally Delaunay, as far as the arithmetic can tell
+  cap,  ///< the cap on the number of flips was reached
   cancelled ///< the visitor asked to stop
 };
 
