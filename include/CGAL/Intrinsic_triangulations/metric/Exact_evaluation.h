@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -83,6 +84,9 @@ public:
         return get_certain(s);
       }
       if (answer == Zero_test::Answer::probably_zero && bits >= maximal_bits) break;
+      if (bits >= (1U << 20))
+        throw std::logic_error("a value that was proven not to be zero shows no sign at 2^20 bits; "
+                               "please report this with the mesh");
     }
     ++statistics.probable_zero;
     return ZERO;
