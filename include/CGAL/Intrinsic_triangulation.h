@@ -179,6 +179,27 @@ public:
       : mesh_(make_mesh(std::move(map))), number_(mesh_), metric_(std::move(metric)),
         renumbering_(std::move(renumbering)), report_(report) {}
 
+  /// copies everything; elements keep their numbers.
+  Intrinsic_triangulation(const Intrinsic_triangulation& other)
+      : mesh_(other.mesh_), number_(mesh_), metric_(other.metric_),
+        correspondence_(other.correspondence_), renumbering_(other.renumbering_),
+        report_(other.report_) {}
+  /// moves everything; elements keep their numbers.
+  Intrinsic_triangulation(Intrinsic_triangulation&& other)
+      : mesh_(std::move(other.mesh_)), number_(mesh_), metric_(std::move(other.metric_)),
+        correspondence_(std::move(other.correspondence_)),
+        renumbering_(std::move(other.renumbering_)), report_(other.report_) {}
+  /// assigns everything; elements keep their numbers.
+  Intrinsic_triangulation& operator=(Intrinsic_triangulation other) {
+    mesh_ = std::move(other.mesh_);
+    number_ = Mesh_adaptor<Mesh>(mesh_); // descriptors of some meshes are pointers
+    metric_ = std::move(other.metric_);
+    correspondence_ = std::move(other.correspondence_);
+    renumbering_ = std::move(other.renumbering_);
+    report_ = other.report_;
+    return *this;
+  }
+
   /// returns the connectivity.
   const Mesh& mesh() const { return mesh_; }
   /// returns the metric.

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/renumbering.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/triangulate_face_graph.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/mollification.h>
 #include <CGAL/Intrinsic_triangulations/metric/scaling.h>
@@ -37,6 +38,8 @@ struct Intrinsic_input {
   Mollification mollification = Mollification::automatic;
   /// Whether faces and vertices may be renumbered for locality.
   bool may_renumber = true;
+  /// Number of polygonal faces that were triangulated, for the report.
+  std::size_t triangulated_polygons = 0;
 
   /// constructs an input without faces.
   Intrinsic_input() = default;
@@ -61,14 +64,17 @@ struct Intrinsic_input {
   Coordinates are converted to `double`.
   \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
   \tparam PointMap a readable property map from vertices to points with `operator[]`
-  \throws Invalid_input if a face is not a triangle
+  \throws Invalid_input naming a polygonal face that cannot be triangulated
   */
   template <class FaceGraph, class PointMap>
-  Intrinsic_input(const FaceGraph& graph, PointMap point_map, Mollification m)
-      : mesh(gluing_map_from_face_graph(graph)), mollification(m) {
+  Intrinsic_input(const FaceGraph& graph, PointMap point_map, Mollification m) : mollification(m) {
+    std::uint32_t polygon = Gluing::none;
+    mesh = gluing_map_unless_polygonal(graph, polygon);
     points.reserve(num_vertices(graph));
     for (const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(graph))
       points.push_back(Mesh_adaptor<FaceGraph>::coordinates(get(point_map, v)));
+    if (polygon != Gluing::none)
+      mesh = gluing_map_from_polygons(graph, points, triangulated_polygons);
   }
 
   /// takes a mesh in space with its own points.
@@ -87,6 +93,8 @@ struct Input_report {
   Mollification_report mollification;
   /// Whether faces and vertices were renumbered for locality.
   bool renumbered = false;
+  /// Number of polygonal faces that were triangulated; faces of the report are numbered after that.
+  std::size_t triangulated_polygons = 0;
 };
 
 namespace internal {
@@ -134,6 +142,7 @@ Prepared_input<Metric> prepare(Intrinsic_input&& in) {
                         "take the orientation double cover of a nonorientable surface");
   Prepared_input<Metric> p;
   p.mesh = std::move(in.mesh);
+  p.report.triangulated_polygons = in.triangulated_polygons;
   const bool embedded = in.squared_lengths.empty();
   const int scale =
       embedded ? scale_points(p.mesh, in.points) : scale_squared_lengths(in.squared_lengths);

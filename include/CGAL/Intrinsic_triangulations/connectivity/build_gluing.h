@@ -162,20 +162,19 @@ inline void link_border_within_umbrellas(Gluing_map& map) {
 } // namespace internal
 
 /*!
-\brief copies the connectivity of a mesh through BGL.
+\brief copies the connectivity of a mesh through BGL, or finds a face that is no triangle.
 
-Vertices, edges and faces are numbered in the order of iteration. No edge is looked up by its end
-vertices, so that any Delta-complex is read right. Border loops turn within one umbrella of each
-vertex, whichever way they go in `mesh`.
-\tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
-\throws Invalid_input if a face is not a triangle
-\complexity linear
+See `gluing_map_from_face_graph()`.
+\param mesh the mesh
+\param polygon set to the number of the first face that is not a triangle, or `Gluing::none`; the
+  result is good for nothing then
 */
 template <class FaceGraph>
-Gluing_map gluing_map_from_face_graph(const FaceGraph& mesh) {
+Gluing_map gluing_map_unless_polygonal(const FaceGraph& mesh, std::uint32_t& polygon) {
   using Traits = boost::graph_traits<FaceGraph>;
   using Halfedge = typename Traits::halfedge_descriptor;
   const Mesh_adaptor<FaceGraph> number(mesh);
+  polygon = Gluing::none;
   internal::Compaction vertex, side, face_number;
   for (const typename Traits::vertex_descriptor v : vertices(mesh)) vertex.append(number.vertex(v));
   for (const typename Traits::face_descriptor f : faces(mesh)) face_number.append(number.face(f));
@@ -206,13 +205,31 @@ Gluing_map gluing_map_from_face_graph(const FaceGraph& mesh) {
   std::uint32_t f = 0;
   for (const typename Traits::face_descriptor d : faces(mesh)) {
     const Halfedge h = halfedge(d, mesh);
-    if (sides[f] != 3)
-      throw Invalid_input(Element_kind::face, f,
-                          "face " + std::to_string(f) +
-                              " is not a triangle; triangulate the faces first");
+    if (sides[f] != 3 && polygon == Gluing::none) polygon = f;
     map.set_halfedge(Gluing_map::Face{f++}, {side(number.halfedge(h))});
   }
-  internal::link_border_within_umbrellas(map);
+  if (polygon == Gluing::none) internal::link_border_within_umbrellas(map);
+  return map;
+}
+
+/*!
+\brief copies the connectivity of a mesh through BGL.
+
+Vertices, edges and faces are numbered in the order of iteration. No edge is looked up by its end
+vertices, so that any Delta-complex is read right. Border loops turn within one umbrella of each
+vertex, whichever way they go in `mesh`.
+\tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+\throws Invalid_input if a face is not a triangle
+\complexity linear
+*/
+template <class FaceGraph>
+Gluing_map gluing_map_from_face_graph(const FaceGraph& mesh) {
+  std::uint32_t polygon = Gluing::none;
+  Gluing_map map = gluing_map_unless_polygonal(mesh, polygon);
+  if (polygon != Gluing::none)
+    throw Invalid_input(Element_kind::face, polygon,
+                        "face " + std::to_string(polygon) +
+                            " is not a triangle; triangulate the faces first");
   return map;
 }
 
