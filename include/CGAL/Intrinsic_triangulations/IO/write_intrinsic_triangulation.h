@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/Replacing_file.h>
 #include <CGAL/Intrinsic_triangulations/IO/Text_writer.h>
 #include <CGAL/Intrinsic_triangulations/IO/intrinsic_triangulation_format.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 

@@ -9,6 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 
 #include <CGAL/enum.h>
+#include <CGAL/int.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/container/static_vector.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
