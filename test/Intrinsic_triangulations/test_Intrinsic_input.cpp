@@ -47,14 +47,17 @@ void expect_invalid(const Make& make, Element_kind kind, std::size_t index,
   check([&] { Double t(make()); });
 }
 
-TEST(Intrinsic_input, polygonal_faces_of_a_mesh_are_named) {
+TEST(Intrinsic_input, polygonal_faces_of_a_mesh_are_triangulated_and_counted) {
   Surface_mesh mesh;
   for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}})
     mesh.add_vertex(Kernel::Point_3(x, y, 0));
   using V = Surface_mesh::Vertex_index;
   mesh.add_face(V(1), V(4), V(2));
   mesh.add_face(V(0), V(1), V(2), V(3));
-  expect_invalid([&] { return IT::Intrinsic_input(mesh); }, Element_kind::face, 1, "face 1");
+  const IT::Intrinsic_input input(mesh);
+  EXPECT_EQ(input.triangulated_polygons, 1U);
+  EXPECT_EQ(input.mesh.number_of_faces(), 3U);
+  EXPECT_EQ(input.mesh.number_of_edges(), 7U);
 }
 
 TEST(Intrinsic_input, coordinates_that_are_not_finite_are_named) {
