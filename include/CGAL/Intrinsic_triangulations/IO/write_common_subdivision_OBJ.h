@@ -48,13 +48,13 @@ inline void write_OBJ_lines(Output_buffer& out, const Common_subdivision& s) {
 } // namespace internal
 
 /*!
-\brief writes a common subdivision as OBJ: polygons, and the intrinsic edges as polylines.
+\brief writes a common subdivision as OBJ: polygons and, if asked for, the intrinsic edges as polylines.
 
 Numbers of intrinsic faces, faces of the input and intrinsic edges are in comments before the elements.
 \param out the stream
 \param s the subdivision
 \param points the position of each vertex, see `positions()`; written without loss
-\param options `intrinsic_edges`
+\param options `lines_in_OBJ`
 \throws Invalid_input if `points` does not have one value for each vertex
 \throws std::runtime_error if the stream fails
 \complexity linear
@@ -68,7 +68,7 @@ inline void write_common_subdivision_OBJ(std::ostream& out, const Common_subdivi
               "# numbers in comments count from 0; input_faces: one for each face that follows\n");
   for (const std::array<double, 3>& p : points) buffer.text("v ", p[0], ' ', p[1], ' ', p[2], '\n');
   for (std::size_t f = 0; f < s.number_of_faces();) f = internal::write_OBJ_faces(buffer, s, f);
-  if (options.intrinsic_edges) internal::write_OBJ_lines(buffer, s);
+  if (options.lines_in_OBJ) internal::write_OBJ_lines(buffer, s);
   internal::check_written(buffer.flush());
 }
 

@@ -181,7 +181,7 @@ Labels are point and cell data; the intrinsic edges are lines.
 \param s the subdivision
 \param points the position of each vertex, see `positions()`; written without loss
 \param fields numbers to be written for each vertex
-\param options `intrinsic_edges`
+\param options `lines_in_VTP`
 \throws Invalid_input if `points` or a field do not have one value for each vertex
 \throws std::runtime_error if the stream fails
 \complexity linear
@@ -192,7 +192,7 @@ inline void write_common_subdivision_VTP(std::ostream& out, const Common_subdivi
                                          const Common_subdivision_output& options = {}) {
   internal::check_output(s, points, fields);
   internal::check_written(
-      internal::VTP_subdivision_writer(out, s, points, fields, options.intrinsic_edges).run());
+      internal::VTP_subdivision_writer(out, s, points, fields, options.lines_in_VTP).run());
 }
 
 } // namespace CGAL::Intrinsic_triangulations

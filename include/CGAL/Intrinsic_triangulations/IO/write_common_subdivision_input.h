@@ -28,8 +28,10 @@ struct Vertex_field {
 struct Common_subdivision_output {
   /// Whether PLY is binary; the other formats have one encoding here.
   bool binary = true;
-  /// Whether OBJ and VTP contain the intrinsic edges as polylines.
-  bool intrinsic_edges = true;
+  /// Whether VTP contains the intrinsic edges as lines.
+  bool lines_in_VTP = true;
+  /// Whether OBJ contains the intrinsic edges as lines; `CGAL::IO::read_OBJ()` refuses such files.
+  bool lines_in_OBJ = false;
 };
 
 namespace internal {
