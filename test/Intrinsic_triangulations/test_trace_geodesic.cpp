@@ -334,7 +334,7 @@ TEST(Trace_geodesic, Is_not_upset_by_vertices_that_it_nearly_hits) {
     for (double offset = 1e-10; offset > 1e-20; offset /= 7)
       for (const double sign : {1.0, -1.0}) {
         // along a row of vertices from the middle of an edge, a little beside it
-        const Surface_point p{h, {0.5, 0.5, offset}};
+        const Surface_point p{h, {0.5 - offset, 0.5, offset}};
         std::vector<Geodesic_crossing> crossings;
         const Geodesic_end e =
             IT::trace_geodesic(s.surface, p, Vector{1, sign * offset}, 3.25 * unit, crossings);
