@@ -53,7 +53,7 @@ inline constexpr std::string_view PLY_edge_properties =
 template <bool is_binary>
 class PLY_subdivision_writer {
 public:
-  PLY_subdivision_writer(std::ostream& out, const Common_subdivision& s, Points points,
+  PLY_subdivision_writer(std::ostream& out, const Common_subdivision& s, Subdivision_points points,
                          Vertex_fields fields)
       : out_(out), s_(s), points_(points), fields_(fields) {}
 
@@ -136,7 +136,7 @@ private:
 
   Output_buffer out_;
   const Common_subdivision& s_;
-  Points points_;
+  Subdivision_points points_;
   Vertex_fields fields_;
   bool at_start_ = true;
 };

@@ -36,7 +36,7 @@ inline STL_point STL_normal(const STL_point& a, const STL_point& b, const STL_po
   return length > 0 ? STL_point{n[0] / length, n[1] / length, n[2] / length} : STL_point{0, 0, 0};
 }
 
-inline void check_STL_range(Points points) {
+inline void check_STL_range(Subdivision_points points) {
   for (const STL_point& p : points)
     for (const double x : p)
       if (std::abs(x) > static_cast<double>(std::numeric_limits<float>::max()))

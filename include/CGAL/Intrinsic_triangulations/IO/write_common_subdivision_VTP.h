@@ -41,7 +41,7 @@ class VTP_subdivision_writer {
   static constexpr std::uint32_t none = Common_subdivision::none;
 
 public:
-  VTP_subdivision_writer(std::ostream& out, const Common_subdivision& s, Points points,
+  VTP_subdivision_writer(std::ostream& out, const Common_subdivision& s, Subdivision_points points,
                          Vertex_fields fields, bool with_lines)
       : out_(out), s_(s), points_(points), fields_(fields) {
     if (!with_lines) return;
@@ -165,7 +165,7 @@ private:
 
   Output_buffer out_;
   const Common_subdivision& s_;
-  Points points_;
+  Subdivision_points points_;
   Vertex_fields fields_;
   Intrinsic_edge_polylines lines_;
   std::vector<std::uint32_t> line_edges_; // the edge of each line

@@ -36,7 +36,7 @@ struct Common_subdivision_output {
 
 namespace internal {
 
-using Points = std::span<const std::array<double, 3>>;
+using Subdivision_points = std::span<const std::array<double, 3>>;
 using Vertex_fields = std::span<const Vertex_field>;
 
 // Numbers of elements are written as signed 32 bit integers, `none` as -1.
@@ -97,7 +97,8 @@ inline void check_fields(std::size_t number_of_vertices, Vertex_fields fields) {
   }
 }
 
-inline void check_output(const Common_subdivision& s, Points points, Vertex_fields fields) {
+inline void check_output(const Common_subdivision& s, Subdivision_points points,
+                         Vertex_fields fields) {
   if (points.empty() && s.number_of_vertices() != 0)
     throw Invalid_input(Element_kind::none, 0,
                         "the common subdivision has no positions in space, as the input is an "
