@@ -132,6 +132,7 @@ private:
 
   // d^((p+1)/4) is a root of d or of -d
   bool find_roots(const Square_class_basis& basis) {
+    roots_.reserve(dimension_);
     for (std::size_t g = 0; g < dimension_; ++g) {
       const Element d = field_.element(basis.representative(g));
       if (d == 0) return false;
@@ -144,7 +145,11 @@ private:
 
   bool find_ratios(const std::vector<Shape>& shapes) {
     first_use_.assign(dimension_, shapes.size());
-    std::vector<Element> denominators, products{field_.one()};
+    std::vector<Element> denominators, products;
+    ratios_.reserve(shapes.size());
+    denominators.reserve(shapes.size());
+    products.reserve(shapes.size() + 1);
+    products.push_back(field_.one());
     for (std::size_t n = 0; n < shapes.size(); ++n) {
       const unsigned t = diamond_.triangles[n].entry;
       const auto& l = *shapes[n].squared_lengths;

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/metric/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/input_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/metric/nonnegative_intervals.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -62,6 +63,8 @@ public:
     const Scope scope;
     squared_length_ = Intrinsic_triangulations::squared_lengths<FT>(*input_, mesh);
     quadruple_area_ = Intrinsic_triangulations::quadruple_areas<FT>(*input_);
+    length_.reserve(squared_length_.size());
+    area_.reserve(quadruple_area_.size());
     for (const FT& x : squared_length_) length_.push_back(CGAL::to_double(x));
     for (const FT& x : quadruple_area_) area_.push_back(CGAL::to_double(x));
     sides_.reserve(input_->number_of_faces());
@@ -89,7 +92,7 @@ public:
     const FT q_g = squared_length_[d.im] + squared_length_[d.mj] - ij;
     // both angles at most a right one: areas do not matter
     if (q_f.inf() >= 0 && q_g.inf() >= 0) return true;
-    const FT value = q_f * quadruple_area_[d.g] + q_g * quadruple_area_[d.f];
+    const FT value = delaunay_value(q_f, quadruple_area_[d.f], q_g, quadruple_area_[d.g]);
     if (value.inf() >= 0) return true;
     if (value.sup() < 0) return false;
     return exact_sign(d, Delaunay_expression()) != NEGATIVE;
@@ -108,23 +111,46 @@ public:
     return exact_sign(d, expression);
   }
 
+  /// What a flip makes: intervals, and the doubles that are kept beside them.
+  struct Flipped {
+    Flipped_values<FT> enclosure;         ///< intervals that contain the values
+    Flipped_values<double> approximation; ///< values in floating point
+  };
+
+  /*!
+  \brief computes a flip and changes nothing.
+  \return the new values, always
+  \pre the diamond is strictly convex
+  */
+  std::optional<Flipped> compute_flip(const Diamond& d) const {
+    return Flipped{flipped_nonnegative(values(d)), flipped(approximations(d))};
+  }
+
+  /*!
+  \brief stores a flip and records it in the history.
+  \param d the diamond
+  \param n what `compute_flip()` returned for it
+  */
+  void store_flip(const Diamond& d, const Flipped& n) {
+    const auto& [enclosure, approximation] = n;
+    squared_length_[d.ij] = positive_part(enclosure.km);
+    quadruple_area_[d.f] = positive_part(enclosure.area_f);
+    quadruple_area_[d.g] = positive_part(enclosure.area_g);
+    length_[d.ij] = nearest(approximation.km, squared_length_[d.ij]);
+    area_[d.f] = nearest(approximation.area_f, quadruple_area_[d.f]);
+    area_[d.g] = nearest(approximation.area_g, quadruple_area_[d.g]);
+    const std::uint32_t version = history_.record_flip(left_side(d), right_side(d));
+    sides_[d.f] = {version, d.ij};
+    sides_[d.g] = {version + 1, d.ij};
+  }
+
   /*!
   \brief computes a flip, stores it and records it in the history.
   \return `true`
   \pre the diamond is strictly convex
   */
   bool flip(const Diamond& d) {
-    const Flipped_values<FT> n = flipped(values(d));
-    const Flipped_values<double> m = flipped(approximations(d));
-    squared_length_[d.ij] = positive_part(n.km);
-    quadruple_area_[d.f] = positive_part(n.area_f);
-    quadruple_area_[d.g] = positive_part(n.area_g);
-    length_[d.ij] = nearest(m.km, squared_length_[d.ij]);
-    area_[d.f] = nearest(m.area_f, quadruple_area_[d.f]);
-    area_[d.g] = nearest(m.area_g, quadruple_area_[d.g]);
-    const std::uint32_t version = history_.record_flip(left_side(d), right_side(d));
-    sides_[d.f] = {version, d.ij};
-    sides_[d.g] = {version + 1, d.ij};
+    store_flip(d, *compute_flip(d));
     return true;
   }
 

@@ -8,6 +8,8 @@
 
 #include <CGAL/Gmpz.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -73,7 +75,8 @@ public:
     Element result = 0;
     for (std::size_t i = mpz_size(n.mpz()); i-- > 0;) {
       const std::uint64_t limb = mpz_getlimbn(n.mpz(), static_cast<mp_size_t>(i));
-      result = add(multiply(result, radix), multiply(limb % p_, square_));
+      // a product of any word and an element is reduced correctly: it is below 2^64 p
+      result = add(multiply(result, radix), multiply(limb, square_));
     }
     return n.sign() == NEGATIVE ? negate(result) : result;
   }
@@ -98,14 +101,22 @@ public:
   /// returns field number `i`; references stay valid.
   const Prime_field& operator[](std::size_t i) {
     while (fields_.size() <= i) {
-      std::uint64_t p = fields_.empty() ? (std::uint64_t(1) << 62) - 1 : fields_.back().size() - 4;
-      while (!is_prime(p)) p -= 4;
+      std::uint64_t p =
+          (std::uint64_t(1) << 62) - offsets[std::min(fields_.size(), offsets.size() - 1)];
+      if (fields_.size() >= offsets.size())
+        for (p = fields_.back().size() - 4; !is_prime(p);) p -= 4;
       fields_.emplace_back(p);
     }
     return fields_[i];
   }
 
 private:
+  // 2^62 - p for the first of these primes p: finding one takes longer than working in its field
+  static constexpr std::array<std::uint64_t, 40> offsets{
+      57,   117,  153,  273,  317,  581,  633,  765,  773,  777,  813,  981,  993,  1001,
+      1017, 1197, 1241, 1293, 1353, 1433, 1553, 1581, 1617, 1673, 1697, 1701, 1881, 2073,
+      2141, 2217, 2285, 2397, 2421, 2541, 2661, 2753, 2777, 2793, 2861, 3041};
+
   std::deque<Prime_field> fields_;
 };
 
