@@ -195,7 +195,7 @@ public:
 
 private:
   enum class Origin { inside, side, corner };
-  static constexpr double unit = 0x1p-53;
+  static constexpr double unit = 0x1p-52; // of rounding, in any direction
 
   static Planar_vector<double> normalized(const Planar_vector<double>& v) {
     const double l = std::hypot(v[0], v[1]);

@@ -1,0 +1,270 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Edge_traces.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
+
+#include "gallery.h"
+#include "meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Edge_traces;
+using IT::Geodesic_crossing;
+using IT::Signposts;
+using IT::Surface_point;
+using Point = std::array<double, 3>;
+using Vector = IT::Planar_vector<double>;
+using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Signposts>;
+using Rounded =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>, Signposts>;
+constexpr auto none = IT::Gluing::none;
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// A triangulation with the positions of the vertices of its input.
+template <class T>
+struct Placed {
+  T t;
+  std::vector<Point> points;
+
+  explicit Placed(const meshes::Mesh& m) : t(input(m)), points(m.points) {
+    for (Point& p : points)
+      for (double& x : p) x = std::ldexp(x, t.metric().scale_exponent());
+  }
+  static IT::Intrinsic_input input(const meshes::Mesh& m) {
+    IT::Intrinsic_input i = m.input();
+    i.may_renumber = false;
+    return i;
+  }
+  const Signposts& signposts() const { return t.correspondence(); }
+  Point position(const Surface_point& p) const {
+    Point x{0, 0, 0};
+    std::uint32_t h = p.halfedge;
+    for (const double w : p.weights) {
+      for (std::size_t k = 0; k < 3; ++k) x[k] += w * points[signposts().input().source(h)][k];
+      h = signposts().input().next(h);
+    }
+    return x;
+  }
+  Point position(const Geodesic_crossing& c) const {
+    return position(Surface_point{c.halfedge, {1 - c.parameter, c.parameter, 0}});
+  }
+  Point vertex(std::uint32_t v) const {
+    return signposts().is_inserted(v) ? position(signposts().location(v)) : points[v];
+  }
+};
+
+std::uint32_t crossings_of(const Edge_traces& traces) {
+  return static_cast<std::uint32_t>(traces.crossings.size());
+}
+
+/// Paths are polylines between the ends, as long as the edges; the directions in space of both
+/// parts of a segment agree; nothing is uncertain.
+template <class T>
+void expect_paths(const Placed<T>& s, const std::string& name) {
+  const Edge_traces traces = IT::trace_edges(s.t, s.signposts());
+  EXPECT_EQ(traces.failed, 0U) << name << ' ' << traces.first_failed;
+  EXPECT_EQ(traces.uncertain, 0U) << name << ' ' << traces.first_uncertain;
+  const IT::Intrinsic_view<T> view(s.t);
+  double mean = 0;
+  for (const auto e : edges(s.t.mesh())) mean += std::sqrt(view.squared_length(s.t.index(e)));
+  mean /= static_cast<double>(num_edges(s.t.mesh()));
+  for (const auto e : edges(s.t.mesh())) {
+    const std::uint32_t i = s.t.index(e);
+    Point last = s.vertex(view.source(2 * i));
+    double length = 0;
+    for (const Geodesic_crossing& c : traces[i]) {
+      length += distance(last, s.position(c));
+      last = s.position(c);
+    }
+    length += distance(last, s.vertex(view.target(2 * i)));
+    EXPECT_NEAR(length, std::sqrt(view.squared_length(i)), 1e-8 * mean) << name << ' ' << i;
+    if (traces.along[i] != none) {
+      EXPECT_EQ(traces[i].size(), 0U);
+    }
+  }
+}
+
+/// Points go to the intrinsic triangulation and back, vectors with them.
+template <class T>
+void expect_round_trips(const Placed<T>& s, int count, double tolerance) {
+  const IT::Input_surface& input = s.signposts().input();
+  std::mt19937 random(5);
+  const auto uniform = [&] { return static_cast<double>(random()) / 0x1p32; };
+  for (int i = 0; i < count; ++i) {
+    const auto f = static_cast<std::uint32_t>(random() % input.mesh().number_of_faces());
+    double a = uniform(), b = uniform();
+    if (a + b > 1) a = 1 - a, b = 1 - b;
+    const Surface_point p{input.halfedge_of_face(f), {1 - a - b, a, b}};
+    const IT::Signpost_location there = IT::locate_on_intrinsic(s.t, s.signposts(), p);
+    ASSERT_TRUE(there.is_found);
+    const IT::Signpost_location back = IT::locate_on_input(s.t, s.signposts(), there.point);
+    ASSERT_TRUE(back.is_found);
+    ASSERT_LE(distance(s.position(p), s.position(back.point)), tolerance) << i;
+    if (back.point.halfedge / 2 != p.halfedge / 2 || input.face(back.point.halfedge) != f) continue;
+    const Vector v{0.6, 0.8}, w = back.transfer(there.transfer(v));
+    if (back.point.halfedge == p.halfedge) {
+      EXPECT_NEAR(w[0], v[0], 1e-9);
+      EXPECT_NEAR(w[1], v[1], 1e-9);
+    }
+  }
+}
+
+std::vector<std::pair<std::string, meshes::Mesh>> all_meshes() {
+  return {{"grid", meshes::grid(5, 5)},
+          {"sheared grid", meshes::sheared_grid(5, 5, 7)},
+          {"random planar", meshes::random_planar(200, 1000, 1)},
+          {"random planar, fine", meshes::random_planar(300, 1U << 20U, 2)},
+          {"parabola", meshes::parabola_fan(20)},
+          {"height field", meshes::integer_height_field(10, 8, 3)},
+          {"terrain", meshes::integer_terrain(100, 50, 4)},
+          {"rough grid", meshes::rough_grid(12, 5)},
+          {"box", meshes::box(3, 2, 4)},
+          {"sphere", meshes::sphere(3)},
+          {"potato", meshes::potato(3, 6)},
+          {"l shape", meshes::l_shape(4)},
+          {"stairs", meshes::stairs(6, 4, 3)},
+          {"folded lattice", meshes::folded_lattice(6, 8, 3)}};
+}
+
+/// Flips edges at random where possible.
+template <class T>
+std::size_t flip_at_random(T& t, std::size_t attempts, unsigned seed) {
+  std::mt19937 random(seed);
+  std::size_t done = 0;
+  std::vector<typename T::edge_descriptor> all(edges(t.mesh()).begin(), edges(t.mesh()).end());
+  for (std::size_t i = 0; i < attempts; ++i) {
+    const auto h = halfedge(all[random() % all.size()], t.mesh());
+    if (t.flip_edge(h) == IT::Move_status::done) ++done;
+  }
+  return done;
+}
+
+} // namespace
+
+TEST(Signposts, Run_along_the_input_before_the_first_move) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    const Placed<Rounded> s(mesh);
+    const Edge_traces traces = IT::trace_edges(s.t, s.signposts());
+    EXPECT_EQ(crossings_of(traces), 0U) << name;
+    EXPECT_TRUE(traces.is_certain()) << name;
+    for (std::uint32_t e = 0; e < traces.along.size(); ++e)
+      EXPECT_EQ(traces.along[e], 2 * e) << name;
+  }
+}
+
+TEST(Signposts, Trace_the_edges_of_Delaunay_triangulations) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    Placed<Exact> s(mesh);
+    IT::flip_to_delaunay(s.t);
+    expect_paths(s, name);
+  }
+}
+
+TEST(Signposts,
+     Trace_edges_after_random_flips) { // exact: a diamond with a straight angle is not flipped
+  for (const auto& [name, mesh] : all_meshes()) {
+    Placed<Exact> s(mesh);
+    EXPECT_GT(flip_at_random(s.t, num_edges(s.t.mesh()), 7), 0U);
+    expect_paths(s, name);
+  }
+}
+
+TEST(Signposts, Return_to_the_input_after_flips_back) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    Placed<Rounded> s(mesh);
+    std::mt19937 random(8);
+    std::vector<std::uint32_t> flipped;
+    const std::uint32_t n = static_cast<std::uint32_t>(num_edges(s.t.mesh()));
+    for (std::uint32_t i = 0; i < n / 2; ++i) {
+      const IT::Gluing_map::Halfedge h{2 * static_cast<std::uint32_t>(random() % n)};
+      if (s.t.flip_edge(h) == IT::Move_status::done) flipped.push_back(h.index);
+    }
+    while (!flipped.empty()) {
+      for (int k = 0; k < 3; ++k) // four flips are the identity
+        ASSERT_EQ(s.t.flip_edge(IT::Gluing_map::Halfedge{flipped.back()}), IT::Move_status::done);
+      flipped.pop_back();
+    }
+    const Edge_traces traces = IT::trace_edges(s.t, s.signposts());
+    EXPECT_EQ(crossings_of(traces), 0U) << name;
+    EXPECT_TRUE(traces.is_certain()) << name;
+    for (std::uint32_t e = 0; e < traces.along.size(); ++e)
+      EXPECT_EQ(traces.along[e], 2 * e) << name;
+  }
+}
+
+TEST(Signposts, Take_points_and_vectors_there_and_back) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    Placed<Exact> s(mesh);
+    IT::flip_to_delaunay(s.t);
+    SCOPED_TRACE(name);
+    expect_round_trips(s, 300, 1e-9);
+  }
+}
+
+TEST(Signposts, Agree_with_tangent_frames_of_the_intrinsic_triangulation) {
+  // The angles between intrinsic halfedges are those of the metric, and fill the circle.
+  for (const auto& [name, mesh] : all_meshes()) {
+    Placed<Exact> s(mesh);
+    IT::flip_to_delaunay(s.t);
+    const IT::Intrinsic_view<Exact> view(s.t);
+    for (std::uint32_t h = 0; h < 2 * num_edges(s.t.mesh()); ++h) {
+      if (view.is_border(h)) continue;
+      const IT::Tangent_frames::Fan fan = s.signposts().fan(h);
+      const double next = s.signposts().angle(IT::next_around_source(view, h));
+      double turn = next - s.signposts().angle(h) - IT::angle_at_source(view, h);
+      if (!fan.is_on_border) turn = std::remainder(turn, fan.angle);
+      EXPECT_NEAR(turn, 0, 1e-9) << name;
+    }
+  }
+}
+
+TEST(Tangent_frames, Scale_angles_once_to_the_circle_or_on_the_border_to_a_half_circle) {
+  const Placed<Rounded> s(meshes::sphere(0)); // four angles of pi / 3 at each vertex
+  const IT::Tangent_frames& frames = s.signposts().frames();
+  for (std::uint32_t h = 0; h < 24; ++h) {
+    EXPECT_NEAR(frames.fan(frames.fan_of(h)).angle, 4 * std::numbers::pi / 3, 1e-15);
+    EXPECT_NEAR(std::remainder(frames.polar_angle(h), std::numbers::pi / 2), 0, 1e-15);
+    for (const Vector v : {Vector{1, 2}, {-3, 1}, {0.5, -1}, {-1, -1}}) {
+      const IT::Polar_vector p = s.signposts().polar(h, v);
+      const Vector w = s.signposts().planar(h, p);
+      EXPECT_NEAR(p.length, std::hypot(v[0], v[1]), 1e-15);
+      // directions are those of a cone of less than 2 pi
+      const double turn = (std::atan2(w[1], w[0]) - std::atan2(v[1], v[0])) * 1.5;
+      EXPECT_NEAR(std::remainder(turn, 2 * std::numbers::pi), 0, 1e-14);
+    }
+  }
+  const Placed<Rounded> g(meshes::grid(1, 1));
+  for (std::uint32_t h = 0; h < 10; ++h)
+    if (g.signposts().input().is_border(h)) {
+      EXPECT_NEAR(g.signposts().frames().polar_angle(h), std::numbers::pi, 1e-15);
+    }
+}
+
+TEST(Signposts, Work_on_the_gallery) {
+  for (const gallery::Surface& g : gallery::oriented()) {
+    Exact t(IT::Intrinsic_input(IT::Gluing_map(g.gluing), gallery::squared_lengths(g),
+                                IT::Mollification::none));
+    for (unsigned round = 0; round < 5; ++round) {
+      flip_at_random(t, 2 * num_edges(t.mesh()), round);
+      const Edge_traces traces = IT::trace_edges(t, t.correspondence());
+      EXPECT_EQ(traces.failed, 0U) << g.name;
+    }
+  }
+}
