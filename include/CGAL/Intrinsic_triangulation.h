@@ -5,33 +5,30 @@
 #define CGAL_INTRINSIC_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/concepts.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/moves.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/// What became of a move.
-enum class Move_status {
-  done,       ///< the move was made
-  border,     ///< refused: the edge is on the border
-  same_face,  ///< refused: both sides of the edge are in one face (an end has degree one)
-  not_convex, ///< refused: the faces at the edge do not make a strictly convex quadrilateral
-  arithmetic ///< refused: the number type made an area that is not positive; never with exact types
-};
 
 /*!
 \brief owns an intrinsic triangulation: connectivity, metric and correspondence, and the elementary
@@ -74,6 +71,14 @@ public:
   /// Face of the mesh.
   using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
 
+  /// What became of an insertion.
+  struct Insertion {
+    /// `done`, or why nothing was inserted.
+    Move_status status;
+    /// The new vertex.
+    vertex_descriptor vertex = boost::graph_traits<Mesh>::null_vertex();
+  };
+
   /*!
   \brief decides many predicates and makes many moves in one floating point environment.
 
@@ -111,6 +116,56 @@ public:
     /// flips an edge that is known not to be locally Delaunay, which implies that it can be
     /// flipped. \pre `!is_locally_delaunay(h)`
     Move_status flip_non_delaunay_edge(halfedge_descriptor h) { return t_.flip(h); }
+    /// see `Intrinsic_triangulation::insert_vertex()`
+    Insertion insert_vertex(halfedge_descriptor h, const std::array<double, 3>& weights) {
+      const std::optional<std::array<double, 3>> w = representable_weights(weights);
+      if (!w || face(h, t_.mesh_) == boost::graph_traits<Mesh>::null_face())
+        return {Move_status::weights};
+      std::array<double, 3> turned = *w;
+      while (turned[2] != 0 && (turned[0] == 0 || turned[1] == 0)) {
+        h = next(h, t_.mesh_);
+        turned = {turned[1], turned[2], turned[0]};
+      }
+      return turned[2] == 0 ? t_.insert_on_edge(h, turned) : t_.insert_in_face(h, turned);
+    }
+    /// see `Intrinsic_triangulation::split_edge()`
+    Insertion split_edge(halfedge_descriptor h, double parameter) {
+      if (face(h, t_.mesh_) == boost::graph_traits<Mesh>::null_face())
+        return insert_vertex(opposite(h, t_.mesh_), {parameter, 1 - parameter, 0});
+      return insert_vertex(h, {1 - parameter, parameter, 0});
+    }
+    /// see `Intrinsic_triangulation::remove_vertex()`
+    Move_status remove_vertex(vertex_descriptor v) {
+      if (!t_.is_inserted(v)) return Move_status::not_inserted;
+      return internal::remove_vertex(t_, *this, v);
+    }
+    /// see `Intrinsic_triangulation::reposition_vertex()`
+    Insertion reposition_vertex(vertex_descriptor v, halfedge_descriptor h,
+                                const std::array<double, 3>& weights) {
+      if (!t_.is_inserted(v)) return {Move_status::not_inserted};
+      const Insertion n = insert_vertex(h, weights);
+      if (n.status != Move_status::done) return n;
+      const Move_status s = remove_vertex(v);
+      if (s == Move_status::done) return n;
+      remove_vertex(n.vertex);
+      return {s};
+    }
+    /*!
+    \brief flips the edge from a vertex with a straight angle, which leaves a face of zero area there;
+    to be followed by `remove_degree_three_vertex()`.
+    \pre the diamond is a triangle with the source of `h` on a side
+    */
+    Move_status flip_to_zero_area(halfedge_descriptor h) { return t_.flip(h, true); }
+    /*!
+    \brief removes an inserted vertex that has three edges.
+    \param h the side opposite the vertex of one of its faces, which will be the remaining face
+    */
+    void remove_degree_three_vertex(halfedge_descriptor h) { t_.remove_from_face(h); }
+    /*!
+    \brief removes an inserted vertex of the border that has three edges.
+    \param h the halfedge to the vertex along the border that has a face
+    */
+    void remove_border_vertex(halfedge_descriptor h) { t_.remove_from_border(h); }
     /*!
     \brief returns the cotangent weight of an edge: half the sum of the cotangents of the angles
     opposite it (Eq. 4 of the course), one of them on the border.
@@ -177,18 +232,22 @@ public:
   Intrinsic_triangulation(Gluing_map map, Metric metric, Renumbering renumbering,
                           const Input_report& report)
       : mesh_(make_mesh(std::move(map))), number_(mesh_), metric_(std::move(metric)),
-        renumbering_(std::move(renumbering)), report_(report) {}
+        renumbering_(std::move(renumbering)), report_(report) {
+    input_vertices_ = static_cast<std::uint32_t>(num_vertices(mesh_));
+    correspondence_.start(*this);
+  }
 
   /// copies everything; elements keep their numbers.
   Intrinsic_triangulation(const Intrinsic_triangulation& other)
       : mesh_(other.mesh_), number_(mesh_), metric_(other.metric_),
         correspondence_(other.correspondence_), renumbering_(other.renumbering_),
-        report_(other.report_) {}
+        report_(other.report_), input_vertices_(other.input_vertices_) {}
   /// moves everything; elements keep their numbers.
   Intrinsic_triangulation(Intrinsic_triangulation&& other)
       : mesh_(std::move(other.mesh_)), number_(mesh_), metric_(std::move(other.metric_)),
         correspondence_(std::move(other.correspondence_)),
-        renumbering_(std::move(other.renumbering_)), report_(other.report_) {}
+        renumbering_(std::move(other.renumbering_)), report_(other.report_),
+        input_vertices_(other.input_vertices_) {}
   /// assigns everything; elements keep their numbers.
   Intrinsic_triangulation& operator=(Intrinsic_triangulation other) {
     mesh_ = std::move(other.mesh_);
@@ -197,6 +256,7 @@ public:
     correspondence_ = std::move(other.correspondence_);
     renumbering_ = std::move(other.renumbering_);
     report_ = other.report_;
+    input_vertices_ = other.input_vertices_;
     return *this;
   }
 
@@ -208,6 +268,8 @@ public:
   Metric& metric() { return metric_; }
   /// returns the correspondence.
   const Correspondence& correspondence() const { return correspondence_; }
+  /// returns the numbers of the elements of the mesh, and the elements with given numbers.
+  const Mesh_adaptor<Mesh>& numbers() const { return number_; }
   /// returns what was done to the input.
   const Input_report& report() const { return report_; }
 
@@ -219,6 +281,10 @@ public:
   /// returns how the numbering differs from the input's.
   const Renumbering& renumbering() const { return renumbering_; }
 
+  /// returns the number of a vertex: from 0, unchanged by moves.
+  std::uint32_t index(vertex_descriptor v) const { return number_.vertex(v); }
+  /// tells whether a vertex was inserted: it is not one of the input.
+  bool is_inserted(vertex_descriptor v) const { return index(v) >= input_vertices_; }
   /// returns the number of an edge: from 0, dense, unchanged by flips.
   std::uint32_t index(edge_descriptor e) const { return number_.halfedge(halfedge(e, mesh_)) / 2; }
   /// returns the number of a face: from 0, dense, unchanged by flips.
@@ -272,10 +338,56 @@ public:
   */
   Move_status flip_edge(halfedge_descriptor h) { return Session(*this).flip_edge(h); }
 
+  /*!
+  \brief inserts a vertex in a face, or on an edge if one weight is zero.
+
+  The weights are rounded to multiples of 2^-52, see `representable_weights()`, which then define the
+  point exactly. A vertex on an edge splits the edge; one on an edge that runs along an input edge
+  splits that too.
+  \param h a halfedge of the face
+  \param weights barycentric coordinates: of the source of `h`, its target, the third corner
+  \return the new vertex, or why there is none; nothing has changed then
+  \complexity constant, and that of the correspondence
+  */
+  Insertion insert_vertex(halfedge_descriptor h, const std::array<double, 3>& weights) {
+    return Session(*this).insert_vertex(h, weights);
+  }
+
+  /*!
+  \brief inserts a vertex on an edge.
+  \param h a halfedge of the edge
+  \param parameter 0 at the source of `h`, 1 at its target
+  \return see `insert_vertex()`
+  */
+  Insertion split_edge(halfedge_descriptor h, double parameter) {
+    return Session(*this).split_edge(h, parameter);
+  }
+
+  /*!
+  \brief removes a vertex that was inserted: edges are flipped away from it first.
+  \return `done`, or why it cannot be removed; nothing has changed then but the direction of halfedges
+  */
+  Move_status remove_vertex(vertex_descriptor v) { return Session(*this).remove_vertex(v); }
+
+  /*!
+  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one.
+  \param v the vertex
+  \param h a halfedge of the face of the new place
+  \param weights see `insert_vertex()`
+  \return the new vertex, or why nothing has changed
+  */
+  Insertion reposition_vertex(vertex_descriptor v, halfedge_descriptor h,
+                              const std::array<double, 3>& weights) {
+    return Session(*this).reposition_vertex(v, h, weights);
+  }
+
 private:
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
       : mesh_(make_mesh(std::move(p.mesh))), number_(mesh_), metric_(std::move(p.metric)),
-        renumbering_(std::move(p.renumbering)), report_(p.report) {}
+        renumbering_(std::move(p.renumbering)), report_(p.report) {
+    input_vertices_ = static_cast<std::uint32_t>(num_vertices(mesh_));
+    correspondence_.start(*this);
+  }
 
   static Mesh make_mesh(Gluing_map&& map) {
     if constexpr (std::is_same_v<Mesh, Gluing_map>)
@@ -295,13 +407,92 @@ private:
   }
 
   // the one order of every move: compute, notify, change connectivity and metric, notify
-  Move_status flip(halfedge_descriptor h) {
+  Move_status flip(halfedge_descriptor h, bool to_zero_area = false) {
     const Diamond d = diamond(h);
-    correspondence_.before_flip(*this, h);
-    if (!metric_.flip(d)) return Move_status::arithmetic;
+    const std::uint32_t number = number_.halfedge(h);
+    const auto values =
+        to_zero_area ? metric_.compute_flip_to_zero_area(d) : metric_.compute_flip(d);
+    if (!values) return Move_status::arithmetic;
+    if (!correspondence_.before_flip(*this, number)) return Move_status::crossings;
     CGAL::Euler::flip_edge(h, mesh_);
-    correspondence_.after_flip(*this, h);
+    metric_.store_flip(d, *values);
+    correspondence_.after_flip(*this, number);
     return Move_status::done;
+  }
+
+  Insertion insert_in_face(halfedge_descriptor h, const std::array<double, 3>& weights) {
+    const std::uint32_t number = number_.halfedge(h);
+    if (!correspondence_.before_insert_in_face(*this, number, weights))
+      return {Move_status::not_traceable};
+    const vertex_descriptor v = split_face(h, mesh_, number_);
+    if (!metric_.insert_in_face(star(h), weights)) {
+      remove_degree_3_vertex(h, mesh_, number_);
+      return {Move_status::arithmetic};
+    }
+    correspondence_.after_insert_in_face(*this, number);
+    return {Move_status::done, v};
+  }
+
+  // inside: a vertex in the face, at distance zero from the edge, which is flipped away
+  Insertion insert_on_edge(halfedge_descriptor h, const std::array<double, 3>& weights) {
+    if (face(opposite(h, mesh_), mesh_) == boost::graph_traits<Mesh>::null_face())
+      return insert_on_border(h, weights[1]);
+    const Insertion n = insert_in_face(h, weights);
+    if (n.status != Move_status::done) return n;
+    const Move_status s = flip(h);
+    if (s == Move_status::done) return n;
+    remove_from_face(h);
+    return {s};
+  }
+
+  Insertion insert_on_border(halfedge_descriptor h, double parameter) {
+    const std::uint32_t number = number_.halfedge(h);
+    if (!correspondence_.before_insert_in_border_edge(*this, number, parameter))
+      return {Move_status::not_traceable};
+    const vertex_descriptor v = split_border_edge(h, mesh_, number_);
+    if (!metric_.insert_in_border_edge(border_star(h), parameter)) {
+      CGAL::Intrinsic_triangulations::remove_border_vertex(h, mesh_, number_);
+      return {Move_status::arithmetic};
+    }
+    correspondence_.after_insert_in_border_edge(*this, number);
+    return {Move_status::done, v};
+  }
+
+  void remove_from_face(halfedge_descriptor h) {
+    const std::uint32_t number = number_.halfedge(h);
+    correspondence_.before_remove(*this, number);
+    metric_.remove_from_face(star(h));
+    remove_degree_3_vertex(h, mesh_, number_);
+    correspondence_.after_remove(*this, number);
+  }
+
+  void remove_from_border(halfedge_descriptor h) {
+    const std::uint32_t number = number_.halfedge(h);
+    correspondence_.before_remove_from_border(*this, number);
+    metric_.remove_from_border_edge(border_star(h));
+    CGAL::Intrinsic_triangulations::remove_border_vertex(h, mesh_, number_);
+    correspondence_.after_remove_from_border(*this, number);
+  }
+
+  std::uint32_t edge_number(halfedge_descriptor h) const { return number_.halfedge(h) / 2; }
+  std::uint32_t face_number(halfedge_descriptor h) const { return number_.face(face(h, mesh_)); }
+
+  // of the vertex opposite h
+  Vertex_star star(halfedge_descriptor h) const {
+    const halfedge_descriptor jp = next(h, mesh_), pi = next(jp, mesh_);
+    const halfedge_descriptor jk = next(opposite(jp, mesh_), mesh_), kp = next(jk, mesh_);
+    const halfedge_descriptor ki = next(opposite(kp, mesh_), mesh_);
+    return {{edge_number(h), edge_number(jk), edge_number(ki)},
+            {edge_number(pi), edge_number(jp), edge_number(kp)},
+            {face_number(h), face_number(jk), face_number(ki)}};
+  }
+
+  // of the target of h
+  Border_star border_star(halfedge_descriptor h) const {
+    const halfedge_descriptor pk = next(h, mesh_), ki = next(pk, mesh_);
+    const halfedge_descriptor pj = next(opposite(pk, mesh_), mesh_), jk = next(pj, mesh_);
+    return {edge_number(h),  edge_number(pj), edge_number(jk), edge_number(ki),
+            edge_number(pk), face_number(h),  face_number(pj)};
   }
 
   Mesh mesh_;
@@ -310,6 +501,7 @@ private:
   [[no_unique_address]] Correspondence correspondence_;
   Renumbering renumbering_;
   Input_report report_;
+  std::uint32_t input_vertices_ = 0; // their numbers come before those of inserted vertices
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -22,13 +22,15 @@ Input_facts facts_of(const IT::Gluing_map& mesh) {
   return facts;
 }
 
-IT::Intrinsic_input read_mesh(const Options& options, Input_facts& facts) {
+IT::Intrinsic_input read_mesh(const Options& options, Input_facts& facts,
+                              std::vector<std::uint32_t>& polygon_of_triangle) {
   IT::Triangle_soup soup = IT::read_triangle_soup(options.input);
   try {
     IT::Gluing gluing =
         IT::gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
     const std::size_t polygons = soup.input_faces, triangulated = soup.triangulated_polygons;
     std::vector<Point> points = std::move(soup.points);
+    polygon_of_triangle = std::move(soup.polygon_of_triangle);
     soup = {}; // from here on peak memory counts
     IT::Gluing_map mesh(gluing);
     gluing = {};

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,8 @@ struct Loaded {
   /// One point per vertex of the triangulation, scaled as its metric is; empty where that keeps
   /// them itself or there are none.
   std::vector<Point> points;
+  /// Input face of each triangle of the input; empty if all faces are triangles.
+  std::vector<std::uint32_t> polygon_of_triangle;
 
   /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
   const std::vector<Point>& scaled_points() const {
@@ -63,8 +66,10 @@ struct Loaded {
 /// counts the elements of a mesh.
 Input_facts facts_of(const IT::Gluing_map& mesh);
 
-/// reads a mesh file. \throws Invalid_input naming the file, the element and the remedy
-IT::Intrinsic_input read_mesh(const Options& options, Input_facts& facts);
+/// reads a mesh file; also returns what it contains, and the polygons if some were triangulated.
+/// \throws Invalid_input naming the file, the element and the remedy
+IT::Intrinsic_input read_mesh(const Options& options, Input_facts& facts,
+                              std::vector<std::uint32_t>& polygon_of_triangle);
 
 /// tells whether a file name has the extension of intrinsic triangulations.
 inline bool is_triangulation_file(const std::string& path) {
@@ -78,7 +83,8 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   Input_facts facts;
   Seconds seconds;
   progress.show("reading");
-  IT::Intrinsic_input input = read_mesh(options, facts);
+  std::vector<std::uint32_t> polygon_of_triangle;
+  IT::Intrinsic_input input = read_mesh(options, facts, polygon_of_triangle);
   seconds.read = watch.lap();
   progress.show("building");
   // exact traits keep the points unless they only keep changed lengths
@@ -86,7 +92,8 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
       Triangulation::Metric::is_exact && input.mollification != IT::Mollification::lengths;
   const std::vector<Point> points = are_points_kept ? std::vector<Point>() : input.points;
   try {
-    Loaded<Triangulation> loaded{Triangulation(std::move(input)), facts, seconds, {}};
+    Loaded<Triangulation> loaded{Triangulation(std::move(input)), facts, seconds, {},
+                                 std::move(polygon_of_triangle)};
     const Triangulation& t = loaded.triangulation;
     loaded.points.reserve(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) {
@@ -109,6 +116,7 @@ Loaded<Triangulation> load_triangulation(const Options& options, Progress& progr
       IT::read_intrinsic_triangulation<Triangulation>(std::filesystem::path(options.input)),
       {},
       {},
+      {},
       {}};
   loaded.facts = facts_of(loaded.triangulation.mesh());
   loaded.seconds.read = watch.lap();
@@ -121,25 +129,37 @@ std::string arithmetic_of(const Options& options);
 
 /*!
 \brief loads the input and calls a function with it.
+\tparam Correspondence what is kept of where edges run on the input
 \param options the options
 \param progress where to show progress
 \param function called with `Loaded<Triangulation>&`
 */
-template <class Function>
+template <class Correspondence, class Function>
 void with_loaded(const Options& options, Progress& progress, const Function& function) {
   const auto call = [&](auto loaded) { function(loaded); };
-  using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits>;
-  using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
+  using Exact =
+      IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Correspondence>;
+  using Double =
+      IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>, Correspondence>;
   const bool exact = arithmetic_of(options) == "exact";
-  const bool stored = is_triangulation_file(options.input);
-  if (exact && stored)
-    call(load_triangulation<Exact>(options, progress));
-  else if (exact)
+  if constexpr (std::is_same_v<Correspondence, IT::No_correspondence>)
+    if (is_triangulation_file(options.input)) {
+      if (exact)
+        call(load_triangulation<Exact>(options, progress));
+      else
+        call(load_triangulation<Double>(options, progress));
+      return;
+    }
+  if (exact)
     call(load_mesh<Exact>(options, progress));
-  else if (stored)
-    call(load_triangulation<Double>(options, progress));
   else
     call(load_mesh<Double>(options, progress));
+}
+
+/// the same, without correspondence
+template <class Function>
+void with_loaded(const Options& options, Progress& progress, const Function& function) {
+  with_loaded<IT::No_correspondence>(options, progress, function);
 }
 
 } // namespace program

@@ -17,6 +17,7 @@
 #include <concepts>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 /*!
 \file
@@ -66,10 +67,13 @@ template <class Mesh, class Traits = boost::graph_traits<Mesh>,
           class V = typename Traits::vertex_descriptor,
           class H = typename Traits::halfedge_descriptor,
           class E = typename Traits::edge_descriptor, class F = typename Traits::face_descriptor>
-concept Has_mutable_connectivity = requires(Mesh& m, V v, H h, F f) {
+concept Has_mutable_connectivity = requires(Mesh& m, V v, H h, E e, F f) {
   { add_vertex(m) } -> std::convertible_to<V>;
   { add_edge(m) } -> std::convertible_to<E>;
   { add_face(m) } -> std::convertible_to<F>;
+  remove_vertex(v, m);
+  remove_edge(e, m);
+  remove_face(f, m);
   set_next(h, h, m);
   set_target(h, v, m);
   set_face(h, f, m);
@@ -81,9 +85,12 @@ template <class Mesh, class Traits = boost::graph_traits<Mesh>>
 concept Has_numbers = requires(Mesh& m, const Mesh& c, const Mesh_adaptor<Mesh>& a,
                                typename Traits::vertex_descriptor v,
                                typename Traits::halfedge_descriptor h,
-                               typename Traits::face_descriptor f) {
+                               typename Traits::face_descriptor f, std::uint32_t i) {
   Mesh_adaptor<Mesh>(m);
   Mesh_adaptor<Mesh>(c);
+  { a.vertex_at(i) } -> std::convertible_to<typename Traits::vertex_descriptor>;
+  { a.halfedge_at(i) } -> std::convertible_to<typename Traits::halfedge_descriptor>;
+  { a.face_at(i) } -> std::convertible_to<typename Traits::face_descriptor>;
   { a.vertex(v) } -> std::same_as<std::uint32_t>;
   { a.halfedge(h) } -> std::same_as<std::uint32_t>;
   { a.face(f) } -> std::same_as<std::uint32_t>;
@@ -118,7 +125,9 @@ concept IntrinsicMetric = std::default_initializable<Metric> && std::movable<Met
   { m.sign(d, Delaunay_expression()) } -> std::same_as<Sign>;
   { m.sign(d, Convexity_at_source_expression()) } -> std::same_as<Sign>;
   { m.sign(d, Convexity_at_target_expression()) } -> std::same_as<Sign>;
-  { m.flip(d) } -> std::same_as<bool>;
+  { c.compute_flip(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
+  { c.compute_flip_to_zero_area(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
+  m.store_flip(d, *c.compute_flip(d));
   { m.cotangent_weight(d) } -> std::convertible_to<double>;
   { m.cotangent_weight(i, i, i, i) } -> std::convertible_to<double>;
   { c.is_degenerate(i) } -> std::same_as<bool>;
@@ -150,10 +159,20 @@ Syntax of \ref ::IntrinsicCorrespondence, where its meaning is described.
 */
 template <class Correspondence, class Triangulation>
 concept IntrinsicCorrespondence = std::default_initializable<Correspondence> &&
-    std::movable<Correspondence> && requires(Correspondence& c, const Triangulation& t,
-                                             typename Triangulation::halfedge_descriptor h) {
-  c.before_flip(t, h);
+    std::movable<Correspondence> &&
+    requires(Correspondence& c, const Triangulation& t, std::uint32_t h, double parameter,
+             const std::array<double, 3>& weights) {
+  c.start(t);
+  { c.before_flip(t, h) } -> std::same_as<bool>;
   c.after_flip(t, h);
+  { c.before_insert_in_face(t, h, weights) } -> std::same_as<bool>;
+  c.after_insert_in_face(t, h);
+  { c.before_insert_in_border_edge(t, h, parameter) } -> std::same_as<bool>;
+  c.after_insert_in_border_edge(t, h);
+  c.before_remove(t, h);
+  c.after_remove(t, h);
+  c.before_remove_from_border(t, h);
+  c.after_remove_from_border(t, h);
 };
 
 /*!

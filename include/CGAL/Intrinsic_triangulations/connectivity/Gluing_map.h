@@ -75,14 +75,27 @@ public:
       : halfedge_(2 * static_cast<std::size_t>(edges)), vertex_(vertices, Gluing::none),
         face_(faces, Gluing::none) {}
 
-  /// returns the number of vertices.
+  /// returns the number of vertices, removed ones included: a bound of their indices.
   std::uint32_t number_of_vertices() const { return static_cast<std::uint32_t>(vertex_.size()); }
-  /// returns the number of halfedges, border halfedges included.
+  /// returns the number of halfedges, border halfedges and removed ones included.
   std::uint32_t number_of_halfedges() const { return static_cast<std::uint32_t>(halfedge_.size()); }
-  /// returns the number of edges.
+  /// returns the number of edges, removed ones included.
   std::uint32_t number_of_edges() const { return number_of_halfedges() / 2; }
-  /// returns the number of faces.
+  /// returns the number of faces, removed ones included.
   std::uint32_t number_of_faces() const { return static_cast<std::uint32_t>(face_.size()); }
+
+  /// tells whether elements have been removed whose numbers are free.
+  bool has_garbage() const {
+    return !free_vertices_.empty() || !free_edges_.empty() || !free_faces_.empty();
+  }
+  /// tells whether a vertex has been removed.
+  bool is_removed(Vertex v) const { return vertex_[v.index] == removed; }
+  /// tells whether the edge of a halfedge has been removed.
+  bool is_removed(Halfedge h) const { return halfedge_[h.index].next == removed; }
+  /// tells whether an edge has been removed.
+  bool is_removed(Edge e) const { return is_removed(Halfedge{2 * e.index}); }
+  /// tells whether a face has been removed.
+  bool is_removed(Face f) const { return face_[f.index] == removed; }
 
   /// returns the halfedge that follows `h` in its face or border loop.
   Halfedge next(Halfedge h) const { return {halfedge_[h.index].next}; }
@@ -130,24 +143,54 @@ public:
   /// sets the halfedge of `f`.
   void set_halfedge(Face f, Halfedge h) { face_[f.index] = h.index; }
 
-  /// adds an isolated vertex.
-  Vertex add_vertex() {
-    vertex_.push_back(Gluing::none);
-    return {number_of_vertices() - 1};
-  }
+  /// adds an isolated vertex, with the number of one that was removed if there is one.
+  Vertex add_vertex() { return {add(vertex_, free_vertices_)}; }
   /// adds an edge that nothing refers to yet.
   Edge add_edge() {
+    if (!free_edges_.empty()) {
+      const std::uint32_t e = free_edges_.back();
+      free_edges_.pop_back();
+      halfedge_[2 * e] = halfedge_[2 * e + 1] = {};
+      return {e};
+    }
     halfedge_.resize(halfedge_.size() + 2);
     if (!reversed_.empty()) reversed_.push_back(0);
     return {number_of_edges() - 1};
   }
   /// adds a face that nothing refers to yet.
-  Face add_face() {
-    face_.push_back(Gluing::none);
-    return {number_of_faces() - 1};
+  Face add_face() { return {add(face_, free_faces_)}; }
+
+  /// removes a vertex, to which nothing must refer.
+  void remove_vertex(Vertex v) {
+    vertex_[v.index] = removed;
+    free_vertices_.push_back(v.index);
+  }
+  /// removes an edge, to which nothing must refer.
+  void remove_edge(Edge e) {
+    halfedge_[2 * e.index].next = halfedge_[2 * e.index + 1].next = removed;
+    free_edges_.push_back(e.index);
+  }
+  /// removes a face, to which nothing must refer.
+  void remove_face(Face f) {
+    face_[f.index] = removed;
+    free_faces_.push_back(f.index);
   }
 
 private:
+  // what removed elements refer to
+  static constexpr std::uint32_t removed = Gluing::none - 1;
+
+  static std::uint32_t add(std::vector<std::uint32_t>& elements, std::vector<std::uint32_t>& free) {
+    if (free.empty()) {
+      elements.push_back(Gluing::none);
+      return static_cast<std::uint32_t>(elements.size()) - 1;
+    }
+    const std::uint32_t i = free.back();
+    free.pop_back();
+    elements[i] = Gluing::none;
+    return i;
+  }
+
   struct Halfedge_record {
     std::uint32_t next = Gluing::none;
     std::uint32_t target = Gluing::none;
@@ -202,6 +245,7 @@ private:
   std::vector<std::uint32_t> vertex_;
   std::vector<std::uint32_t> face_;
   std::vector<char> reversed_; // per edge; empty in an oriented complex
+  std::vector<std::uint32_t> free_vertices_, free_edges_, free_faces_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

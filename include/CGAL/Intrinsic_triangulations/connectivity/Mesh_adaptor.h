@@ -50,6 +50,26 @@ public:
     return static_cast<std::uint32_t>(get(face_, f));
   }
 
+  /// returns the vertex with a number.
+  typename Traits::vertex_descriptor vertex_at(std::uint32_t i) const {
+    return typename Traits::vertex_descriptor{i};
+  }
+  /// returns the halfedge with a number.
+  typename Traits::halfedge_descriptor halfedge_at(std::uint32_t i) const {
+    return typename Traits::halfedge_descriptor{i};
+  }
+  /// returns the face with a number.
+  typename Traits::face_descriptor face_at(std::uint32_t i) const {
+    return typename Traits::face_descriptor{i};
+  }
+
+  /// numbers a vertex, an edge or a face that was added to the mesh.
+  template <class Descriptor>
+  void add(Descriptor, const Mesh&) {}
+  /// frees the number of a vertex, an edge or a face that is going to be removed from the mesh.
+  template <class Descriptor>
+  void remove(Descriptor, const Mesh&) {}
+
   /// reads the coordinates of a point as doubles.
   template <class Point>
   static std::array<double, 3> coordinates(const Point& p) {

@@ -66,6 +66,26 @@ public:
     return static_cast<std::uint32_t>(f.idx());
   }
 
+  /// returns the vertex with a number.
+  typename Traits::vertex_descriptor vertex_at(std::uint32_t i) const {
+    return typename Traits::vertex_descriptor(static_cast<int>(i));
+  }
+  /// returns the halfedge with a number.
+  typename Traits::halfedge_descriptor halfedge_at(std::uint32_t i) const {
+    return typename Traits::halfedge_descriptor(static_cast<int>(i));
+  }
+  /// returns the face with a number.
+  typename Traits::face_descriptor face_at(std::uint32_t i) const {
+    return typename Traits::face_descriptor(static_cast<int>(i));
+  }
+
+  /// numbers an element that was added to the mesh.
+  template <class Descriptor>
+  void add(Descriptor, const Mesh&) {}
+  /// frees the number of an element that is going to be removed from the mesh.
+  template <class Descriptor>
+  void remove(Descriptor, const Mesh&) {}
+
   /// reads the coordinates of a point as doubles.
   template <class Point>
   static std::array<double, 3> coordinates(const Point& p) {

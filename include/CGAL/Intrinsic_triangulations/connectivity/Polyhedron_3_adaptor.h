@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <unordered_map>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -28,6 +29,7 @@ class Mesh_adaptor<Polyhedron_3<K, I, HDS, A>> {
   using Traits = boost::graph_traits<Mesh>;
   using Vertex = typename Traits::vertex_descriptor;
   using Halfedge = typename Traits::halfedge_descriptor;
+  using Edge = typename Traits::edge_descriptor;
   using Face = typename Traits::face_descriptor;
   static constexpr bool has_ids = requires(Vertex v, Halfedge h, Face f) {
     v->id(), h->id(), f->id();
@@ -35,29 +37,55 @@ class Mesh_adaptor<Polyhedron_3<K, I, HDS, A>> {
 
 public:
   /// numbers the elements of `mesh`.
-  explicit Mesh_adaptor(const Mesh& mesh) {
-    number(vertices(mesh), vertex_);
-    number(halfedges(mesh), halfedge_);
-    number(faces(mesh), face_);
-  }
+  explicit Mesh_adaptor(const Mesh& mesh) { number(mesh); }
 
   /// numbers the elements of a mesh that the caller may change.
   explicit Mesh_adaptor(Mesh& mesh) {
-    if constexpr (has_ids) {
-      set_ids(vertices(mesh));
-      set_ids(halfedges(mesh));
-      set_ids(faces(mesh));
-      use_ids_ = true;
-    } else
-      *this = Mesh_adaptor(static_cast<const Mesh&>(mesh));
+    use_ids_ = has_ids;
+    number(mesh);
   }
 
   /// returns the number of a vertex.
-  std::uint32_t vertex(Vertex v) const { return find(v, vertex_); }
+  std::uint32_t vertex(Vertex v) const { return find(v, vertices_); }
   /// returns the number of a halfedge.
-  std::uint32_t halfedge(Halfedge h) const { return find(h, halfedge_); }
+  std::uint32_t halfedge(Halfedge h) const { return find(h, halfedges_); }
   /// returns the number of a face.
-  std::uint32_t face(Face f) const { return find(f, face_); }
+  std::uint32_t face(Face f) const { return find(f, faces_); }
+
+  /// returns the vertex with a number.
+  Vertex vertex_at(std::uint32_t i) const { return vertices_.elements[i]; }
+  /// returns the halfedge with a number.
+  Halfedge halfedge_at(std::uint32_t i) const { return halfedges_.elements[i]; }
+  /// returns the face with a number.
+  Face face_at(std::uint32_t i) const { return faces_.elements[i]; }
+
+  /// numbers a vertex that was added to the mesh.
+  void add(Vertex v, const Mesh&) { add(v, vertices_); }
+  /// numbers the halfedges of an edge that was added to the mesh.
+  void add(Edge e, const Mesh& mesh) {
+    const Halfedge h = CGAL::halfedge(e, mesh);
+    // the side that was freed last is the odd one
+    if (halfedges_.free.empty()) {
+      add(h, halfedges_);
+      add(h->opposite(), halfedges_);
+    } else {
+      add(h->opposite(), halfedges_);
+      add(h, halfedges_);
+    }
+  }
+  /// numbers a face that was added to the mesh.
+  void add(Face f, const Mesh&) { add(f, faces_); }
+  /// frees the number of a vertex that is going to be removed from the mesh.
+  void remove(Vertex v, const Mesh&) { remove(v, vertices_); }
+  /// frees the numbers of the halfedges of an edge that is going to be removed from the mesh.
+  void remove(Edge e, const Mesh& mesh) {
+    Halfedge h = CGAL::halfedge(e, mesh);
+    if (halfedge(h) % 2 != 0) h = h->opposite();
+    remove(h, halfedges_);
+    remove(h->opposite(), halfedges_);
+  }
+  /// frees the number of a face that is going to be removed from the mesh.
+  void remove(Face f, const Mesh&) { remove(f, faces_); }
 
   /// reads the coordinates of a point as doubles.
   template <class Point>
@@ -69,28 +97,54 @@ public:
   static auto point_map(const Mesh& mesh) { return get(CGAL::vertex_point, mesh); }
 
 private:
-  using Numbers = std::unordered_map<const void*, std::uint32_t>;
+  template <class Descriptor>
+  struct Numbering {
+    std::vector<Descriptor> elements;                      // by number
+    std::vector<std::uint32_t> free;                       // numbers without an element
+    std::unordered_map<const void*, std::uint32_t> number; // unless elements have ids
+  };
 
-  template <class Range>
-  static void number(const Range& range, Numbers& numbers) {
-    for (auto d : range) numbers.emplace(&*d, static_cast<std::uint32_t>(numbers.size()));
-  }
-
-  template <class Range>
-  static void set_ids(const Range& range) {
-    std::size_t i = 0;
-    for (auto d : range) d->id() = i++;
+  void number(const Mesh& mesh) {
+    for (const Vertex v : CGAL::vertices(mesh)) add(v, vertices_);
+    for (const Edge e : CGAL::edges(mesh)) add(e, mesh);
+    for (const Face f : CGAL::faces(mesh)) add(f, faces_);
   }
 
   template <class Descriptor>
-  std::uint32_t find(Descriptor d, const Numbers& numbers) const {
+  void add(Descriptor d, Numbering<Descriptor>& n) {
+    auto i = static_cast<std::uint32_t>(n.elements.size());
+    if (n.free.empty()) {
+      n.elements.push_back(d);
+    } else {
+      i = n.free.back();
+      n.free.pop_back();
+      n.elements[i] = d;
+    }
+    if constexpr (has_ids)
+      if (use_ids_) {
+        d->id() = i;
+        return;
+      }
+    n.number[&*d] = i;
+  }
+
+  template <class Descriptor>
+  void remove(Descriptor d, Numbering<Descriptor>& n) {
+    n.free.push_back(find(d, n));
+    n.number.erase(&*d);
+  }
+
+  template <class Descriptor>
+  std::uint32_t find(Descriptor d, const Numbering<Descriptor>& n) const {
     if constexpr (has_ids)
       if (use_ids_) return static_cast<std::uint32_t>(d->id());
-    return numbers.at(&*d);
+    return n.number.at(&*d);
   }
 
   bool use_ids_ = false;
-  Numbers vertex_, halfedge_, face_;
+  Numbering<Vertex> vertices_;
+  Numbering<Halfedge> halfedges_;
+  Numbering<Face> faces_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

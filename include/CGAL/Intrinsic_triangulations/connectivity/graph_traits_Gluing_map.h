@@ -26,24 +26,34 @@ namespace CGAL::Intrinsic_triangulations {
 template <class Descriptor>
 class Gluing_iterator
     : public boost::iterator_facade<Gluing_iterator<Descriptor>, Descriptor,
-                                    std::random_access_iterator_tag, Descriptor, std::ptrdiff_t> {
+                                    std::bidirectional_iterator_tag, Descriptor, std::ptrdiff_t> {
 public:
-  /// constructs the iterator at element `i`.
-  explicit Gluing_iterator(std::uint32_t i = 0) : current_{i} {}
+  /// constructs a singular iterator.
+  Gluing_iterator() = default;
+  /// constructs the iterator at the first element of `map` from number `i` on that is not removed.
+  Gluing_iterator(const Gluing_map& map, std::uint32_t i, std::uint32_t end)
+      : map_(map.has_garbage() ? &map : nullptr), end_(end), current_{i} {
+    skip();
+  }
 
 private:
   friend class boost::iterator_core_access;
   Descriptor dereference() const { return current_; }
   bool equal(const Gluing_iterator& o) const { return current_ == o.current_; }
-  void increment() { ++current_.index; }
-  void decrement() { --current_.index; }
-  void advance(std::ptrdiff_t n) {
-    current_.index = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(current_.index) + n);
+  void increment() {
+    ++current_.index;
+    skip();
   }
-  std::ptrdiff_t distance_to(const Gluing_iterator& o) const {
-    return static_cast<std::ptrdiff_t>(o.current_.index) -
-           static_cast<std::ptrdiff_t>(current_.index);
+  void decrement() {
+    do --current_.index;
+    while (map_ != nullptr && map_->is_removed(current_));
   }
+  void skip() {
+    while (map_ != nullptr && current_.index < end_ && map_->is_removed(current_)) ++current_.index;
+  }
+
+  const Gluing_map* map_ = nullptr; // null if nothing is to be skipped
+  std::uint32_t end_ = 0;
   Descriptor current_;
 };
 
@@ -94,19 +104,23 @@ inline Gluing_map::Halfedge halfedge(Gluing_map::Face f, const Gluing_map& g) {
 
 inline auto vertices(const Gluing_map& g) {
   using I = Gluing_iterator<Gluing_map::Vertex>;
-  return CGAL::Iterator_range<I>(I(0), I(g.number_of_vertices()));
+  const std::uint32_t n = g.number_of_vertices();
+  return CGAL::Iterator_range<I>(I(g, 0, n), I(g, n, n));
 }
 inline auto halfedges(const Gluing_map& g) {
   using I = Gluing_iterator<Gluing_map::Halfedge>;
-  return CGAL::Iterator_range<I>(I(0), I(g.number_of_halfedges()));
+  const std::uint32_t n = g.number_of_halfedges();
+  return CGAL::Iterator_range<I>(I(g, 0, n), I(g, n, n));
 }
 inline auto edges(const Gluing_map& g) {
   using I = Gluing_iterator<Gluing_map::Edge>;
-  return CGAL::Iterator_range<I>(I(0), I(g.number_of_edges()));
+  const std::uint32_t n = g.number_of_edges();
+  return CGAL::Iterator_range<I>(I(g, 0, n), I(g, n, n));
 }
 inline auto faces(const Gluing_map& g) {
   using I = Gluing_iterator<Gluing_map::Face>;
-  return CGAL::Iterator_range<I>(I(0), I(g.number_of_faces()));
+  const std::uint32_t n = g.number_of_faces();
+  return CGAL::Iterator_range<I>(I(g, 0, n), I(g, n, n));
 }
 inline std::size_t num_vertices(const Gluing_map& g) { return g.number_of_vertices(); }
 inline std::size_t num_halfedges(const Gluing_map& g) { return g.number_of_halfedges(); }
@@ -131,6 +145,9 @@ inline void set_halfedge(Gluing_map::Face f, Gluing_map::Halfedge h, Gluing_map&
 inline Gluing_map::Vertex add_vertex(Gluing_map& g) { return g.add_vertex(); }
 inline Gluing_map::Edge add_edge(Gluing_map& g) { return g.add_edge(); }
 inline Gluing_map::Face add_face(Gluing_map& g) { return g.add_face(); }
+inline void remove_vertex(Gluing_map::Vertex v, Gluing_map& g) { g.remove_vertex(v); }
+inline void remove_edge(Gluing_map::Edge e, Gluing_map& g) { g.remove_edge(e); }
+inline void remove_face(Gluing_map::Face f, Gluing_map& g) { g.remove_face(f); }
 
 inline Gluing_index_map<Gluing_map::Vertex> get(boost::vertex_index_t, const Gluing_map&) {
   return {};

@@ -91,9 +91,13 @@ struct Common_subdivision {
   std::vector<std::uint32_t> input_face;
   /// The intrinsic face that contains each face.
   std::vector<std::uint32_t> intrinsic_face;
+  /// Number of sides of faces that are on the border.
+  std::size_t number_of_border_edges = 0;
 
   /// returns the number of vertices.
   std::size_t number_of_vertices() const { return vertices.size() + crossings.size(); }
+  /// returns the number of edges.
+  std::size_t number_of_edges() const { return (corner.size() + number_of_border_edges) / 2; }
   /// returns the number of faces.
   std::size_t number_of_faces() const { return face_begin.size() - 1; }
   /// returns the vertices of face `f`, counterclockwise.

@@ -49,6 +49,7 @@ public:
   struct Triangle {
     std::array<std::uint32_t, 3> edges; ///< that side, the next and the last one
     std::uint32_t face;                 ///< the face
+    std::uint32_t entered;              ///< halfedge of that side
     std::uint32_t start;                ///< first end of the side
     std::uint32_t end;                  ///< second end of the side
   };
@@ -63,7 +64,7 @@ public:
   template <class Complex, class Coordinates>
   Curve_strip(const Complex& complex, const Coordinates& coordinates,
               const std::array<std::uint32_t, 3>& sides, const Curve_crossing& crossing) {
-    triangles_.push_back({edges(sides), complex.face(sides[0]), 0, 1});
+    triangles_.push_back({edges(sides), complex.face(sides[0]), sides[0], 0, 1});
     unsigned out = 0;
     while (sides[out] != crossing.halfedge) ++out;
     const Corner_coordinates c = corner_coordinates(complex, coordinates, sides[0]);
@@ -134,8 +135,8 @@ private:
       }
       entered = c.halfedge ^ 1U;
       apex = static_cast<std::uint32_t>(triangles_.size()) + 2;
-      triangles_.push_back(
-          {edges(sides_of_face(complex, entered)), complex.face(entered), points[1], points[0]});
+      triangles_.push_back({edges(sides_of_face(complex, entered)), complex.face(entered), entered,
+                            points[1], points[0]});
     });
   }
 

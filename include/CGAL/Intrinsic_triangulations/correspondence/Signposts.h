@@ -151,7 +151,7 @@ public:
                              const std::array<double, 3>& weights) {
     const Intrinsic_view<Triangulation> view(t);
     if (weights[2] != 0 || !place_on_edge(t, h, weights[1]))
-      inserted_ = locate_on_input(t, *this, {h, weights});
+      inserted_ = find_on_input(t, *this, {h, weights});
     if (!inserted_.is_found) return false;
     const Planar_vector<double> to_source =
         inserted_.transfer(Geodesic_face(view, h).to_corner(weights, 0));

@@ -55,6 +55,14 @@ public:
     return fan.begin + place;
   }
 
+  /// returns how many places counterclockwise from slot `from` slot `to` is; the number of slots of the
+  /// fan or more if they are in different fans.
+  std::uint32_t distance(std::uint32_t from, std::uint32_t to) const {
+    const Fan &f = fan_[from], &g = fan_[to];
+    if (f.begin != g.begin) return Gluing::none;
+    return to >= from ? to - from : f.size - (from - to);
+  }
+
   /*!
   \brief adds the fan of a vertex on an edge.
   \param halfedge the input halfedge of which the first slot is a part; the other one runs the other way

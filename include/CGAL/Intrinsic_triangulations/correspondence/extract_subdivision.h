@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_EXTRACT_SUBDIVISION_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Crossing_parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_crossings.h>
@@ -115,7 +116,10 @@ private:
     face_ = f;
     sides_ = sides_of_face(view_, view_.halfedge_of_face(f));
     corners_ = corner_coordinates(view_, coordinates_, sides_[0]);
-    for (unsigned k = 0; k < 3; ++k) cut_off_corner(k);
+    for (unsigned k = 0; k < 3; ++k) {
+      if (view_.is_border(sides_[k] ^ 1U)) ++s_.number_of_border_edges;
+      cut_off_corner(k);
+    }
     unsigned fan = 3;
     for (unsigned k = 0; k < 3; ++k)
       if (corners_.emanating[k] > 0) fan = k;

@@ -105,7 +105,7 @@ Signpost_location locate_from_corners(const Complex& complex, const Geodesic_fac
 \complexity linear in the number of input edges between the point and the nearest corner of its face
 */
 template <class Triangulation, class Signposts>
-Signpost_location locate_on_input(const Triangulation& t, const Signposts& signposts,
+Signpost_location find_on_input(const Triangulation& t, const Signposts& signposts,
                                   const Surface_point& p) {
   const Intrinsic_view<Triangulation> view(t);
   return internal::locate_from_corners(
@@ -124,7 +124,7 @@ Signpost_location locate_on_input(const Triangulation& t, const Signposts& signp
 face, and in the intrinsic degree of that corner
 */
 template <class Triangulation, class Signposts>
-Signpost_location locate_on_intrinsic(const Triangulation& t, const Signposts& signposts,
+Signpost_location find_on_intrinsic(const Triangulation& t, const Signposts& signposts,
                                       const Surface_point& p) {
   const Intrinsic_view<Triangulation> view(t);
   return internal::locate_from_corners(view, Geodesic_face(signposts.input(), p.halfedge),

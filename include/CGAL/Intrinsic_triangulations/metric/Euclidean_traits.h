@@ -8,15 +8,19 @@
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/metric/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/metric/initial_values.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -79,19 +83,97 @@ public:
     return CGAL::sign(expression(values(d)));
   }
 
+  /// What a flip makes.
+  using Flipped = Flipped_values<FT>;
+
   /*!
-  \brief computes a flip and stores it.
-  \return whether it was done: refused if an area would not be positive, or a length be infinite
+  \brief computes a flip.
+  \return nothing if an area would not be positive, or a length be infinite
   */
-  bool flip(const Diamond& d) {
-    const Flipped_values<FT> n = flipped(values(d));
-    if (!(n.area_f > FT(0) && n.area_g > FT(0) && n.km > FT(0))) return false;
-    if constexpr (std::numeric_limits<FT>::has_infinity)
-      if (!(n.km < std::numeric_limits<FT>::infinity())) return false;
+  std::optional<Flipped> compute_flip(const Diamond& d) const {
+    const Flipped n = flipped(values(d));
+    if (!(n.area_f > FT(0) && n.area_g > FT(0) && is_length(n.km))) return std::nullopt;
+    return n;
+  }
+
+  /*!
+  \brief computes a flip that makes the right face, of the source of the edge, a face of zero area.
+  \pre the diamond is a triangle with the source of the edge on a side, up to rounding
+  */
+  std::optional<Flipped> compute_flip_to_zero_area(const Diamond& d) const {
+    const FT area = quadruple_area_[d.f] + quadruple_area_[d.g];
+    const Flipped n{flipped(values(d)).km, area, FT(0)};
+    if (!is_length(n.km)) return std::nullopt;
+    return n;
+  }
+
+  /*!
+  \brief stores a flip.
+  \param d the diamond
+  \param n what `compute_flip()` returned for it
+  */
+  void store_flip(const Diamond& d, const Flipped& n) {
     squared_length_[d.ij] = n.km;
     quadruple_area_[d.f] = n.area_f;
     quadruple_area_[d.g] = n.area_g;
+  }
+
+  /*!
+  \brief computes the values at a vertex inserted in a face, and stores them.
+  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one
+  are stored
+  \param weights barycentric coordinates of the vertex
+  \return whether it was done: refused if a length would be zero or infinite
+  */
+  bool insert_in_face(const Vertex_star& s, const std::array<double, 3>& weights) {
+    const FT area = quadruple_area_[s.faces[0]];
+    std::array<FT, 3> spoke;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto side = [&](std::size_t l) { return squared_length_[s.sides[(k + l) % 3]]; };
+      spoke[k] = squared_distance_from_corner(side(0), side(1), side(2), area,
+                                              FT(weights[(k + 1) % 3]), FT(weights[(k + 2) % 3]));
+      if (!is_length(spoke[k])) return false;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      store(squared_length_, s.spokes[k], spoke[k]);
+      store(quadruple_area_, s.faces[k], FT(weights[(k + 2) % 3]) * area);
+    }
     return true;
+  }
+
+  /// stores the values of a face from which a vertex is removed.
+  void remove_from_face(const Vertex_star& s) {
+    quadruple_area_[s.faces[0]] =
+        quadruple_area_[s.faces[0]] + quadruple_area_[s.faces[1]] + quadruple_area_[s.faces[2]];
+  }
+
+  /*!
+  \brief computes the values at a vertex inserted on a border edge, and stores them.
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge
+  and face
+  \param parameter weight of `j`
+  \return whether it was done: refused if a length would be zero or infinite
+  */
+  bool insert_in_border_edge(const Border_star& s, double parameter) {
+    const FT ij = squared_length_[s.ip], area = quadruple_area_[s.f], t(parameter);
+    const FT rest = FT(1) - t;
+    const FT pk = squared_distance_from_corner(squared_length_[s.ki], ij, squared_length_[s.jk],
+                                               area, rest, t);
+    const FT ip = t * t * ij, pj = rest * rest * ij;
+    if (!is_length(pk) || !is_length(ip) || !is_length(pj)) return false;
+    store(squared_length_, s.ip, ip);
+    store(squared_length_, s.pj, pj);
+    store(squared_length_, s.pk, pk);
+    store(quadruple_area_, s.f, t * area);
+    store(quadruple_area_, s.g, rest * area);
+    return true;
+  }
+
+  /// stores the values of a border edge and its face from which a vertex is removed.
+  void remove_from_border_edge(const Border_star& s) {
+    const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
+    squared_length_[s.ip] = flipped(values(d)).km;
+    quadruple_area_[s.f] = quadruple_area_[s.f] + quadruple_area_[s.g];
   }
 
   /// tells whether the area of a face is zero.
@@ -133,6 +215,17 @@ public:
   }
 
 private:
+  static bool is_length(const FT& squared) {
+    if constexpr (std::numeric_limits<FT>::has_infinity)
+      if (!(squared < std::numeric_limits<FT>::infinity())) return false;
+    return squared > FT(0);
+  }
+
+  static void store(std::vector<FT>& values, std::uint32_t i, const FT& value) {
+    if (i >= values.size()) values.resize(i + 1, FT(0));
+    values[i] = value;
+  }
+
   Diamond_values<FT> values(const Diamond& d) const {
     return {squared_length_[d.ij], squared_length_[d.jk], squared_length_[d.ki],
             squared_length_[d.im], squared_length_[d.mj], quadruple_area_[d.f],

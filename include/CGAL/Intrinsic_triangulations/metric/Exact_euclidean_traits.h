@@ -127,6 +127,19 @@ public:
   }
 
   /*!
+  \brief computes a flip that makes the right face, of the source of the edge, a face of zero area.
+  \pre the diamond is a triangle with the source of the edge on a side
+  */
+  std::optional<Flipped> compute_flip_to_zero_area(const Diamond& d) const {
+    std::optional<Flipped> n = compute_flip(d);
+    n->enclosure.area_f = quadruple_area_[d.f] + quadruple_area_[d.g];
+    n->enclosure.area_g = FT(0);
+    n->approximation.area_f = area_[d.f] + area_[d.g];
+    n->approximation.area_g = 0;
+    return n;
+  }
+
+  /*!
   \brief stores a flip and records it in the history.
   \param d the diamond
   \param n what `compute_flip()` returned for it
@@ -142,16 +155,6 @@ public:
     const std::uint32_t version = history_.record_flip(left_side(d), right_side(d));
     sides_[d.f] = {version, d.ij};
     sides_[d.g] = {version + 1, d.ij};
-  }
-
-  /*!
-  \brief computes a flip, stores it and records it in the history.
-  \return `true`
-  \pre the diamond is strictly convex
-  */
-  bool flip(const Diamond& d) {
-    store_flip(d, *compute_flip(d));
-    return true;
   }
 
   /// tells whether the area of a face is zero; exact for an input face.

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_DELAUNAY_H
+#define INTRINSIC_DELAUNAY_H
+
+#include "load.h"
+#include "options.h"
+#include "output_files.h"
+#include "progress.h"
+#include "report.h"
+#include "statistics.h"
+#include "view.h"
+
+#include <CGAL/Intrinsic_triangulations/IO/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/IO/write_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/common_subdivision_of.h>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace program {
+
+/// returns one point per vertex of the input, in its order and units.
+template <class Triangulation>
+std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
+  const Triangulation& t = loaded.triangulation;
+  const std::vector<Point>& scaled = loaded.scaled_points();
+  std::vector<Point> points(scaled.size());
+  for (std::uint32_t v = 0; v < scaled.size(); ++v) {
+    Point& p = points[t.input_vertex({v})];
+    p = scaled[v];
+    for (double& x : p) x = std::ldexp(x, -t.metric().scale_exponent());
+  }
+  return points;
+}
+
+/// extracts the common subdivision, labelled with the faces of the file. \throws std::runtime_error
+template <class Triangulation>
+IT::Common_subdivision subdivide(const Loaded<Triangulation>& loaded, const Options& options) {
+  try {
+    IT::Common_subdivision s = IT::common_subdivision(loaded.triangulation);
+    if (!loaded.polygon_of_triangle.empty())
+      for (std::uint32_t& f : s.input_face) f = loaded.polygon_of_triangle[f];
+    return s;
+  } catch (const std::exception& e) {
+    throw std::runtime_error(options.input + ": " + e.what());
+  }
+}
+
+/// writes the common subdivision, and the page that shows it.
+template <class Triangulation>
+void write_subdivision(const Loaded<Triangulation>& loaded, const Options& options, Json& json,
+                       Output_files& files, Progress& progress) {
+  Stopwatch watch;
+  progress.show("subdividing");
+  const IT::Common_subdivision s = subdivide(loaded, options);
+  json["subdivision"] = {{"vertices", s.number_of_vertices()},
+                         {"edges", s.number_of_edges()},
+                         {"faces", s.number_of_faces()}};
+  json["seconds"]["subdivide"] = watch.lap();
+  progress.show("writing");
+  const std::vector<Point> points = IT::positions(s, input_points(loaded));
+  if (is_mesh_output(options))
+    IT::write_common_subdivision(files.open(options.output),
+                                 std::filesystem::path(options.output).extension().string(), s,
+                                 points);
+  if (!options.view.empty()) write_view(files.open(options.view), s, points, options, json);
+}
+
+/// flips to Delaunay and writes what is asked for
+template <class Triangulation>
+void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
+  Json json = flip_and_measure(loaded, true, options, progress);
+  if (const Json& count = json["delaunay"]["non_delaunay_edges"]; count != 0)
+    std::cerr << options.input << ": " << count
+              << " edges are not Delaunay as far as double arithmetic can tell; --arithmetic exact "
+                 "decides them\n";
+  Stopwatch watch;
+  Output_files files;
+  if constexpr (!std::is_same_v<typename Triangulation::Correspondence, IT::No_correspondence>)
+    if (is_mesh_output(options) || !options.view.empty()) {
+      write_subdivision(loaded, options, json, files, progress);
+      watch.lap();
+    }
+  if (!options.output.empty() && !is_mesh_output(options)) {
+    progress.show("writing");
+    IT::write_intrinsic_triangulation(files.open(options.output), loaded.triangulation);
+  }
+  finish(json, options, files, watch);
+  print_summary_on_terminal(json);
+}
+
+/// runs the command with a correspondence
+template <class Correspondence>
+void run_delaunay_with(const Options& options) {
+  Progress progress;
+  with_loaded<Correspondence>(options, progress,
+                              [&](auto& loaded) { delaunay(loaded, options, progress); });
+}
+
+} // namespace program
+
+#endif // INTRINSIC_DELAUNAY_H

@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_MOVES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_MOVES_H
+
+#include <boost/graph/graph_traits.hpp>
+
+/*!
+\file
+Insertion and removal of vertices of a Delta-complex, connectivity only. Halfedges that stay keep their
+names; no edge is looked up by its ends, so that loops and faces glued to themselves do no harm.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Connects three halfedges to a face.
+template <class Mesh, class Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor>
+void connect_face(Halfedge a, Halfedge b, Halfedge c,
+                  typename boost::graph_traits<Mesh>::face_descriptor f, Mesh& mesh) {
+  set_next(a, b, mesh);
+  set_next(b, c, mesh);
+  set_next(c, a, mesh);
+  for (const Halfedge h : {a, b, c}) set_face(h, f, mesh);
+  set_halfedge(f, a, mesh);
+}
+
+// Makes `h` the halfedge of its target unless that has one on the border.
+template <class Mesh>
+void set_halfedge_of_target(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh) {
+  const auto v = target(h, mesh);
+  const auto old = halfedge(v, mesh);
+  if (face(old, mesh) != boost::graph_traits<Mesh>::null_face()) set_halfedge(v, h, mesh);
+}
+
+template <class Mesh, class Numbers>
+typename boost::graph_traits<Mesh>::halfedge_descriptor add_numbered_edge(Mesh& mesh,
+                                                                          Numbers& numbers) {
+  const typename boost::graph_traits<Mesh>::edge_descriptor e = add_edge(mesh);
+  numbers.add(e, mesh);
+  return halfedge(e, mesh);
+}
+
+template <class Mesh, class Numbers>
+void remove_numbered_edge(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh,
+                          Numbers& numbers) {
+  const typename boost::graph_traits<Mesh>::edge_descriptor e = edge(h, mesh);
+  numbers.remove(e, mesh);
+  remove_edge(e, mesh);
+}
+
+template <class Mesh, class Numbers>
+typename boost::graph_traits<Mesh>::face_descriptor add_numbered_face(Mesh& mesh,
+                                                                      Numbers& numbers) {
+  const typename boost::graph_traits<Mesh>::face_descriptor f = add_face(mesh);
+  numbers.add(f, mesh);
+  return f;
+}
+
+template <class Mesh, class Numbers>
+void remove_numbered_face(typename boost::graph_traits<Mesh>::face_descriptor f, Mesh& mesh,
+                          Numbers& numbers) {
+  numbers.remove(f, mesh);
+  remove_face(f, mesh);
+}
+
+template <class Mesh, class Numbers>
+typename boost::graph_traits<Mesh>::vertex_descriptor add_numbered_vertex(Mesh& mesh,
+                                                                          Numbers& numbers) {
+  const typename boost::graph_traits<Mesh>::vertex_descriptor v = add_vertex(mesh);
+  numbers.add(v, mesh);
+  return v;
+}
+
+template <class Mesh, class Numbers>
+void remove_numbered_vertex(typename boost::graph_traits<Mesh>::vertex_descriptor v, Mesh& mesh,
+                            Numbers& numbers) {
+  numbers.remove(v, mesh);
+  remove_vertex(v, mesh);
+}
+
+} // namespace internal
+
+/*!
+\brief inserts a vertex p in the face ijk of `h` = ij: `h` is in face ijp then, followed by jp and pi.
+\tparam Mesh a model of `MutableDeltaComplex`
+\param h a halfedge with a face
+\param mesh the complex
+\param numbers numbers the new elements
+\return the vertex
+\complexity constant
+*/
+template <class Mesh, class Numbers>
+typename boost::graph_traits<Mesh>::vertex_descriptor
+split_face(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh,
+           Numbers& numbers) {
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  const Halfedge ij = h, jk = next(h, mesh), ki = next(jk, mesh);
+  const auto p = internal::add_numbered_vertex(mesh, numbers);
+  const Halfedge ip = internal::add_numbered_edge(mesh, numbers);
+  const Halfedge jp = internal::add_numbered_edge(mesh, numbers);
+  const Halfedge kp = internal::add_numbered_edge(mesh, numbers);
+  const Halfedge pi = opposite(ip, mesh), pj = opposite(jp, mesh), pk = opposite(kp, mesh);
+  set_target(pi, target(ki, mesh), mesh);
+  set_target(pj, target(ij, mesh), mesh);
+  set_target(pk, target(jk, mesh), mesh);
+  for (const Halfedge s : {ip, jp, kp}) set_target(s, p, mesh);
+  internal::connect_face(ij, jp, pi, face(h, mesh), mesh);
+  internal::connect_face(jk, kp, pj, internal::add_numbered_face(mesh, numbers), mesh);
+  internal::connect_face(ki, ip, pk, internal::add_numbered_face(mesh, numbers), mesh);
+  set_halfedge(p, ip, mesh);
+  return p;
+}
+
+/*!
+\brief removes a vertex p with three edges, none of them a loop: undoes `split_face()`.
+\tparam Mesh a model of `MutableDeltaComplex`
+\param h the halfedge ij of a face ijp; its face is the one that stays
+\param mesh the complex
+\param numbers gives back the numbers of what is removed
+\complexity constant
+*/
+template <class Mesh, class Numbers>
+void remove_degree_3_vertex(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh,
+                            Numbers& numbers) {
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  const Halfedge ij = h, jp = next(ij, mesh), pi = next(jp, mesh);
+  const Halfedge jk = next(opposite(jp, mesh), mesh), kp = next(jk, mesh);
+  const Halfedge ki = next(opposite(kp, mesh), mesh);
+  const auto p = target(jp, mesh);
+  const auto g = face(jk, mesh), e = face(ki, mesh);
+  internal::connect_face(ij, jk, ki, face(h, mesh), mesh);
+  for (const Halfedge s : {ij, jk, ki}) internal::set_halfedge_of_target(s, mesh);
+  for (const Halfedge s : {jp, kp, pi}) internal::remove_numbered_edge(s, mesh, numbers);
+  internal::remove_numbered_face(g, mesh, numbers);
+  internal::remove_numbered_face(e, mesh, numbers);
+  internal::remove_numbered_vertex(p, mesh, numbers);
+}
+
+/*!
+\brief inserts a vertex p on a border edge: `h` = ij, in face ijk, becomes ip in face ipk; pj is in a new
+face pjk.
+\tparam Mesh a model of `MutableDeltaComplex`
+\param h a halfedge with a face, its opposite without
+\param mesh the complex
+\param numbers numbers the new elements
+\return the vertex
+\complexity linear in the degree of j
+*/
+template <class Mesh, class Numbers>
+typename boost::graph_traits<Mesh>::vertex_descriptor
+split_border_edge(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh,
+                  Numbers& numbers) {
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  const Halfedge ij = h, jk = next(h, mesh), ki = next(jk, mesh), ji = opposite(h, mesh);
+  const Halfedge before = prev(ji, mesh); // on the border
+  const auto j = target(ij, mesh);
+  const auto p = internal::add_numbered_vertex(mesh, numbers);
+  const Halfedge pj = internal::add_numbered_edge(mesh, numbers), jp = opposite(pj, mesh);
+  const Halfedge pk = internal::add_numbered_edge(mesh, numbers), kp = opposite(pk, mesh);
+  for (const Halfedge s : {ij, kp, jp}) set_target(s, p, mesh);
+  set_target(pk, target(jk, mesh), mesh);
+  set_target(pj, j, mesh);
+  if (halfedge(j, mesh) == ij) set_halfedge(j, pj, mesh);
+  internal::connect_face(ij, pk, ki, face(h, mesh), mesh);
+  internal::connect_face(pj, jk, kp, internal::add_numbered_face(mesh, numbers), mesh);
+  set_face(jp, boost::graph_traits<Mesh>::null_face(), mesh);
+  set_next(before, jp, mesh);
+  set_next(jp, ji, mesh);
+  set_halfedge(p, jp, mesh);
+  return p;
+}
+
+/*!
+\brief removes a vertex p of the border with one inner edge: undoes `split_border_edge()`.
+\tparam Mesh a model of `MutableDeltaComplex`
+\param h the halfedge ip along the border that has a face; it becomes ij
+\param mesh the complex
+\param numbers gives back the numbers of what is removed
+\complexity linear in the degree of j
+*/
+template <class Mesh, class Numbers>
+void remove_border_vertex(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh,
+                          Numbers& numbers) {
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  const Halfedge ip = h, pk = next(h, mesh), ki = next(pk, mesh), kp = opposite(pk, mesh);
+  const Halfedge pj = next(kp, mesh), jk = next(pj, mesh), jp = opposite(pj, mesh);
+  const Halfedge pi = opposite(ip, mesh), before = prev(jp, mesh);
+  const auto p = target(ip, mesh), j = target(pj, mesh);
+  const auto g = face(pj, mesh);
+  set_target(ip, j, mesh);
+  internal::connect_face(ip, jk, ki, face(h, mesh), mesh);
+  set_next(before, pi, mesh);
+  if (halfedge(j, mesh) == pj) set_halfedge(j, ip, mesh);
+  internal::set_halfedge_of_target(jk, mesh);
+  internal::remove_numbered_edge(pj, mesh, numbers);
+  internal::remove_numbered_edge(pk, mesh, numbers);
+  internal::remove_numbered_face(g, mesh, numbers);
+  internal::remove_numbered_vertex(p, mesh, numbers);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_MOVES_H

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_REMOVE_VERTEX_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_REMOVE_VERTEX_H
+
+#include <CGAL/Intrinsic_triangulations/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+
+#include <CGAL/enum.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+/*!
+Removes an inserted vertex: flips edges away from it until it has three, on the border one inside.
+
+The faces around the vertex develop into a polygon that is star-shaped about it. A triangulation of the
+polygon without the vertex has two ears at least, of which one does not contain the vertex inside: the
+edge to its tip can be flipped. On the border the ears at both ends of the straight side are not
+counted. Only where the vertex is on the segment between two neighbours, and has no more than two
+others, the flip leaves a face of zero area, which goes with the vertex. Every flip takes an edge away
+from the vertex, hence the loop ends; edges from the vertex to itself can make it end too early.
+*/
+template <class Triangulation>
+class Vertex_remover {
+  using Mesh = typename Triangulation::Mesh;
+  using Session = typename Triangulation::Session;
+  using Traits = boost::graph_traits<Mesh>;
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+
+public:
+  Vertex_remover(Triangulation& t, Session& session, Vertex v)
+      : t_(t), session_(session), mesh_(t.mesh()), v_(v) {}
+
+  Move_status remove() {
+    for (;;) {
+      find_edges();
+      if (edges_.size() == 3 && !has_loop()) break;
+      const Halfedge h = edge_to_flip();
+      if (h != Traits::null_halfedge() && session_.flip_edge(h) == Move_status::done) {
+        flipped_.push_back(h);
+        continue;
+      }
+      const Halfedge straight = edges_.size() == 4 ? straight_edge() : Traits::null_halfedge();
+      if (straight == Traits::null_halfedge() ||
+          session_.flip_to_zero_area(straight) != Move_status::done) {
+        undo();
+        return Move_status::not_removable;
+      }
+    }
+    if (is_border_)
+      session_.remove_border_vertex(opposite(edges_.front(), mesh_));
+    else
+      session_.remove_degree_three_vertex(next(edges_.front(), mesh_));
+    return Move_status::done;
+  }
+
+private:
+  // the halfedges from the vertex, counterclockwise; on the border the first has no face on its right
+  void find_edges() {
+    edges_.clear();
+    const Halfedge first = opposite(halfedge(v_, mesh_), mesh_);
+    is_border_ = is_border(opposite(first, mesh_));
+    for (Halfedge h = first;;) {
+      edges_.push_back(h);
+      if (is_border(h)) break;
+      h = opposite(next(next(h, mesh_), mesh_), mesh_);
+      if (h == first) break;
+    }
+    // the face of the last edge's left side is that of the first one's right side
+    if (is_border_) std::rotate(edges_.begin(), edges_.end() - 1, edges_.end());
+  }
+
+  bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
+
+  bool has_loop() const {
+    for (const Halfedge h : edges_)
+      if (target(h, mesh_) == v_) return true;
+    return false;
+  }
+
+  // whether a flip takes an end of the edge away from the vertex, and puts none there
+  bool is_candidate(Halfedge h) const {
+    const Halfedge o = opposite(h, mesh_);
+    return !is_border(h) && !is_border(o) && face(h, mesh_) != face(o, mesh_) &&
+           target(next(h, mesh_), mesh_) != v_ && target(next(o, mesh_), mesh_) != v_;
+  }
+
+  Diamond_values<double> values(Halfedge h) const {
+    const Diamond d = t_.diamond(h);
+    const auto& m = t_.metric();
+    return {m.approximate_squared_length(d.ij), m.approximate_squared_length(d.jk),
+            m.approximate_squared_length(d.ki), m.approximate_squared_length(d.im),
+            m.approximate_squared_length(d.mj), m.approximate_quadruple_area(d.f),
+            m.approximate_quadruple_area(d.g)};
+  }
+
+  // the edge whose flip leaves the least thin faces, for rounding's sake
+  Halfedge edge_to_flip() {
+    Halfedge best = Traits::null_halfedge();
+    double best_quality = 0;
+    for (const Halfedge h : edges_) {
+      if (!is_candidate(h) || session_.flip_status(h) != Move_status::done) continue;
+      const Flipped_values<double> n = flipped(values(h));
+      const double quality = std::max(std::min(n.area_f, n.area_g) / n.km, 1e-300);
+      if (quality > best_quality) {
+        best_quality = quality;
+        best = h;
+      }
+    }
+    // of four edges two may go straight through, up to rounding
+    const bool is_doubtful = !Triangulation::Metric::is_exact && edges_.size() == 4 && !is_border_;
+    return is_doubtful && best_quality < 1e-9 && straight_edge() != Traits::null_halfedge()
+               ? Traits::null_halfedge()
+               : best;
+  }
+
+  // an edge to whose sides the vertex has a straight angle
+  Halfedge straight_edge() {
+    for (const Halfedge h : edges_)
+      if (is_candidate(h) && is_straight(h)) return h;
+    return Traits::null_halfedge();
+  }
+
+  bool is_straight(Halfedge h) {
+    const Diamond d = t_.diamond(h);
+    if constexpr (Triangulation::Metric::is_exact) {
+      return t_.metric().sign(d, Convexity_at_source_expression()) == ZERO &&
+             t_.metric().sign(d, Convexity_at_target_expression()) == POSITIVE;
+    } else {
+      const Diamond_values<double> v = values(h);
+      const Flipped_values<double> n = flipped(v);
+      return n.area_f > 0 && std::abs(n.area_g) <= straight_tolerance * (v.area_f + v.area_g);
+    }
+  }
+
+  // back by three more flips: four are the identity
+  void undo() {
+    for (auto h = flipped_.rbegin(); h != flipped_.rend(); ++h)
+      for (int i = 0; i < 3; ++i) session_.flip_edge(*h);
+  }
+
+  // relative area that a face with a straight angle has by rounding after many moves
+  static constexpr double straight_tolerance = 1e-7;
+
+  Triangulation& t_;
+  Session& session_;
+  const Mesh& mesh_;
+  Vertex v_;
+  bool is_border_ = false;
+  std::vector<Halfedge> edges_;
+  std::vector<Halfedge> flipped_;
+};
+
+/// removes an inserted vertex, see `Intrinsic_triangulation::remove_vertex()`
+template <class Triangulation>
+Move_status remove_vertex(Triangulation& t, typename Triangulation::Session& session,
+                          typename Triangulation::vertex_descriptor v) {
+  return Vertex_remover<Triangulation>(t, session, v).remove();
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_REMOVE_VERTEX_H
