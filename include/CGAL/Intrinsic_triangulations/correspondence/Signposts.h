@@ -106,7 +106,7 @@ public:
   \param view the triangulation
   \param h a halfedge of the input
   \param turn the angle from it, within the corner of its face
-  \return the intrinsic corner that the direction points into
+  \return the direction, from an intrinsic halfedge
   \complexity linear in the degree
   */
   template <class View>
@@ -124,7 +124,9 @@ public:
       if (d >= 0 && d < least) least = d, best = g;
       g = next_around_source(view, g);
     } while (g != first);
-    return {best, std::clamp(least, 0.0, angle_at_source(view, best))};
+    if (view.is_border(next_around_source(view, best)))
+      least = std::min(least, angle_at_source(view, best));
+    return {best, least}; // beyond the corner of `best` if that is thinner than rounding
   }
 
   /// observes a flip before it is done. \return true

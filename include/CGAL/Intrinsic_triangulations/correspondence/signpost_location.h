@@ -106,7 +106,7 @@ Signpost_location locate_from_corners(const Complex& complex, const Geodesic_fac
 */
 template <class Triangulation, class Signposts>
 Signpost_location find_on_input(const Triangulation& t, const Signposts& signposts,
-                                  const Surface_point& p) {
+                                const Surface_point& p) {
   const Intrinsic_view<Triangulation> view(t);
   return internal::locate_from_corners(
       signposts.input(), Geodesic_face(view, p.halfedge), p.weights,
@@ -125,7 +125,7 @@ face, and in the intrinsic degree of that corner
 */
 template <class Triangulation, class Signposts>
 Signpost_location find_on_intrinsic(const Triangulation& t, const Signposts& signposts,
-                                      const Surface_point& p) {
+                                    const Surface_point& p) {
   const Intrinsic_view<Triangulation> view(t);
   return internal::locate_from_corners(view, Geodesic_face(signposts.input(), p.halfedge),
                                        p.weights, [&](std::uint32_t h, double angle) {
