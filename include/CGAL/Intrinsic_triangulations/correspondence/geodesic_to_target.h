@@ -134,8 +134,11 @@ public:
   }
 
 private:
+  // of direction and length that were given, of the walk, and of the weights of start and target
   double tolerance(const Geodesic_walk<Complex>& walk) const {
-    return std::min(0x1p-6 * length_, std::max(0x1p-20 * length_, 4 * walk.position_error()));
+    const std::array<double, 3>& l = walk.face().length;
+    const double rounding = 4 * walk.position_error() + 0x1p-48 * std::max({l[0], l[1], l[2]});
+    return std::min(0x1p-4 * length_, std::max(0x1p-20 * length_, rounding));
   }
 
   Planar_vector<double> place(const Geodesic_walk<Complex>& walk, unsigned corner) const {
