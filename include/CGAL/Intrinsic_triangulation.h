@@ -276,7 +276,7 @@ public:
   /// returns the number that vertex `v` has in the input, in the order of iteration there.
   std::uint32_t input_vertex(vertex_descriptor v) const {
     const std::uint32_t i = number_.vertex(v);
-    return renumbering_.input_vertex.empty() ? i : renumbering_.input_vertex[i];
+    return i < renumbering_.input_vertex.size() ? renumbering_.input_vertex[i] : i;
   }
   /// returns how the numbering differs from the input's.
   const Renumbering& renumbering() const { return renumbering_; }

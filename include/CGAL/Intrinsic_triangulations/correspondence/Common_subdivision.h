@@ -87,6 +87,8 @@ struct Common_subdivision {
   std::vector<std::uint32_t> corner;
   /// What lies along the side from each corner to the next one of its face.
   std::vector<Side> side;
+  /// The halfedge of the intrinsic face that each corner lies on, at its source or inside.
+  std::vector<std::uint32_t> intrinsic_halfedge;
   /// The face of the input that contains each face.
   std::vector<std::uint32_t> input_face;
   /// The intrinsic face that contains each face.

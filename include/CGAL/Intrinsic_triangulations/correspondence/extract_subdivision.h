@@ -108,6 +108,7 @@ private:
     const std::size_t corners = 3 * num_faces(t_.mesh()) + 2 * crossings_.size() + 2 * curves;
     s_.corner.reserve(corners);
     s_.side.reserve(corners);
+    s_.intrinsic_halfedge.reserve(corners);
   }
 
   // ---- One intrinsic face ----
@@ -141,18 +142,19 @@ private:
   }
   std::uint32_t corner_vertex(unsigned k) const { return vertex_[view_.source(sides_[k])]; }
 
-  void add_corner(std::uint32_t vertex, Common_subdivision::Side side) {
+  void add_corner(std::uint32_t vertex, std::uint32_t h, Common_subdivision::Side side) {
     s_.corner.push_back(vertex);
     s_.side.push_back(side);
+    s_.intrinsic_halfedge.push_back(h);
   }
-  void add_corner_before_curve(std::uint32_t vertex, std::uint32_t entered) {
-    add_corner(vertex, {entered / 2, none});
+  void add_corner_before_curve(std::uint32_t vertex, unsigned side, std::uint32_t entered) {
+    add_corner(vertex, sides_[side], {entered / 2, none});
   }
   void add_corner_on_side(std::uint32_t vertex, unsigned side) {
     const std::uint32_t h = sides_[side];
     const bool shared = coordinates_.normal_coordinate(h / 2) < 0;
     add_corner(
-        vertex,
+        vertex, h,
         {shared ? coordinates_.fans().halfedge(coordinates_.roundabout(h)) / 2 : none, h / 2});
   }
   void finish_cell(std::uint32_t input_face) {
@@ -168,10 +170,10 @@ private:
       if (i == 0) {
         add_corner_on_side(corner_vertex(k), k);
       } else {
-        add_corner_before_curve(coming(k, i - 1), entered_about(k, i - 1));
+        add_corner_before_curve(coming(k, i - 1), before, entered_about(k, i - 1));
         add_corner_on_side(leaving(k, i - 1), k);
       }
-      add_corner_before_curve(leaving(k, i), entered);
+      add_corner_before_curve(leaving(k, i), k, entered);
       add_corner_on_side(coming(k, i), before);
       finish_cell(coordinates_.input().face(entered ^ 1U));
     }
@@ -185,7 +187,7 @@ private:
   void add_past_corner(unsigned k) {
     const Normal_coordinate n = corners_.cutting[k];
     if (n > 0) {
-      add_corner_before_curve(coming(k, n - 1), entered_about(k, n - 1));
+      add_corner_before_curve(coming(k, n - 1), (k + 2) % 3, entered_about(k, n - 1));
       add_corner_on_side(leaving(k, n - 1), k);
     } else {
       add_corner_on_side(corner_vertex(k), k);
@@ -215,11 +217,11 @@ private:
       if (i == 0)
         add_corner_on_side(corner_vertex(k), k), add_past_corner(opposite);
       else {
-        add_corner_before_curve(corner_vertex(k), last);
+        add_corner_before_curve(corner_vertex(k), k, last);
         add_corner_on_side(crossing(opposite, first + i - 1), opposite);
       }
       if (i < count)
-        add_corner_before_curve(crossing(opposite, first + i), entered);
+        add_corner_before_curve(crossing(opposite, first + i), opposite, entered);
       else
         add_past_corner((k + 2) % 3);
       finish_cell(coordinates_.input().face(i == 0 ? entered ^ 1U : last));
