@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/intrinsic_triangulation_format.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -35,6 +37,7 @@ public:
   Intrinsic_triangulation_writer(std::ostream& out, const Triangulation& t) : out_(out), t_(t) {}
 
   void run() {
+    check();
     decltype(auto) mesh =
         as_gluing_map(t_.mesh()); // elements have the numbers of the triangulation
     write_header();
@@ -51,6 +54,22 @@ public:
   }
 
 private:
+  // vertices of the triangulation have to be those of the input, and the history to be flips
+  void check() const {
+    bool only_flips = true;
+    for (const auto v : vertices(t_.mesh())) only_flips = only_flips && !t_.is_inserted(v);
+    if constexpr (Metric::is_exact)
+      only_flips = only_flips && t_.metric().history().number_of_vertex_moves() == 0;
+    if constexpr (std::is_same_v<typename Triangulation::Mesh, Gluing_map>)
+      only_flips = only_flips && !t_.mesh().has_garbage();
+    if (!only_flips)
+      throw Invalid_input(
+          Element_kind::none, 0,
+          "vertices have been inserted, which the file format of intrinsic "
+          "triangulations does not hold; write it before inserting vertices, or write "
+          "the common subdivision");
+  }
+
   void write_header() {
     const Input_report& report = t_.report();
     const auto kind =
@@ -154,6 +173,7 @@ loss.
 \param out the stream
 \param t the triangulation
 \throws std::runtime_error if the stream fails
+\throws Invalid_input if vertices have been inserted: the format holds flips only
 \complexity linear in the mesh and, with exact traits, in the number of flips done
 */
 template <class Triangulation>
@@ -173,6 +193,7 @@ Whatever fails, the file is complete or what it was before: see `Replacing_file`
 \param path the file
 \param t the triangulation
 \throws std::runtime_error naming the file if it cannot be written
+\throws Invalid_input if vertices have been inserted; the file is what it was then
 \complexity see above
 */
 template <class Triangulation>
@@ -180,6 +201,8 @@ void write_intrinsic_triangulation(const std::filesystem::path& path, const Tria
   Replacing_file file(path);
   try {
     write_intrinsic_triangulation(file.stream(), t);
+  } catch (const Invalid_input& e) {
+    throw Invalid_input(e.kind(), e.index(), path.string() + ": " + e.what());
   } catch (const std::runtime_error&) {
     throw std::runtime_error(path.string() +
                              ": the file cannot be written completely; is the disk full?");

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/metric/Vertex_star.h>
@@ -21,6 +22,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -82,6 +84,23 @@ public:
   Sign sign(const Diamond& d, const Expression& expression) {
     return CGAL::sign(expression(values(d)));
   }
+
+  /*!
+  \brief returns the sign of an expression in the values of faces.
+  \tparam Expression a functor with `operator()(std::span<const Face_values<FT>>)`
+  */
+  template <class Expression>
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) {
+    std::vector<Face_values<FT>> values;
+    for (const Indexed_face& f : faces)
+      values.push_back({{squared_length_[f.edges[0]], squared_length_[f.edges[1]],
+                         squared_length_[f.edges[2]]},
+                        quadruple_area_[f.face]});
+    return CGAL::sign(expression(std::span<const Face_values<FT>>(values)));
+  }
+
+  /// does nothing: stored values are as accurate as they are.
+  void sharpen(std::span<const Indexed_face>) {}
 
   /// What a flip makes.
   using Flipped = Flipped_values<FT>;

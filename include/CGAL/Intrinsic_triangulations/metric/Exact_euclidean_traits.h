@@ -7,9 +7,12 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/metric/Vertex_move_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/metric/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/metric/nonnegative_intervals.h>
@@ -17,9 +20,12 @@
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,7 +35,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief stores the metric as intervals that contain the exact values, and decides exactly.
 
 A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, the
-values are recomputed from the input by the history of flips, in multi-precision intervals of 128,
+values are recomputed from the input by the history of moves, in multi-precision intervals of 128,
 256, ... bits, between which exact arithmetic tells whether the value is zero: see
 `Exact_evaluation`. Better intervals found on the way replace the stored ones.
 
@@ -111,6 +117,41 @@ public:
     return exact_sign(d, expression);
   }
 
+  /*!
+  \brief returns the exact sign of an expression in the values of faces.
+  \tparam Expression a functor with a template `operator()(std::span<const Face_values<Number>>)`
+  \complexity mostly linear in the number of faces; if the filter fails, in that of the moves that
+  made them
+  */
+  template <class Expression>
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) {
+    std::vector<Face_values<FT>> values;
+    for (const Indexed_face& f : faces) values.push_back(enclosure(f));
+    const FT value = expression(std::span<const Face_values<FT>>(values));
+    if (value.inf() > 0) return POSITIVE;
+    if (value.sup() < 0) return NEGATIVE;
+    if (value.inf() == 0 && value.sup() == 0) return ZERO;
+    ++statistics_.filter_failures;
+    const Sign s =
+        evaluation_.sign(*input_, history_, sides(faces), expression, values, statistics_);
+    refine(faces, values);
+    return s;
+  }
+
+  /*!
+  \brief makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-40 of the
+  value, except for areas of thin faces, which get as accurate as 1024 bits allow.
+  \complexity constant per face if they are narrow, else linear in the number of moves that made them
+  */
+  void sharpen(std::span<const Indexed_face> faces) {
+    const auto are_narrow = [&] {
+      return std::all_of(faces.begin(), faces.end(),
+                         [this](const Indexed_face& f) { return is_narrow(enclosure(f)); });
+    };
+    for (unsigned bits = 128; bits <= 1024 && !are_narrow(); bits *= 2)
+      refine(faces, evaluation_.enclosures(*input_, history_, sides(faces), bits));
+  }
+
   /// What a flip makes: intervals, and the doubles that are kept beside them.
   struct Flipped {
     Flipped_values<FT> enclosure;         ///< intervals that contain the values
@@ -157,6 +198,84 @@ public:
     sides_[d.g] = {version + 1, d.ij};
   }
 
+  /*!
+  \brief computes the values at a vertex inserted in a face, and stores them.
+  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one
+  are stored
+  \param weights barycentric coordinates of the vertex, see `representable_weights()`
+  \return whether it was done: refused if a length would be zero, as it can be in faces without area
+  */
+  bool insert_in_face(const Vertex_star& s, const std::array<double, 3>& weights) {
+    const Indexed_face whole{s.faces[0], s.sides};
+    const auto values =
+        new_values(whole, [&](const auto& face) { return inserted_in_face(face, weights); });
+    if (!values) return false;
+    const auto& [enclosure, approximation] = *values;
+    const std::uint32_t version = history_.record_vertex_move(
+        Flip_history::Vertex_move::Kind::insert_in_face, {side(whole)}, weights);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      store_length(s.spokes[k], enclosure.squared_lengths[k], approximation.squared_lengths[k]);
+      store_area(s.faces[k], enclosure.quadruple_areas[k], approximation.quadruple_areas[k]);
+      store_version(s.faces[k], {version + k, s.sides[k]});
+    }
+    return true;
+  }
+
+  /// stores the values of a face from which a vertex is removed.
+  void remove_from_face(const Vertex_star& s) {
+    const auto [ij, jk, ki] = s.sides;
+    const std::uint32_t first = ij == jk ? 2 : ij == ki ? 1 : 0; // a side unlike the others
+    std::array<Flip_history::Side, 3> parents;
+    for (std::uint32_t k = 0; k < 3; ++k) parents[k] = star_side(s, (first + k) % 3);
+    const std::uint32_t version =
+        history_.record_vertex_move(Flip_history::Vertex_move::Kind::remove_from_face, parents);
+    const auto [f, g, h] = s.faces;
+    store_area(f,
+               removed_from_face(quadruple_area_[f], quadruple_area_[g], quadruple_area_[h])
+                   .quadruple_areas[0],
+               removed_from_face(area_[f], area_[g], area_[h]).quadruple_areas[0]);
+    store_version(f, {version, s.sides[first]});
+  }
+
+  /*!
+  \brief computes the values at a vertex inserted on a border edge, and stores them.
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge
+  and face
+  \param parameter weight of `j`
+  \return whether it was done: refused if a length would be zero
+  */
+  bool insert_in_border_edge(const Border_star& s, double parameter) {
+    const Indexed_face whole{s.f, {s.ip, s.jk, s.ki}};
+    const auto values = new_values(
+        whole, [&](const auto& face) { return inserted_in_border_edge(face, parameter); });
+    if (!values) return false;
+    const auto& [enclosure, approximation] = *values;
+    const std::uint32_t version =
+        history_.record_vertex_move(Flip_history::Vertex_move::Kind::insert_in_border_edge,
+                                    {side(whole)}, {1 - parameter, parameter, 0});
+    const std::array<std::uint32_t, 3> edges{s.ip, s.pj, s.pk};
+    const std::array<std::uint32_t, 2> faces{s.f, s.g};
+    for (std::size_t k = 0; k < 3; ++k)
+      store_length(edges[k], enclosure.squared_lengths[k], approximation.squared_lengths[k]);
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      store_area(faces[k], enclosure.quadruple_areas[k], approximation.quadruple_areas[k]);
+      store_version(faces[k], {version + k, edges[k]});
+    }
+    return true;
+  }
+
+  /// stores the values of a border edge and its face from which a vertex is removed.
+  void remove_from_border_edge(const Border_star& s) {
+    const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
+    const auto enclosure = removed_from_border_edge(values(d));
+    const auto approximation = removed_from_border_edge(approximations(d));
+    const std::uint32_t version = history_.record_vertex_move(
+        Flip_history::Vertex_move::Kind::remove_from_border_edge, {left_side(d), right_side(d)});
+    store_length(s.ip, enclosure.squared_lengths[0], approximation.squared_lengths[0]);
+    store_area(s.f, enclosure.quadruple_areas[0], approximation.quadruple_areas[0]);
+    store_version(s.f, {version, s.ip});
+  }
+
   /// tells whether the area of a face is zero; exact for an input face.
   bool is_degenerate(std::uint32_t f) const { return quadruple_area_[f].sup() <= 0; }
   /// tells whether the length of an edge is zero; exact for an input edge.
@@ -175,7 +294,7 @@ public:
   const Input_metric& input() const { return *input_; }
   /// returns the version of face `f`.
   const Version& version(std::uint32_t f) const { return sides_[f]; }
-  /// returns the flips done so far.
+  /// returns the moves done so far.
   const Flip_history& history() const { return history_; }
   /// returns how predicates were decided.
   const Predicate_statistics& statistics() const { return statistics_; }
@@ -215,6 +334,66 @@ private:
             length_[d.mj], area_[d.f],    area_[d.g]};
   }
 
+  Face_values<FT> enclosure(const Indexed_face& f) const {
+    return {{squared_length_[f.edges[0]], squared_length_[f.edges[1]], squared_length_[f.edges[2]]},
+            quadruple_area_[f.face]};
+  }
+
+  Face_values<double> approximation(const Indexed_face& f) const {
+    return {{length_[f.edges[0]], length_[f.edges[1]], length_[f.edges[2]]}, area_[f.face]};
+  }
+
+  using New_values = std::pair<Vertex_move_values<FT>, Vertex_move_values<double>>;
+
+  // what a function makes of a face, if lengths are not zero
+  template <class Function>
+  std::optional<New_values> new_values(const Indexed_face& face, const Function& function) {
+    const Face_values<FT> old = enclosure(face);
+    if (is_vague(old.quadruple_area) ||
+        std::any_of(old.squared_lengths.begin(), old.squared_lengths.end(), is_vague))
+      sharpen(std::span(&face, 1));
+    const New_values result{function(enclosure(face)), function(approximation(face))};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (result.first.squared_lengths[k].inf() > 0) continue;
+      const auto length = [&](const auto& faces) { return function(faces[0]).squared_lengths[k]; };
+      if (sign(std::span(&face, 1), length) != POSITIVE) return std::nullopt;
+    }
+    return result;
+  }
+
+  template <class T>
+  static void store(std::vector<T>& values, std::uint32_t i, const T& value) {
+    if (i >= values.size()) values.resize(i + 1);
+    values[i] = value;
+  }
+
+  void store_length(std::uint32_t e, const FT& enclosure, double approximation) {
+    store(squared_length_, e, positive_part(enclosure));
+    store(length_, e, nearest(approximation, squared_length_[e]));
+  }
+
+  void store_area(std::uint32_t f, const FT& enclosure, double approximation) {
+    store(quadruple_area_, f, positive_part(enclosure));
+    store(area_, f, nearest(approximation, quadruple_area_[f]));
+  }
+
+  void store_version(std::uint32_t f, const Version& version) { store(sides_, f, version); }
+
+  std::vector<Flip_history::Side> sides(std::span<const Indexed_face> faces) const {
+    std::vector<Flip_history::Side> result;
+    for (const Indexed_face& f : faces) result.push_back(side(f));
+    return result;
+  }
+
+  Flip_history::Side side(const Indexed_face& f) const {
+    return side(f.face, f.edges[0], f.edges[1]);
+  }
+
+  // the side of a face opposite the vertex of a star
+  Flip_history::Side star_side(const Vertex_star& s, std::uint32_t k) const {
+    return side(s.faces[k], s.sides[k], s.spokes[(k + 1) % 3]);
+  }
+
   Flip_history::Side left_side(const Diamond& d) const { return side(d.f, d.ij, d.jk); }
   Flip_history::Side right_side(const Diamond& d) const { return side(d.g, d.ij, d.im); }
   Flip_history::Side side(std::uint32_t f, std::uint32_t edge, std::uint32_t next_edge) const {
@@ -244,6 +423,18 @@ private:
   // too wide for its approximation to be worth anything
   static bool is_vague(const FT& x) { return x.sup() - x.inf() > 0x1p-10 * x.sup(); }
 
+  // precise enough to place points by it; lengths are those of an ordinary face
+  static bool is_narrow(const Face_values<FT>& f) {
+    const auto is = [](const FT& x, double size) { return x.sup() - x.inf() <= 0x1p-40 * size; };
+    double longest = 0;
+    for (const FT& x : f.squared_lengths) {
+      if (!is(x, x.sup())) return false;
+      longest = std::max(longest, x.sup());
+    }
+    // zero never gets narrow relative to itself
+    return is(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-200 * longest));
+  }
+
   void sharpen(const Diamond& d) {
     refine(d, evaluation_.enclosure(*input_, history_, left_side(d), right_side(d)));
   }
@@ -258,13 +449,25 @@ private:
     refine(quadruple_area_[d.g], area_[d.g], better.area_g);
   }
 
+  void refine(std::span<const Indexed_face> faces, const std::vector<Face_values<FT>>& better) {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t e = faces[i].edges[k];
+        refine(squared_length_[e], length_[e], better[i].squared_lengths[k]);
+      }
+      const std::uint32_t f = faces[i].face;
+      refine(quadruple_area_[f], area_[f], better[i].quadruple_area);
+    }
+  }
+
   static void refine(FT& stored, double& approximation, const FT& better) {
     stored = FT(std::max(stored.inf(), better.inf()), std::min(stored.sup(), better.sup()));
     approximation = nearest(approximation, stored);
   }
 
+  // the lower bound if x is not a number
   static double nearest(double x, const FT& interval) {
-    return std::min(std::max(x, interval.inf()), interval.sup());
+    return x >= interval.inf() ? std::min(x, interval.sup()) : interval.inf();
   }
 
   std::vector<FT> squared_length_;

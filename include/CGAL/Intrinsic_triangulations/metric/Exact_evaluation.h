@@ -5,8 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EVALUATION_H
 
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/metric/History_evaluator.h>
+#include <CGAL/Intrinsic_triangulations/metric/History_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/metric/Zero_test.h>
@@ -19,8 +21,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -74,7 +79,7 @@ public:
       ++statistics.certified_zero;
       return ZERO;
     }
-    for (unsigned bits = 128;; bits *= 2) {
+    for (unsigned bits = 128; !gives_up(answer, bits); bits *= 2) {
       const Gmpfi_precision precision(bits);
       const Diamond_values<Gmpfi> d = values(input, history, left, right);
       better = intervals(d);
@@ -83,13 +88,60 @@ public:
         ++statistics.escalations[bits];
         return get_certain(s);
       }
-      if (answer == Zero_test::Answer::probably_zero && bits >= maximal_bits) break;
-      if (bits >= (1U << 20))
-        throw std::logic_error("a value that was proven not to be zero shows no sign at 2^20 bits; "
-                               "please report this with the mesh");
     }
     ++statistics.probable_zero;
     return ZERO;
+  }
+
+  /*!
+  \brief returns the sign of an expression in the values of faces, each from a side on.
+
+  Here values are computed in 128 bits first, and tested for zero if the sign does not show.
+  \param input the input
+  \param history the moves since
+  \param sides the first side of each face
+  \param expression the expression: `operator()(std::span<const Face_values<Number>>)`
+  \param better set to intervals that contain the values, about as small as doubles allow
+  \param statistics counts how the sign was decided
+  */
+  template <class Expression>
+  Sign sign(const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides,
+            const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
+            Predicate_statistics& statistics) const {
+    Zero_answer answer = Zero_answer::not_zero;
+    for (unsigned bits = 128; !gives_up(answer, bits); bits *= 2) {
+      const Gmpfi_precision precision(bits);
+      const std::vector<Face_values<Gmpfi>> faces = values(input, history, sides);
+      better = intervals(faces);
+      const Uncertain<Sign> s = expression(std::span<const Face_values<Gmpfi>>(faces)).sign();
+      if (is_certain(s)) {
+        ++statistics.escalations[bits];
+        return get_certain(s);
+      }
+      if (bits > 128) continue;
+      answer = History_zero_test(input, history, sides).for_faces(expression);
+      if (answer == Zero_answer::zero) {
+        ++statistics.certified_zero;
+        return ZERO;
+      }
+    }
+    ++statistics.probable_zero;
+    return ZERO;
+  }
+
+  /*!
+  \brief computes intervals that contain the values of faces, each from a side on.
+  \param input the input
+  \param history the moves since
+  \param sides the first side of each face
+  \param bits the precision: errors grow with the number of moves
+  */
+  std::vector<Face_values<Interval_nt<false>>> enclosures(const Input_metric& input,
+                                                          const Flip_history& history,
+                                                          const std::vector<Side>& sides,
+                                                          unsigned bits) const {
+    const Gmpfi_precision precision(bits);
+    return intervals(values(input, history, sides));
   }
 
   /*!
@@ -107,27 +159,57 @@ private:
   // precision at which a value that is probably zero is taken for zero
   static constexpr unsigned maximal_bits = 1024;
 
-  // by unfolding, where the error does not grow with the number of flips, or by repeating the flips
-  Diamond_values<Gmpfi> values(const Input_metric& input, const Flip_history& history, Side left,
-                               Side right) const {
-    const auto face = [&input](std::uint32_t f) {
+  // whether a value that may be zero is taken for zero instead of computing it in so many bits
+  static bool gives_up(Zero_answer answer, unsigned bits) {
+    if (answer == Zero_answer::probably_zero) return bits > maximal_bits;
+    if (bits <= (1U << 20)) return false;
+    throw std::logic_error("a value that was proven not to be zero shows no sign at 2^20 bits; "
+                           "please report this with the mesh");
+  }
+
+  // returns input faces in intervals
+  static auto input_values(const Input_metric& input) {
+    return [&input](std::uint32_t f) {
       return std::pair<std::array<Gmpfi, 3>, Gmpfi>(
           {Gmpfi(input.squared_length<Gmpq>(f, 0)), Gmpfi(input.squared_length<Gmpq>(f, 1)),
            Gmpfi(input.squared_length<Gmpq>(f, 2))},
           Gmpfi(input.squared_quadruple_area<Gmpq>(f)).sqrt());
     };
-    if (is_zero_.diamond()) return is_zero_.diamond()->values<Gmpfi>(face);
+  }
+
+  // by unfolding, where the error does not grow with the number of flips, or by repeating the moves
+  Diamond_values<Gmpfi> values(const Input_metric& input, const Flip_history& history, Side left,
+                               Side right) const {
+    if (is_zero_.diamond()) return is_zero_.diamond()->values<Gmpfi>(input_values(input));
+    const auto faces = values(input, history, {left, right});
+    return diamond_values(faces[0], faces[1]);
+  }
+
+  static std::vector<Face_values<Gmpfi>>
+  values(const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides) {
+    const auto face = input_values(input);
     History_values<Gmpfi> memory;
-    return History_evaluator<Gmpfi, decltype(face)>(history, face, memory).diamond(left, right);
+    return History_evaluator<Gmpfi, decltype(face)>(history, face, memory).faces(sides);
+  }
+
+  static Interval_nt<false> interval(const Gmpfi& x) {
+    const std::pair<double, double> i = x.to_interval();
+    return Interval_nt<false>(i.first, i.second);
   }
 
   static Diamond_values<Interval_nt<false>> intervals(const Diamond_values<Gmpfi>& d) {
-    const auto interval = [](const Gmpfi& x) {
-      const std::pair<double, double> i = x.to_interval();
-      return Interval_nt<false>(i.first, i.second);
-    };
     return {interval(d.ij), interval(d.jk),     interval(d.ki),    interval(d.im),
             interval(d.mj), interval(d.area_f), interval(d.area_g)};
+  }
+
+  static std::vector<Face_values<Interval_nt<false>>>
+  intervals(const std::vector<Face_values<Gmpfi>>& faces) {
+    std::vector<Face_values<Interval_nt<false>>> result;
+    for (const Face_values<Gmpfi>& f : faces)
+      result.push_back({{interval(f.squared_lengths[0]), interval(f.squared_lengths[1]),
+                         interval(f.squared_lengths[2])},
+                        interval(f.quadruple_area)});
+    return result;
   }
 
   Zero_test is_zero_;

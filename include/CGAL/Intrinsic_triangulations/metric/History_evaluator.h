@@ -5,9 +5,12 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_HISTORY_EVALUATOR_H
 
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/metric/Vertex_move_values.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
@@ -22,23 +25,25 @@ namespace CGAL::Intrinsic_triangulations {
 template <class FT>
 struct History_values {
   /// Squared lengths of the slots of a face, and its quadruple area.
-  using Face_values = std::pair<std::array<FT, 3>, FT>;
+  using Input_face = std::pair<std::array<FT, 3>, FT>;
 
   /// What each flip made.
   std::unordered_map<std::uint32_t, Flipped_values<FT>> flips;
+  /// What each insertion or removal of a vertex made, by its first node.
+  std::unordered_map<std::uint32_t, Vertex_move_values<FT>> moves;
   /// Input faces.
-  std::unordered_map<std::uint32_t, Face_values> inputs;
+  std::unordered_map<std::uint32_t, Input_face> inputs;
 
   /// returns the number of values that are remembered.
-  std::size_t size() const { return flips.size() + inputs.size(); }
+  std::size_t size() const { return flips.size() + moves.size() + inputs.size(); }
 };
 
 /*!
 \brief evaluates versions of faces from the input, in the arithmetic of `FT`.
 
-Ancestors are evaluated in the order of their flips: nothing recurses, however deep the history.
+Ancestors are evaluated in the order of the moves: nothing recurses, however deep the history.
 \tparam FT a model of `Field`
-\tparam Input_values a functor from the number of an input face to `History_values::Face_values`
+\tparam Input_values a functor from the number of an input face to `History_values::Input_face`
 */
 template <class FT, class Input_values>
 class History_evaluator {
@@ -53,43 +58,79 @@ public:
   \complexity linear in the number of ancestors not evaluated yet
   */
   Diamond_values<FT> diamond(Flip_history::Side left, Flip_history::Side right) {
-    evaluate_ancestors(left.version, right.version);
+    evaluate_ancestors({left.version, right.version});
     return gather(left, right);
+  }
+
+  /*!
+  \brief evaluates faces, each from a side on.
+  \complexity linear in the number of ancestors not evaluated yet
+  */
+  std::vector<Face_values<FT>> faces(const std::vector<Flip_history::Side>& sides) {
+    std::vector<std::uint32_t> versions;
+    for (const Side& s : sides) versions.push_back(s.version);
+    evaluate_ancestors(std::move(versions));
+    std::vector<Face_values<FT>> result;
+    for (const Side& s : sides) result.push_back(face(s));
+    return result;
   }
 
 private:
   using Side = Flip_history::Side;
 
-  void evaluate_ancestors(std::uint32_t a, std::uint32_t b) {
-    const auto is_known = [this](std::uint32_t n) { return values_.flips.count(n) != 0; };
-    for (const std::uint32_t n : history_.ancestors(a, b, is_known))
-      values_.flips.emplace(n, flipped(gather(history_.left_parent(n), history_.right_parent(n))));
+  void evaluate_ancestors(std::vector<std::uint32_t> versions) {
+    const auto is_known = [this](std::uint32_t n) {
+      return (history_.is_flip(n) ? values_.flips.count(n) : values_.moves.count(n)) != 0;
+    };
+    for (const std::uint32_t n : history_.ancestors(std::move(versions), is_known))
+      if (history_.is_flip(n))
+        values_.flips.emplace(n,
+                              flipped(gather(history_.left_parent(n), history_.right_parent(n))));
+      else
+        values_.moves.emplace(n, evaluate(history_.vertex_move(n)));
   }
 
-  Diamond_values<FT> gather(Side l, Side r) {
-    return {length(l),
-            length({l.version, (l.slot + 1) % 3}),
-            length({l.version, (l.slot + 2) % 3}),
-            length({r.version, (r.slot + 1) % 3}),
-            length({r.version, (r.slot + 2) % 3}),
-            area(l.version),
-            area(r.version)};
+  Vertex_move_values<FT> evaluate(const Flip_history::Vertex_move& m) {
+    using Kind = Flip_history::Vertex_move::Kind;
+    switch (m.kind) {
+    case Kind::insert_in_face:
+      return inserted_in_face(face(m.parents[0]), m.weights);
+    case Kind::insert_in_border_edge:
+      return inserted_in_border_edge(face(m.parents[0]), m.weights[1]);
+    case Kind::remove_from_face:
+      return removed_from_face(area(m.parents[0].version), area(m.parents[1].version),
+                               area(m.parents[2].version));
+    case Kind::remove_from_border_edge:
+      break;
+    }
+    return removed_from_border_edge(gather(m.parents[0], m.parents[1]));
   }
+
+  Face_values<FT> face(Side s) {
+    return {
+        {length(s), length({s.version, (s.slot + 1) % 3}), length({s.version, (s.slot + 2) % 3})},
+        area(s.version)};
+  }
+
+  Diamond_values<FT> gather(Side l, Side r) { return diamond_values(face(l), face(r)); }
 
   const FT& length(Side s) {
     const Side o = history_.origin(s);
-    if (!history_.is_input(o.version)) return values_.flips.at(history_.flip_of(o.version)).km;
-    return input(o.version).first[o.slot];
+    if (history_.is_input(o.version)) return input(o.version).first[o.slot];
+    const std::uint32_t n = history_.node_of(o.version);
+    if (history_.is_flip(n)) return values_.flips.at(n).km;
+    return values_.moves.at(n).squared_lengths[history_.made_length(o)];
   }
 
   const FT& area(std::uint32_t version) {
     if (history_.is_input(version)) return input(version).second;
-    const std::uint32_t n = history_.flip_of(version);
+    const std::uint32_t n = history_.node_of(version), k = version - history_.left_version(n);
+    if (!history_.is_flip(n)) return values_.moves.at(n).quadruple_areas[k];
     const Flipped_values<FT>& values = values_.flips.at(n);
-    return version == history_.left_version(n) ? values.area_f : values.area_g;
+    return k == 0 ? values.area_f : values.area_g;
   }
 
-  const typename History_values<FT>::Face_values& input(std::uint32_t f) {
+  const typename History_values<FT>::Input_face& input(std::uint32_t f) {
     auto it = values_.inputs.find(f);
     if (it == values_.inputs.end()) it = values_.inputs.emplace(f, input_(f)).first;
     return it->second;

@@ -40,13 +40,16 @@ public:
 
   /*!
   \brief finds input triangles that reach the corners of the diamond between two sides.
-  \return the triangles, or nothing if a path is longer than `maximal_path`
+  \return the triangles, or nothing if a path is longer than `maximal_path`, or a vertex was inserted
+  or removed on the way
   \complexity linear in the number of ancestors not seen yet, times the length of paths
   */
   std::optional<Unfolded_diamond> diamond(const Flip_history& history, Side left, Side right) {
     const auto is_known = [this](std::uint32_t n) { return flips_.count(n) != 0; };
     for (const std::uint32_t n : history.ancestors(left.version, right.version, is_known))
-      flips_.emplace(n, flip(history, history.left_parent(n), history.right_parent(n)));
+      flips_.emplace(n, history.is_flip(n)
+                            ? flip(history, history.left_parent(n), history.right_parent(n))
+                            : Flip{none, {}, {}, {}, {}, {}, {}});
     if (is_too_long(history, left) || is_too_long(history, right)) return std::nullopt;
     const Path t = transition(history, left, right);
     std::array<Corner, 4> corners{start(history, left), start(history, next(left)),
@@ -75,7 +78,7 @@ private:
   };
 
   struct Flip {
-    std::uint32_t base; // none if a path is too long
+    std::uint32_t base; // none if a path is too long, or there is no flip
     Path mj, jk, ki, im;
     Corner k, m;
   };
@@ -104,7 +107,7 @@ private:
   }
 
   std::uint32_t base(const Flip_history& history, std::uint32_t version) const {
-    return history.is_input(version) ? version : flips_.at(history.flip_of(version)).base;
+    return history.is_input(version) ? version : flips_.at(history.node_of(version)).base;
   }
 
   // from the base of the version of a side to the plane in which the side was made
