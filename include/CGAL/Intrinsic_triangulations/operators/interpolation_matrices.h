@@ -9,12 +9,11 @@
 
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 /*!
@@ -40,15 +39,17 @@ inline std::vector<std::uint32_t> operator_numbers(const Common_subdivision& s) 
 }
 
 // entries of one row; sorted, and equal columns added up
-inline void append_row(const Weighted_vertices& w, Interpolation_matrix& m, Eigen::Index row) {
+inline void append_row(Weighted_vertices w, Interpolation_matrix& m, Eigen::Index row) {
   m.startVec(row);
-  std::array<std::size_t, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(w.size),
-            [&w](std::size_t a, std::size_t b) { return w.vertices[a] < w.vertices[b]; });
+  for (const std::size_t i : {1U, 2U, 1U})
+    if (i < w.size && w.vertices[i] < w.vertices[i - 1]) {
+      std::swap(w.vertices[i], w.vertices[i - 1]);
+      std::swap(w.weights[i], w.weights[i - 1]);
+    }
   for (std::size_t i = 0; i < w.size;) {
-    const std::uint32_t column = w.vertices[order[i]];
+    const std::uint32_t column = w.vertices[i];
     double sum = 0;
-    for (; i < w.size && w.vertices[order[i]] == column; ++i) sum += w.weights[order[i]];
+    for (; i < w.size && w.vertices[i] == column; ++i) sum += w.weights[i];
     if (sum != 0) m.insertBackByOuterInner(row, column) = sum;
   }
 }
