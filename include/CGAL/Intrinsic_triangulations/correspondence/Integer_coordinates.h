@@ -33,6 +33,9 @@ vertex that is inserted on an input edge cuts it into two curves.
 */
 class Integer_coordinates {
 public:
+  /// What the representation is called by programs.
+  static constexpr const char* name = "integer";
+
   /// observes the triangulation that the input is: every edge runs along itself.
   /// \complexity linear
   template <class Triangulation>
@@ -67,8 +70,13 @@ public:
   template <class Triangulation>
   bool before_flip(const Triangulation& t, std::uint32_t h) {
     const Intrinsic_view<Triangulation> view(t);
-    flipped_ = flipped_normal_coordinate(normal_[h / 2], corner_coordinates(view, *this, h),
-                                         corner_coordinates(view, *this, h ^ 1U));
+    return before_flip(h, corner_coordinates(view, *this, h),
+                       corner_coordinates(view, *this, h ^ 1U));
+  }
+  /// observes a flip of which is known how curves run in the two faces, see
+  /// `flipped_normal_coordinate()`.
+  bool before_flip(std::uint32_t h, const Corner_coordinates& f, const Corner_coordinates& g) {
+    flipped_ = flipped_normal_coordinate(normal_[h / 2], f, g);
     return flipped_ <= maximal_normal_coordinate;
   }
 
@@ -84,7 +92,7 @@ public:
   /// observes the insertion of a vertex into the face of `h` before it is done.
   /// \return true
   template <class Triangulation>
-  bool before_insert_in_face(const Triangulation& t, std::uint32_t h,
+  bool before_insert_in_face(Triangulation& t, std::uint32_t h,
                              const std::array<double, 3>& weights) {
     const Intrinsic_view<Triangulation> view(t);
     const std::array<std::uint32_t, 3> sides = sides_of_face(view, h);
@@ -110,6 +118,9 @@ public:
     return true;
   }
 
+  /// returns the region of the face into which the insertion that was announced last puts the vertex.
+  const Face_region& region_of_insertion() const { return insertion_.region; }
+
   /// observes the insertion of a vertex into a face after it was done; see `split_face()`.
   template <class Triangulation>
   void after_insert_in_face(const Triangulation& t, std::uint32_t h) {
@@ -132,7 +143,7 @@ public:
   /// observes the insertion of a vertex on the border edge of `h` before it is done.
   /// \return true
   template <class Triangulation>
-  bool before_insert_in_border_edge(const Triangulation& t, std::uint32_t h, double parameter) {
+  bool before_insert_in_border_edge(Triangulation& t, std::uint32_t h, double parameter) {
     return before_insert_in_face(t, h, {1 - parameter, parameter, 0});
   }
 
@@ -190,6 +201,14 @@ public:
   template <class Triangulation>
   void after_remove_from_border(const Triangulation&, std::uint32_t) {}
 
+  /// returns the halfedges to a vertex p of degree three from the corners i, j, k of the face around it,
+  /// where `h` is ij in the face ijp.
+  template <class View>
+  static std::array<std::uint32_t, 3> spokes(const View& view, std::uint32_t h) {
+    const std::uint32_t jp = view.next(h), pi = view.next(jp);
+    return {pi ^ 1U, jp, view.next(view.next(jp ^ 1U))};
+  }
+
 private:
   struct Insertion {
     std::array<std::uint32_t, 3> sides;
@@ -233,14 +252,6 @@ private:
     const std::size_t i = vertex - input_->number_of_vertices();
     if (i >= location_.size()) location_.resize(i + 1);
     location_[i] = location;
-  }
-
-  // the halfedges to the vertex p of degree three from the corners i, j, k of the face around it,
-  // where `h` is ij in the face ijp
-  template <class View>
-  static std::array<std::uint32_t, 3> spokes(const View& view, std::uint32_t h) {
-    const std::uint32_t jp = view.next(h), pi = view.next(jp);
-    return {pi ^ 1U, jp, view.next(view.next(jp ^ 1U))};
   }
 
   // the sides ij, jk, ki of the face around a vertex of degree three
