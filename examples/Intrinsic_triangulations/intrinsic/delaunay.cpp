@@ -1,43 +1,34 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "delaunay.h"
 #include "commands.h"
-#include "load.h"
-#include "output_files.h"
-#include "progress.h"
-#include "report.h"
-#include "statistics.h"
 
-#include <CGAL/Intrinsic_triangulations/IO/write_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
 
-#include <iostream>
+#include <stdexcept>
 
 namespace program {
 
-namespace {
-
-template <class Triangulation>
-void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
-  Json json = flip_and_measure(loaded, true, options, progress);
-  if (const Json& count = json["delaunay"]["non_delaunay_edges"]; count != 0)
-    std::cerr << options.input << ": " << count
-              << " edges are not Delaunay as far as double arithmetic can tell; --arithmetic exact "
-                 "decides them\n";
-  Stopwatch watch;
-  Output_files files;
-  if (!options.output.empty()) {
-    progress.show("writing");
-    IT::write_intrinsic_triangulation(files.open(options.output), loaded.triangulation);
-  }
-  finish(json, options, files, watch);
-  print_summary_on_terminal(json);
-}
-
-} // namespace
+// One translation unit each, to compile in little memory.
+void run_delaunay_with_crossings(const Options& options);
+void run_delaunay_with_signposts(const Options& options);
 
 void run_delaunay(const Options& options) {
-  Progress progress;
-  with_loaded(options, progress, [&](auto& loaded) { delaunay(loaded, options, progress); });
+  const bool is_stored = is_triangulation_file(options.input);
+  if (is_stored && (is_mesh_output(options) || !options.view.empty() ||
+                    (!options.correspondence.empty() && options.correspondence != "none")))
+    throw std::runtime_error(options.input +
+                             ": a stored triangulation does not know where its edges run on the "
+                             "input; start from the mesh");
+  if (options.correspondence == "none" || is_stored)
+    run_delaunay_with<IT::No_correspondence>(options);
+  else if (options.correspondence == "crossings")
+    run_delaunay_with_crossings(options);
+  else if (options.correspondence == "signposts")
+    run_delaunay_with_signposts(options);
+  else
+    run_delaunay_with<IT::Integer_coordinates>(options);
 }
 
 } // namespace program

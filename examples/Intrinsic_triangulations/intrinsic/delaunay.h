@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/write_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/No_correspondence.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/common_subdivision_of.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivide.h>
 
 #include <cmath>
 #include <cstdint>
@@ -59,8 +59,7 @@ IT::Common_subdivision subdivide(const Loaded<Triangulation>& loaded, const Opti
 /// writes the common subdivision, and the page that shows it.
 template <class Triangulation>
 void write_subdivision(const Loaded<Triangulation>& loaded, const Options& options, Json& json,
-                       Output_files& files, Progress& progress) {
-  Stopwatch watch;
+                       Output_files& files, Progress& progress, Stopwatch& watch) {
   progress.show("subdividing");
   const IT::Common_subdivision s = subdivide(loaded, options);
   json["subdivision"] = {{"vertices", s.number_of_vertices()},
@@ -87,10 +86,8 @@ void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   Stopwatch watch;
   Output_files files;
   if constexpr (!std::is_same_v<typename Triangulation::Correspondence, IT::No_correspondence>)
-    if (is_mesh_output(options) || !options.view.empty()) {
-      write_subdivision(loaded, options, json, files, progress);
-      watch.lap();
-    }
+    if (is_mesh_output(options) || !options.view.empty())
+      write_subdivision(loaded, options, json, files, progress, watch);
   if (!options.output.empty() && !is_mesh_output(options)) {
     progress.show("writing");
     IT::write_intrinsic_triangulation(files.open(options.output), loaded.triangulation);

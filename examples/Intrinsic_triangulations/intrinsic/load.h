@@ -92,8 +92,8 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
       Triangulation::Metric::is_exact && input.mollification != IT::Mollification::lengths;
   const std::vector<Point> points = are_points_kept ? std::vector<Point>() : input.points;
   try {
-    Loaded<Triangulation> loaded{Triangulation(std::move(input)), facts, seconds, {},
-                                 std::move(polygon_of_triangle)};
+    Loaded<Triangulation> loaded{
+        Triangulation(std::move(input)), facts, seconds, {}, std::move(polygon_of_triangle)};
     const Triangulation& t = loaded.triangulation;
     loaded.points.reserve(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) {

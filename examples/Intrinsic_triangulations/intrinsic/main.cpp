@@ -7,14 +7,17 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace {
 
+namespace IT = CGAL::Intrinsic_triangulations;
 using program::Options;
 using Command = void (*)(const Options&);
 
@@ -32,14 +35,16 @@ CLI::Validator extension(const std::string& wanted, const std::string& what) {
       "FILE" + wanted);
 }
 
-CLI::Validator no_correspondence() {
+CLI::Validator triangulation_or_mesh() {
   return CLI::Validator(
-      [](std::string& word) {
-        return word == "none" ? std::string()
-                              : "the correspondence " + word +
-                                    " is not offered; this version offers only none";
+      [](std::string& path) {
+        const std::string extension = std::filesystem::path(path).extension().string();
+        return extension == ".idt" || IT::is_common_subdivision_extension(extension)
+                   ? std::string()
+                   : path + ": the format is not offered; write the common subdivision to .ply, "
+                            ".obj, .off, .stl or .vtp, or the intrinsic triangulation to .idt";
       },
-      "");
+      "FILE");
 }
 
 void add_common_options(CLI::App& command, Options& options) {
@@ -66,11 +71,6 @@ void add_common_options(CLI::App& command, Options& options) {
           "treatment of faces without area: automatic (only where flips cannot remove them, "
           "default), none, lengths or squared")
       ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
-  command
-      .add_option("--correspondence", options.correspondence,
-                  "what is kept of where edges run on the input: none")
-      ->check(CLI::IsMember({"none", "integer", "signposts", "crossings"}))
-      ->check(no_correspondence());
   command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
       ->type_name("FILE");
 }
@@ -79,8 +79,18 @@ void add_delaunay(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command =
       *app.add_subcommand("delaunay", "flip to the intrinsic Delaunay triangulation");
   add_common_options(command, options);
-  command.add_option("-o", options.output, "write the intrinsic triangulation")
-      ->check(extension(".idt", "intrinsic triangulations"));
+  command
+      .add_option("--correspondence", options.correspondence,
+                  "what is kept of where edges run on the input: integer (coordinates, default), "
+                  "signposts, crossings or none")
+      ->check(CLI::IsMember({"none", "integer", "signposts", "crossings"}));
+  command
+      .add_option("-o", options.output,
+                  "write the common subdivision (.ply .obj .off .stl .vtp) or the intrinsic "
+                  "triangulation (.idt)")
+      ->check(triangulation_or_mesh());
+  command.add_option("--view", options.view, "write a page that shows the triangulation")
+      ->type_name("FILE");
   command.callback([&chosen] { chosen = program::run_delaunay; });
 }
 
@@ -106,8 +116,15 @@ void add_info(CLI::App& app, Options& options, Command& chosen) {
 }
 
 bool names_a_file_twice(const Options& o) {
-  return (!o.output.empty() && (o.output == o.mass || o.output == o.stats)) ||
-         (!o.mass.empty() && o.mass == o.stats);
+  std::vector<std::string> names;
+  for (const std::string& name : {o.output, o.mass, o.stats, o.view})
+    if (!name.empty()) names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return std::adjacent_find(names.begin(), names.end()) != names.end();
+}
+
+bool lacks_correspondence(const Options& o) {
+  return o.correspondence == "none" && (program::is_mesh_output(o) || !o.view.empty());
 }
 
 int run(int argc, char** argv) {
@@ -127,6 +144,12 @@ int run(int argc, char** argv) {
   }
   if (names_a_file_twice(options)) {
     std::cerr << "intrinsic: two outputs have the same file name; give each its own\n";
+    return misused;
+  }
+  if (lacks_correspondence(options)) {
+    std::cerr
+        << "intrinsic: without correspondence nothing is known of the common subdivision; use "
+           "--correspondence integer, or write the intrinsic triangulation to .idt\n";
     return misused;
   }
   chosen(options);

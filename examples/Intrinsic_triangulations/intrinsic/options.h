@@ -4,8 +4,10 @@
 #ifndef INTRINSIC_OPTIONS_H
 #define INTRINSIC_OPTIONS_H
 
+#include <CGAL/Intrinsic_triangulations/IO/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/metric/mollification.h>
 
+#include <filesystem>
 #include <string>
 
 namespace program {
@@ -14,9 +16,11 @@ namespace program {
 struct Options {
   std::string input;
   std::string arithmetic = "exact"; ///< `exact` or `double`
-  std::string correspondence = "none";
+  /// `none`, `integer`, `signposts` or `crossings`; empty: what the command takes by default
+  std::string correspondence;
   std::string mollification = "automatic"; ///< `automatic`, `none`, `lengths` or `squared`
   std::string output;                      ///< empty: none
+  std::string view;                        ///< page that shows the triangulation; empty: none
   std::string mass;                        ///< empty: none
   std::string mass_kind = "lumped";        ///< `lumped` or `galerkin`
   std::string stats;                       ///< empty: none; `-`: standard output
@@ -32,6 +36,12 @@ inline CGAL::Intrinsic_triangulations::Mollification mollification_of(const Opti
   if (options.mollification == "lengths") return Mollification::lengths;
   if (options.mollification == "squared") return Mollification::squared_lengths;
   return Mollification::automatic;
+}
+
+/// tells whether the output is the common subdivision, not the intrinsic triangulation
+inline bool is_mesh_output(const Options& options) {
+  return !options.output.empty() && CGAL::Intrinsic_triangulations::is_common_subdivision_extension(
+                                        std::filesystem::path(options.output).extension().string());
 }
 
 } // namespace program

@@ -37,7 +37,8 @@ const char* name(IT::Mollification kind) {
 
 } // namespace
 
-Json input_json(const Options& options, const std::string& arithmetic, const Input_facts& facts,
+Json input_json(const Options& options, const std::string& arithmetic,
+                const std::string& correspondence, const Input_facts& facts,
                 const IT::Input_report& report) {
   Json json;
   json["version"] = INTRINSIC_TRIANGULATIONS_VERSION;
@@ -57,7 +58,7 @@ Json input_json(const Options& options, const std::string& arithmetic, const Inp
   input["triangulated_polygons"] = facts.triangulated_polygons;
   input["renumbered"] = report.renumbered;
   json["arithmetic"] = arithmetic;
-  json["correspondence"] = options.correspondence;
+  json["correspondence"] = correspondence;
   json["mollification"] = {{"kind", name(report.mollification.kind)},
                            {"delta", report.mollification.delta}};
   return json;

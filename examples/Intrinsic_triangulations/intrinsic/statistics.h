@@ -159,7 +159,8 @@ double input_area(const Loaded<Triangulation>& loaded) {
 }
 
 /// returns what is known of input and mollification, and the program's version.
-Json input_json(const Options& options, const std::string& arithmetic, const Input_facts& facts,
+Json input_json(const Options& options, const std::string& arithmetic,
+                const std::string& correspondence, const Input_facts& facts,
                 const IT::Input_report& report);
 /// returns what flipping did.
 Json delaunay_json(const IT::Flip_to_delaunay_result& flips,
@@ -187,7 +188,8 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
                       Progress& progress) {
   constexpr bool is_exact = Triangulation::Metric::is_exact;
   Triangulation& t = loaded.triangulation;
-  Json json = input_json(options, is_exact ? "exact" : "double", loaded.facts, t.report());
+  Json json = input_json(options, is_exact ? "exact" : "double",
+                         Triangulation::Correspondence::name, loaded.facts, t.report());
   const bool has_points = !loaded.scaled_points().empty();
   const double area = input_area(loaded);
   Stopwatch watch;

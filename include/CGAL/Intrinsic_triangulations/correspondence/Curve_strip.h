@@ -7,10 +7,12 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -47,11 +49,9 @@ class Curve_strip {
 public:
   /// A triangle of the strip, across the side from point `start` to point `end` counterclockwise.
   struct Triangle {
-    std::array<std::uint32_t, 3> edges; ///< that side, the next and the last one
-    std::uint32_t face;                 ///< the face
-    std::uint32_t entered;              ///< halfedge of that side
-    std::uint32_t start;                ///< first end of the side
-    std::uint32_t end;                  ///< second end of the side
+    std::uint32_t entered; ///< halfedge of that side
+    std::uint32_t start;   ///< first end of the side
+    std::uint32_t end;     ///< second end of the side
   };
 
   /*!
@@ -64,7 +64,7 @@ public:
   template <class Complex, class Coordinates>
   Curve_strip(const Complex& complex, const Coordinates& coordinates,
               const std::array<std::uint32_t, 3>& sides, const Curve_crossing& crossing) {
-    triangles_.push_back({edges(sides), complex.face(sides[0]), sides[0], 0, 1});
+    add(sides, complex.face(sides[0]), 0, 1);
     unsigned out = 0;
     while (sides[out] != crossing.halfedge) ++out;
     const Corner_coordinates c = corner_coordinates(complex, coordinates, sides[0]);
@@ -86,6 +86,8 @@ public:
 
   /// returns the triangles; number `n` adds point `n + 2`.
   const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// returns the face of each triangle and its sides, that to the triangle before first.
+  std::span<const Indexed_face> faces() const { return faces_; }
   /// returns the number of the point where the curve starts.
   std::uint32_t first() const { return first_; }
   /// returns the number of the point where the curve ends.
@@ -97,27 +99,40 @@ public:
 
   /*!
   \brief unfolds the strip.
-  \tparam FT a model of `Field`
-  \param metric returns squared lengths and quadruple areas
+  \param values what squared lengths and quadruple areas the `faces()` have
   \return the positions of the points; the unit is the first side
   */
-  template <class FT, class Metric>
-  std::vector<Plane_point<FT>> unfold(const Metric& metric) const {
+  template <class FT>
+  std::vector<Plane_point<FT>> unfold(std::span<const Face_values<FT>> values) const {
     std::vector<Plane_point<FT>> points{{FT(0), FT(0)}, {FT(1), FT(0)}};
     points.reserve(triangles_.size() + 2);
-    for (const Triangle& t : triangles_) {
-      const FT ij = metric.squared_length(t.edges[0]);
-      const FT p = ij + metric.squared_length(t.edges[2]) - metric.squared_length(t.edges[1]);
+    for (std::size_t n = 0; n < triangles_.size(); ++n) {
+      const Triangle& t = triangles_[n];
+      const auto& [ij, jk, ki] = values[n].squared_lengths;
       const FT scale = FT(1) / (ij + ij);
-      const Plane_point<FT> turn{p * scale, metric.quadruple_area(t.face) * scale};
+      const Plane_point<FT> turn{(ij + ki - jk) * scale, values[n].quadruple_area * scale};
       points.push_back(points[t.start] + (points[t.end] - points[t.start]) * turn);
     }
     return points;
   }
 
+  /// the same, with the values that `complex` has in double precision
+  template <class Complex>
+  std::vector<Plane_point<double>> unfold_approximately(const Complex& complex) const {
+    std::vector<Face_values<double>> values;
+    values.reserve(faces_.size());
+    for (const Indexed_face& f : faces_)
+      values.push_back({{complex.squared_length(f.edges[0]), complex.squared_length(f.edges[1]),
+                         complex.squared_length(f.edges[2])},
+                        complex.quadruple_area(f.face)});
+    return unfold<double>(values);
+  }
+
 private:
-  static std::array<std::uint32_t, 3> edges(const std::array<std::uint32_t, 3>& s) {
-    return {s[0] / 2, s[1] / 2, s[2] / 2};
+  void add(const std::array<std::uint32_t, 3>& sides, std::uint32_t face, std::uint32_t start,
+           std::uint32_t end) {
+    triangles_.push_back({sides[0], start, end});
+    faces_.push_back({face, {sides[0] / 2, sides[1] / 2, sides[2] / 2}});
   }
 
   // Adds the triangles from a crossing on, whose halfedge runs between two `points`.
@@ -135,14 +150,40 @@ private:
       }
       entered = c.halfedge ^ 1U;
       apex = static_cast<std::uint32_t>(triangles_.size()) + 2;
-      triangles_.push_back({edges(sides_of_face(complex, entered)), complex.face(entered), entered,
-                            points[1], points[0]});
+      add(sides_of_face(complex, entered), complex.face(entered), points[1], points[0]);
     });
   }
 
   std::vector<Triangle> triangles_;
+  std::vector<Indexed_face> faces_;
   std::uint32_t first_ = 0, last_ = 0;
   Curve_end start_{}, end_{};
+};
+
+/*!
+\brief evaluates to a value that is positive iff a point of the first face of a strip is on the left of
+the curve, zero iff it is on it.
+*/
+class Side_of_curve_expression {
+public:
+  /// constructs the expression for the point with barycentric coordinates `weights`; the strip must
+  /// outlive it.
+  Side_of_curve_expression(const Curve_strip& strip, const std::array<double, 3>& weights)
+      : strip_(strip), weights_(weights) {}
+
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(std::span<const Face_values<FT>> values) const {
+    const std::vector<Plane_point<FT>> points = strip_.unfold<FT>(values);
+    const FT j(weights_[1]), k(weights_[2]);
+    const Plane_point<FT> u = points[strip_.first()], d = points[strip_.last()] - u;
+    const Plane_point<FT> p{j + k * points[2].x - u.x, k * points[2].y - u.y};
+    return d.x * p.y - d.y * p.x;
+  }
+
+private:
+  const Curve_strip& strip_;
+  std::array<double, 3> weights_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

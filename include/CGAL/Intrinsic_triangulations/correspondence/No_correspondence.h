@@ -14,6 +14,9 @@ namespace CGAL::Intrinsic_triangulations {
 \cgalModels{IntrinsicCorrespondence}
 */
 struct No_correspondence {
+  /// What the representation is called by programs.
+  static constexpr const char* name = "none";
+
   /// observes a triangulation before its first move.
   template <class Triangulation>
   void start(const Triangulation&) {}

@@ -162,10 +162,10 @@ namespace internal {
 template <class Triangulation, class Coordinates>
 class Input_locator {
 public:
-  Input_locator(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+  Input_locator(Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                 const std::array<double, 3>& weights)
-      : view_(t), coordinates_(coordinates), sides_(sides_of_face(view_, h)), weights_(weights),
-        corners_(corner_coordinates(view_, coordinates, h)) {}
+      : metric_(t.metric()), view_(t), coordinates_(coordinates), sides_(sides_of_face(view_, h)),
+        weights_(weights), corners_(corner_coordinates(view_, coordinates, h)) {}
 
   Located locate() const {
     const Face_region r =
@@ -180,7 +180,8 @@ private:
   };
 
   double height_over(const Curve_strip& strip, double& along) const {
-    const std::vector<Plane_point<double>> points = strip.unfold<double>(view_);
+    metric_.sharpen(strip.faces());
+    const std::vector<Plane_point<double>> points = strip.unfold_approximately(view_);
     const Plane_point<double> u = points[strip.first()], d = points[strip.last()] - u;
     const Plane_point<double> p{weights_[1] + weights_[2] * points[2].x - u.x,
                                 weights_[2] * points[2].y - u.y};
@@ -189,10 +190,11 @@ private:
     return (d.x * p.y - d.y * p.x) / squared;
   }
 
+  // With inexact arithmetic no point counts as one on a curve.
   Sign side(const Curve_crossing& c) const {
-    double along = 0;
-    const double height = height_over(Curve_strip(view_, coordinates_, sides_, c), along);
-    return height >= 0 ? POSITIVE : NEGATIVE;
+    const Curve_strip strip(view_, coordinates_, sides_, c);
+    const Sign s = metric_.sign(strip.faces(), Side_of_curve_expression(strip, weights_));
+    return s == ZERO && !Triangulation::Metric::is_exact ? POSITIVE : s;
   }
 
   // the point beside the input halfedge along which a curve leaves the face
@@ -248,6 +250,7 @@ private:
     return {p.halfedge, {1 - x, x, 0}};
   }
 
+  typename Triangulation::Metric& metric_;
   Intrinsic_view<Triangulation> view_;
   const Coordinates& coordinates_;
   std::array<std::uint32_t, 3> sides_;
@@ -259,7 +262,7 @@ private:
 
 /*!
 \brief finds the point of the input at a point of an intrinsic face.
-\param t the triangulation
+\param t the triangulation, whose metric may get more precise
 \param coordinates a model of `IntrinsicCorrespondence` with normal coordinates and roundabouts
 \param h a halfedge of the face
 \param weights barycentric coordinates: of its source, its target, the third corner
@@ -267,8 +270,9 @@ private:
 \complexity that of following a number of curves logarithmic in the number of crossings of the face
 */
 template <class Triangulation, class Coordinates>
-Located locate_on_input(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+Located locate_on_input(Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                         const std::array<double, 3>& weights) {
+  [[maybe_unused]] const typename Triangulation::Metric::Scope scope;
   return internal::Input_locator<Triangulation, Coordinates>(t, coordinates, h, weights).locate();
 }
 

@@ -194,7 +194,7 @@ private:
   // the curve from 0 to 1: first the face at the foot of the perpendicular, then up
   Surface_point beside_strip(const Curve_end& start, const Curve_strip& strip,
                              const Point& p) const {
-    std::vector<Point> points = strip.template unfold<double>(view_);
+    std::vector<Point> points = strip.unfold_approximately(view_);
     const Point u = points[strip.first()], d = points[strip.last()] - u;
     const double squared = d.x * d.x + d.y * d.y;
     const Point inverse{d.x / squared, -d.y / squared};

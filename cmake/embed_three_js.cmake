@@ -1,0 +1,28 @@
+# embed_three_js(TARGET): compiles three.js and its TrackballControls.js into TARGET, which then has the
+# functions that examples/Intrinsic_triangulations/intrinsic/three_js.h declares. Where the scripts are
+# not found their text is empty, and the program says so when it needs them.
+
+set(INTRINSIC_TRIANGULATIONS_THREE_JS_DIR "" CACHE PATH
+  "Directory of three.js (three.min.js, examples/js/controls); empty: that of Debian's libjs-three")
+
+function(embed_three_js target)
+  set(directories "${INTRINSIC_TRIANGULATIONS_THREE_JS_DIR}" /usr/share/javascript/three)
+  find_file(INTRINSIC_TRIANGULATIONS_THREE_JS three.min.js
+    PATHS ${directories} PATH_SUFFIXES build NO_DEFAULT_PATH)
+  find_file(INTRINSIC_TRIANGULATIONS_TRACKBALL_CONTROLS_JS TrackballControls.js
+    PATHS ${directories} PATH_SUFFIXES examples/js/controls NO_DEFAULT_PATH)
+  mark_as_advanced(INTRINSIC_TRIANGULATIONS_THREE_JS INTRINSIC_TRIANGULATIONS_TRACKBALL_CONTROLS_JS)
+  if(NOT INTRINSIC_TRIANGULATIONS_THREE_JS OR NOT INTRINSIC_TRIANGULATIONS_TRACKBALL_CONTROLS_JS)
+    message(STATUS "The program `intrinsic` is built without --view: it needs three.js "
+      "(Debian: libjs-three)")
+  endif()
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/three_js.cpp")
+  add_custom_command(OUTPUT "${source}"
+    COMMAND "${CMAKE_COMMAND}"
+      "-DTHREE=${INTRINSIC_TRIANGULATIONS_THREE_JS}"
+      "-DCONTROLS=${INTRINSIC_TRIANGULATIONS_TRACKBALL_CONTROLS_JS}"
+      "-DOUTPUT=${source}" -P "${PROJECT_SOURCE_DIR}/cmake/write_three_js_source.cmake"
+    DEPENDS "${PROJECT_SOURCE_DIR}/cmake/write_three_js_source.cmake"
+    VERBATIM)
+  target_sources(${target} PRIVATE "${source}")
+endfunction()
