@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_FACE_VECTOR_TRANSFER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_FACE_VECTOR_TRANSFER_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/metric/local_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief takes tangent vector fields that are constant on faces between an intrinsic triangulation and its
+input, to the nearest ones in the L2 norm (§4.11.2 of the course).
+
+A vector is a complex number in the frame of its face, whose real axis runs along the first halfedge of
+the face, `halfedge_of_face()`. Faces have the numbers of the subdivision: those of the input for
+the user, intrinsic ones for the triangulation. A face of the subdivision lies in one face of each; its corners
+in both frames give the rotation r between them, and the nearest field is the average
+
+    v_g = sum over cells c in g of |c| r_c v_f(c) / |g|
+
+Fields are interpreted face by face, and no vector is carried through a vertex: the rotation is
+well-defined though the surface is curved.
+*/
+class Face_vector_transfer {
+public:
+  /*!
+  \brief finds the rotations.
+  \tparam Triangulation an instance of `Intrinsic_triangulation` whose correspondence keeps its input
+  \param t the triangulation
+  \param s its common subdivision with the input
+  \pre no face of the input has a vertex at two corners
+  \throws Invalid_input naming a face of the input that has
+  \complexity linear
+  */
+  template <class Triangulation>
+  Face_vector_transfer(const Triangulation& t, const Common_subdivision& s)
+      : input_face_(s.input_face), intrinsic_face_(s.intrinsic_face),
+        area_(subdivision_areas(t, s)) {
+    const Input_surface& input = t.correspondence().input();
+    const Intrinsic_view<Triangulation> view(t);
+    const std::vector<std::uint32_t> number = inverse(t.renumbering().input_face);
+    const std::vector<std::uint32_t>& user = t.renumbering().input_vertex;
+    for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+      const std::uint32_t g = number.empty() ? input_face_[f] : number[input_face_[f]];
+      const Frame from(view, view.halfedge_of_face(intrinsic_face_[f]));
+      const Frame to(input, input.halfedge_of_face(g));
+      const std::array<std::uint32_t, 3> corners = corners_of(input, g, user, input_face_[f]);
+      rotation_.push_back(rotation(view, s, f, from, to, corners));
+    }
+    input_faces_ = input.mesh().number_of_faces();
+    intrinsic_faces_ = bound(intrinsic_face_);
+  }
+
+  /// takes a field from the faces of the intrinsic triangulation to those of the input.
+  /// \complexity linear
+  std::vector<std::complex<double>> to_input(const std::vector<std::complex<double>>& field) const {
+    return average(field, intrinsic_face_, input_face_, input_faces_, false);
+  }
+  /// takes a field from the faces of the input to those of the intrinsic triangulation.
+  /// \complexity linear
+  std::vector<std::complex<double>>
+  to_intrinsic(const std::vector<std::complex<double>>& field) const {
+    return average(field, input_face_, intrinsic_face_, intrinsic_faces_, true);
+  }
+
+  /// returns the rotation that takes vectors from the intrinsic face of subdivision face `f` to its
+  /// face of the input.
+  std::complex<double> rotation(std::size_t f) const { return rotation_[f]; }
+
+private:
+  using Complex = std::complex<double>;
+
+  // positions of the corners of a face, the first at the origin, the second on the real axis
+  struct Frame {
+    template <class View>
+    Frame(const View& view, std::uint32_t h) : base(h) {
+      const std::uint32_t jk = view.next(h), ki = view.next(jk);
+      const Planar_triangle<double> layout =
+          planar_layout(view.squared_length(h / 2), view.squared_length(jk / 2),
+                        view.squared_length(ki / 2), view.quadruple_area(view.face(h)));
+      for (std::size_t k = 0; k < 3; ++k) corner[k] = {layout[k][0], layout[k][1]};
+    }
+    Complex at(const std::array<double, 3>& w) const {
+      return w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2];
+    }
+    std::uint32_t base;
+    std::array<Complex, 3> corner;
+  };
+
+  static std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& p) {
+    std::vector<std::uint32_t> result(p.size());
+    for (std::uint32_t i = 0; i < p.size(); ++i) result[p[i]] = i;
+    return result;
+  }
+
+  static std::size_t bound(const std::vector<std::uint32_t>& numbers) {
+    return numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end()) + std::size_t{1};
+  }
+
+  static std::array<std::uint32_t, 3> corners_of(const Input_surface& input, std::uint32_t face,
+                                                 const std::vector<std::uint32_t>& user,
+                                                 std::uint32_t user_face) {
+    std::array<std::uint32_t, 3> v;
+    std::uint32_t h = input.halfedge_of_face(face);
+    for (std::uint32_t& i : v) {
+      i = user.empty() ? input.source(h) : user[input.source(h)];
+      h = input.next(h);
+    }
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
+      throw Invalid_input(Element_kind::face, user_face,
+                          "face " + std::to_string(user_face) +
+                              " has a vertex at two corners: its frame has no name; subdivide it");
+    return v;
+  }
+
+  // The rotation that fits the corners best: the direction of sum conj(p) q, both from their means.
+  template <class View>
+  static Complex rotation(const View& view, const Common_subdivision& s, std::size_t f,
+                          const Frame& from, const Frame& to,
+                          const std::array<std::uint32_t, 3>& corners) {
+    std::array<Complex, 2> mean{};
+    const std::size_t begin = s.face_begin[f], size = s.face_begin[f + 1] - begin;
+    Complex sum = 0;
+    for (const bool last : {false, true})
+      for (std::size_t c = begin; c < begin + size; ++c) {
+        const Complex p = from.at(internal::corner_in_face(view, s, from.base, c));
+        const Complex q = to.at(weights_on_input(s.on_input(s.corner[c]), corners));
+        if (last)
+          sum += std::conj(p - mean[0]) * (q - mean[1]);
+        else {
+          mean[0] += p / static_cast<double>(size);
+          mean[1] += q / static_cast<double>(size);
+        }
+      }
+    const double length = std::abs(sum);
+    return length > 0 ? sum / length : Complex(1);
+  }
+
+  static std::array<double, 3> weights_on_input(const Weighted_vertices& w,
+                                                const std::array<std::uint32_t, 3>& corners) {
+    std::array<double, 3> weights{0, 0, 0};
+    for (std::size_t i = 0; i < w.size; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (w.vertices[i] == corners[k]) weights[k] += w.weights[i];
+    return weights;
+  }
+
+  std::vector<Complex> average(const std::vector<Complex>& field,
+                               const std::vector<std::uint32_t>& from,
+                               const std::vector<std::uint32_t>& to, std::size_t size,
+                               bool back) const {
+    std::vector<Complex> result(size, 0), copy(size, 0);
+    std::vector<double> area(size, 0);
+    for (std::size_t f = 0; f < from.size(); ++f) {
+      const Complex v = (back ? std::conj(rotation_[f]) : rotation_[f]) * field[from[f]];
+      result[to[f]] += area_[f] * v;
+      copy[to[f]] = v;
+      area[to[f]] += area_[f];
+    }
+    for (std::size_t g = 0; g < size; ++g) result[g] = area[g] > 0 ? result[g] / area[g] : copy[g];
+    return result;
+  }
+
+  std::vector<std::uint32_t> input_face_;
+  std::vector<std::uint32_t> intrinsic_face_;
+  std::vector<double> area_;
+  std::vector<Complex> rotation_;
+  std::size_t input_faces_ = 0, intrinsic_faces_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_FACE_VECTOR_TRANSFER_H
