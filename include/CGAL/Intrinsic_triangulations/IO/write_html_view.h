@@ -6,10 +6,11 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/Base64_writer.h>
 #include <CGAL/Intrinsic_triangulations/IO/Output_buffer.h>
+#include <CGAL/Intrinsic_triangulations/IO/drawn_edges.h>
 #include <CGAL/Intrinsic_triangulations/IO/html_view_page.h>
+#include <CGAL/Intrinsic_triangulations/IO/html_view_program.h>
 #include <CGAL/Intrinsic_triangulations/IO/write_common_subdivision_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/for_each_subdivision_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/intrinsic_face_colors.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <ostream>
 #include <span>
 #include <stdexcept>
@@ -60,11 +62,10 @@ public:
     out_.text("</h1><p>");
     escaped(view_.description);
     out_.text("</p>\n", html_view_controls);
+    out_.text(three_js_licence);
     script(view_.three);
     script(view_.trackball_controls);
     write_data();
-    out_.text("<script>document.getElementById(\"scalar-name\").textContent = "
-              "document.getElementById(\"scalar-title\").textContent;</script>\n");
     out_.text(html_view_program);
     if (!out_.flush()) throw std::runtime_error("the page cannot be written");
   }
@@ -89,20 +90,28 @@ private:
       }
   }
 
-  // an end tag inside a script would end it
+  // An end tag inside a script would end it, in capitals too; in a string of JavaScript <\/ is </.
   void script(std::string_view text) {
     out_.text("<script>\n");
-    constexpr std::string_view end = "</script";
-    for (std::size_t i = text.find(end); i != std::string_view::npos; i = text.find(end)) {
-      out_.text(text.substr(0, i), "<\\/script");
-      text.remove_prefix(i + end.size());
+    for (std::size_t i = text.find("</"); i != std::string_view::npos; i = text.find("</")) {
+      out_.text(text.substr(0, i),
+                i + 2 < text.size() && (text[i + 2] | 32) == 's' ? "<\\/" : "</");
+      text.remove_prefix(i + 2);
     }
     out_.text(text, "\n</script>\n");
   }
 
   template <class Write>
   void data(std::string_view id, Write write) {
-    out_.text("<script type=\"application/octet-stream;base64\" id=\"", id, "\">");
+    open_data(id);
+    out_.text(">");
+    close_data(write);
+  }
+  void open_data(std::string_view id) {
+    out_.text("<script type=\"application/octet-stream;base64\" id=\"", id, "\"");
+  }
+  template <class Write>
+  void close_data(Write write) {
     Base64_writer base64(out_);
     write(base64);
     base64.finish();
@@ -137,36 +146,72 @@ private:
         out.put(s_.input_face[f]);
       });
     });
-    write_edges("input-edges", [](const Common_subdivision::Side& side) {
-      return side.input_edge != Common_subdivision::none;
+    write_vertices();
+    write_edges("input-edges", "input-edges-room", &Common_subdivision::Side::input_edge,
+                s_.input_face);
+    write_edges("intrinsic-edges", "intrinsic-edges-room",
+                &Common_subdivision::Side::intrinsic_edge, s_.intrinsic_face);
+    write_field();
+  }
+
+  void write_edges(std::string_view id, std::string_view room_id,
+                   std::uint32_t Common_subdivision::Side::*edge_of,
+                   const std::vector<std::uint32_t>& face_of) {
+    const Drawn_edges edges = Drawn_edges_builder(s_, scaled_, edge_of, face_of).build();
+    data(id, [&](Base64_writer& out) {
+      for (const std::uint32_t v : edges.ends) out.put(v);
     });
-    write_edges("intrinsic-edges", [](const Common_subdivision::Side& side) {
-      return side.intrinsic_edge != Common_subdivision::none;
-    });
-    out_.text("<script type=\"text/plain\" id=\"scalar-title\">");
-    escaped(view_.field.name);
-    out_.text("</script>\n");
-    data("scalars", [&](Base64_writer& out) {
-      for (const double x : view_.field.values) out.put(static_cast<float>(x));
+    data(room_id, [&](Base64_writer& out) {
+      for (const float x : edges.room) out.put(x);
     });
   }
 
-  template <class Predicate>
-  void write_edges(std::string_view id, Predicate is_shown) {
-    data(id, [&](Base64_writer& out) {
-      for_each_subdivision_edge(
-          s_, [&](std::uint32_t a, std::uint32_t b, const Common_subdivision::Side& side) {
-            if (!is_shown(side)) return;
-            out.put(a);
-            out.put(b);
-          });
+  // What is told of a vertex: its kind, its intrinsic element, and its input element.
+  void write_vertices() {
+    data("kinds", [&](Base64_writer& out) {
+      for (std::size_t v = 0; v < s_.number_of_vertices(); ++v)
+        out.put(static_cast<std::uint8_t>(s_.kind(v)));
+    });
+    data("labels", [&](Base64_writer& out) {
+      for (const Common_subdivision::Vertex& v : s_.vertices) {
+        out.put(v.intrinsic);
+        out.put(v.kind == Subdivision_vertex_kind::input ? v.on_input.vertices[0] : v.input_face);
+      }
+      for (const Common_subdivision::Crossing& x : s_.crossings) {
+        out.put(x.on_intrinsic.edge);
+        out.put(x.on_input.edge);
+      }
+    });
+  }
+
+  // Values from 0 to 1 in single precision, and their range; halves, so that nothing overflows.
+  void write_field() {
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for (const double x : view_.field.values)
+      if (std::isfinite(x)) {
+        least = std::min(least, x);
+        greatest = std::max(greatest, x);
+      }
+    if (greatest < least) least = greatest = 0;
+    const double range = greatest / 2 - least / 2;
+    open_data("scalars");
+    out_.text(" data-name=\"");
+    escaped(view_.field.name);
+    out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\">");
+    close_data([&](Base64_writer& out) {
+      for (const double x : view_.field.values)
+        out.put(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()
+                : range > 0       ? static_cast<float>((x / 2 - least / 2) / range)
+                                  : 0.f);
     });
   }
 
   // Centred and scaled to the unit ball before they are rounded to single precision; half of each
   // coordinate is taken first, so that no difference overflows.
   void write_points() {
-    Point low = halved(points_.front()), high = low;
+    Point low{0, 0, 0};
+    if (!points_.empty()) low = halved(points_.front());
+    Point high = low;
     for (const Point& p : points_)
       for (std::size_t c = 0; c < 3; ++c) {
         low[c] = std::min(low[c], p[c] / 2);
@@ -175,13 +220,17 @@ private:
     const Point extent{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
     const double greatest = std::max({extent[0], extent[1], extent[2]});
     const double unit = greatest > 0 ? greatest : 1;
-    const double radius = std::hypot(extent[0] / unit, extent[1] / unit, extent[2] / unit) / 2;
+    const double diagonal = std::hypot(extent[0] / unit, extent[1] / unit, extent[2] / unit);
+    const double radius = diagonal > 0 ? diagonal / 2 : 1;
+    scaled_.reserve(points_.size());
+    for (const Point& p : points_) {
+      std::array<float, 3>& q = scaled_.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c)
+        q[c] = static_cast<float>(((p[c] / 2 - low[c]) - extent[c] / 2) / unit / radius);
+    }
     data("points", [&](Base64_writer& out) {
-      for (const Point& p : points_)
-        for (std::size_t c = 0; c < 3; ++c) {
-          const double x = ((p[c] / 2 - low[c]) - extent[c] / 2) / unit;
-          out.put(static_cast<float>(radius > 0 ? x / radius : x));
-        }
+      for (const std::array<float, 3>& q : scaled_)
+        for (const float x : q) out.put(x);
     });
     write_axes(extent);
   }
@@ -208,6 +257,7 @@ private:
   const Common_subdivision& s_;
   std::span<const Point> points_;
   const Html_view& view_;
+  std::vector<std::array<float, 3>> scaled_;
 };
 
 } // namespace internal
