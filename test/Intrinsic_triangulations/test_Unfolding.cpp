@@ -25,7 +25,7 @@ using CGAL::Gmpq;
 using IT::Multiquadratic_number;
 using random_history::Map;
 using random_history::Walk;
-using Face_values = IT::History_values<Multiquadratic_number>::Face_values;
+using Face_values = IT::History_values<Multiquadratic_number>::Input_face;
 
 // input faces with exact areas
 class Exact_input {
