@@ -232,7 +232,7 @@ TEST(Html_view, Centres_points_before_they_lose_precision) {
   for (std::size_t i = 0; i < near.size(); i += 3)
     greatest = std::max(greatest, std::hypot(near[i], near[i + 1], near[i + 2]));
   EXPECT_LE(greatest, 1 + 1e-6);
-  EXPECT_GE(greatest, 0.5);
+  EXPECT_GE(greatest, 1 - 1e-6);
 }
 
 TEST(Html_view, Tells_the_kind_and_the_numbers_of_each_vertex) {

@@ -220,13 +220,17 @@ private:
     const Point extent{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
     const double greatest = std::max({extent[0], extent[1], extent[2]});
     const double unit = greatest > 0 ? greatest : 1;
-    const double diagonal = std::hypot(extent[0] / unit, extent[1] / unit, extent[2] / unit);
-    const double radius = diagonal > 0 ? diagonal / 2 : 1;
+    const auto centred = [&](const Point& p, std::size_t c) {
+      return ((p[c] / 2 - low[c]) - extent[c] / 2) / unit;
+    };
+    double radius = 0;
+    for (const Point& p : points_)
+      radius = std::max(radius, std::hypot(centred(p, 0), centred(p, 1), centred(p, 2)));
+    if (radius == 0) radius = 1;
     scaled_.reserve(points_.size());
     for (const Point& p : points_) {
       std::array<float, 3>& q = scaled_.emplace_back();
-      for (std::size_t c = 0; c < 3; ++c)
-        q[c] = static_cast<float>(((p[c] / 2 - low[c]) - extent[c] / 2) / unit / radius);
+      for (std::size_t c = 0; c < 3; ++c) q[c] = static_cast<float>(centred(p, c) / radius);
     }
     data("points", [&](Base64_writer& out) {
       for (const std::array<float, 3>& q : scaled_)
