@@ -20,12 +20,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <map>
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -59,18 +59,27 @@ Soup square(std::uint32_t n) {
   return s;
 }
 
-/// How a mesh is made: edges drawn uniformly among all are split at a uniform parameter.
+/// How a mesh is made: random edges are split at uniform parameters.
 struct Construction {
+  bool by_length;      // draw edges with probability proportional to their lengths, not uniformly
   std::uint32_t cells; // of the grid to start from, per side
   double margin;       // parameters are between it and 1 minus it
   std::size_t vertices;
 };
+
+double length(const IT::synthetic::Edge_splitter& s, std::size_t e) {
+  const auto [i, j] = s.ends(e);
+  const auto &p = s.soup().points[i], &q = s.soup().points[j];
+  return std::hypot(p[0] - q[0], p[1] - q[1]);
+}
 
 Soup make_mesh(const Construction& c, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   IT::synthetic::Edge_splitter splitter(square(c.cells));
   while (splitter.soup().points.size() < c.vertices) {
     const auto e = IT::synthetic::draw_index(random, splitter.number_of_edges());
+    const double longest = std::numbers::sqrt2 / c.cells;
+    if (c.by_length && longest * IT::synthetic::draw_real(random) > length(splitter, e)) continue;
     const double r = IT::synthetic::draw_real(random);
     splitter.split(e, c.margin + (1 - 2 * c.margin) * r);
   }
@@ -201,7 +210,10 @@ nlohmann::json run(const Construction& c, int trials) {
       ratios[m].push_back(e["direct"] / e[m]);
     }
   }
-  nlohmann::json row = {{"cells", c.cells}, {"margin", c.margin}, {"vertices", c.vertices}};
+  nlohmann::json row = {{"edges", c.by_length ? "by length" : "uniform"},
+                        {"cells", c.cells},
+                        {"margin", c.margin},
+                        {"vertices", c.vertices}};
   for (const std::string& m : methods) {
     row["mean_error"][m] = mean(errors[m]);
     row["geometric_mean_error"][m] = geometric_mean(errors[m]);
@@ -213,13 +225,13 @@ nlohmann::json run(const Construction& c, int trials) {
 }
 
 void print(const nlohmann::json& r) {
-  std::fprintf(stderr, "| %2u x %-2u | %4.2f | %5zu |", r["cells"].get<unsigned>(),
-               r["cells"].get<unsigned>(), r["margin"].get<double>(),
+  std::fprintf(stderr, "| %s | %u x %u | %.1f | %zu |", r["edges"].get<std::string>().c_str(),
+               r["cells"].get<unsigned>(), r["cells"].get<unsigned>(), r["margin"].get<double>(),
                r["vertices"].get<std::size_t>());
   for (const char* m : {"direct", "copied", "l2", "best"})
     std::fprintf(stderr, " %.2e |", r["mean_error"][m].get<double>());
   for (const char* m : {"copied", "l2", "best"})
-    std::fprintf(stderr, " %.2f (%.2f) |", r["ratio_of_means"][m].get<double>(),
+    std::fprintf(stderr, " %.1f (%.1f) |", r["ratio_of_means"][m].get<double>(),
                  r["geometric_mean_ratio"][m].get<double>());
   std::fprintf(stderr, "\n");
 }
@@ -230,12 +242,13 @@ int main(int argc, char** argv) {
   try {
     const int trials = argc > 1 ? std::stoi(argv[1]) : 100;
     nlohmann::json result = {{"trials", trials}};
-    std::fprintf(stderr, "| grid | margin | vertices | direct | copied | L2 | best |"
-                         " direct/copied | direct/L2 | direct/best |\n");
-    for (const std::uint32_t cells : {1U, 4U, 10U})
-      for (const double margin : {0.0, 0.1, 0.5})
-        for (const std::size_t n : {200, 500, 1000, 2000, 5000}) {
-          result["rows"].push_back(run({cells, margin, n}, trials));
+    std::fprintf(stderr, "| edges | start | margin | vertices | direct | copied | L2 | best |"
+                         " direct/copied | direct/L2 | direct/best |\n"
+                         "|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const bool by_length : {false, true})
+      for (const auto& [cells, margin] : {std::pair{1U, 0.1}, {1U, 0.3}, {4U, 0.1}})
+        for (const std::size_t n : {500, 2000, 8000}) {
+          result["rows"].push_back(run({by_length, cells, margin, n}, trials));
           print(result["rows"].back());
         }
     std::cout << result.dump(2) << '\n';

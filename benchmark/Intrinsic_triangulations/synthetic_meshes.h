@@ -172,6 +172,10 @@ public:
 
   /// returns the number of edges.
   std::size_t number_of_edges() const { return side_.size(); }
+  /// returns the vertices that edge `e` joins.
+  std::array<std::uint32_t, 2> ends(std::size_t e) const {
+    return {origin(side_[e]), origin(next_in_face(side_[e]))};
+  }
   /// returns the soup.
   const Triangle_soup& soup() const { return soup_; }
   /// moves the soup out.
