@@ -21,8 +21,8 @@ std::string description(const Json& json) {
   const Json& input = json["input"];
   const Json& delaunay = json["delaunay"];
   text << input["vertices"] << " vertices, " << input["faces"] << " faces; " << delaunay["flips"]
-       << " flips\nangles from " << json["quality"]["min_angle_deg"] << " to "
-       << json["quality"]["max_angle_deg"] << " degrees\n"
+       << " flips\nangles from " << json["quality"]["min_angle_deg"].get<double>() << " to "
+       << json["quality"]["max_angle_deg"].get<double>() << " degrees\n"
        << json["arithmetic"].get<std::string>()
        << " arithmetic, certificate: " << json["certificate"].get<std::string>();
   return text.str();

@@ -200,12 +200,18 @@ function draw() {
   clip();
   renderer.render(scene, camera);
 }
+// In a wide window the model is in the middle of what the panel leaves free.
+let shift = 0;
+function look() { camera.setViewOffset(size.x, size.y, -shift, 0, size.x, size.y); }
 function resize() {
-  const w = window.innerWidth, h = window.innerHeight;
+  const w = window.innerWidth, h = window.innerHeight, panel = element("panel").offsetWidth;
   renderer.setSize(w, h);
   size.set(w, h);
+  shift = w > 2.5 * panel ? panel / 2 : 0;
+  const free = w - 2 * shift;
   camera.aspect = w / h;
-  camera.fov = w < h ? 2 * Math.atan(Math.tan(Math.PI / 9) * h / w) * 180 / Math.PI : 40;
+  camera.fov = free < h ? 2 * Math.atan(Math.tan(Math.PI / 9) * h / free) * 180 / Math.PI : 40;
+  look();
   controls.handleResize();
   draw();
 }
@@ -213,8 +219,7 @@ function resize() {
 // ---- What is under the pointer: numbers of triangles are drawn to one pixel ----
 const target = new THREE.WebGLRenderTarget(1, 1), pixel = new Uint8Array(4);
 function numberAt(x, y) {
-  const ratio = renderer.getPixelRatio(), w = window.innerWidth * ratio, h = window.innerHeight * ratio;
-  camera.setViewOffset(w, h, x * ratio, y * ratio, 1, 1);
+  camera.setViewOffset(size.x, size.y, x - shift, y, 1, 1);
   const background = renderer.getClearColor().clone();
   renderer.setRenderTarget(target);
   renderer.setClearColor(0);
@@ -223,7 +228,7 @@ function numberAt(x, y) {
   renderer.readRenderTargetPixels(target, 0, 0, 1, 1, pixel);
   renderer.setRenderTarget(null);
   renderer.setClearColor(background);
-  camera.clearViewOffset();
+  look();
   return pixel[0] + 256 * pixel[1] + 65536 * pixel[2] - 1;
 }
 const corner = new THREE.Vector3();
@@ -291,9 +296,9 @@ element("shot").addEventListener("click", () => {
 });
 window.addEventListener("resize", resize);
 controls.addEventListener("change", draw);
-resize();
 reset();
 showField();
+resize(); // at the end, when the panel has its size
 (function loop() {
   requestAnimationFrame(loop);
   controls.update();
