@@ -117,6 +117,32 @@ TEST(Zero_test, agrees_with_repeated_flips_on_Delta_complexes) {
   }
 }
 
+TEST(Zero_test, agrees_with_repeated_flips_on_random_walls_with_and_without_an_ulp) {
+  // hinges along an axis and along diagonals, planes of rational and of irrational area
+  std::mt19937 random(8);
+  std::uniform_int_distribution<int> step(1, 9);
+  for (const bool is_moved : {false, true}) {
+    std::size_t zeros = 0;
+    for (int round = 0; round < 6; ++round) {
+      std::vector<std::array<double, 2>> polygon{{0, 0}};
+      for (int i = 0; i < 4; ++i)
+        polygon.push_back(
+            {polygon.back()[0] + step(random) / 8.0, polygon.back()[1] + (step(random) - 5) / 8.0});
+      meshes::Mesh m = meshes::walls(polygon, 2);
+      if (is_moved)
+        for (auto& p : m.points) p[2] = std::nextafter(p[2], random() % 2 == 0 ? 9 : p[2]);
+      Walk walk = walk_on(m);
+      walk.run(20, random);
+      compare_all(walk);
+      make_delaunay(walk);
+      zeros += compare_all(walk);
+    }
+    if (!is_moved) {
+      EXPECT_GT(zeros, 20U);
+    }
+  }
+}
+
 TEST(Zero_test, certifies_all_ties_of_a_shuffled_box) {
   std::mt19937 random(5);
   Walk walk = walk_on(meshes::box(3, 3, 3));

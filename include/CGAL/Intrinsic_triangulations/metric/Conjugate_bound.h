@@ -61,7 +61,9 @@ are joined by a strip with hinges h_1, ..., h_n
 so that u' v times the product of the squared lengths of the hinges is one. The same holds of the
 squared lengths and quadruple areas of figures whose corners the strip joins, sums of such products
 (and of them times i). Where triangles in space lie flat over a hinge, u and v are vectors of one
-plane, with integer coordinates: the hinge counts as 1.
+plane, with integer coordinates: the hinge counts as 1. For other hinges in space, h may be divided by
+any common divisor of its coordinates: it stays a vector with integer coordinates in both planes. Thus
+hinges along an axis count as 1, too.
 
 The three integers are the products over the hinges between i and j, and over those that the left
 and the right face need besides.
@@ -108,6 +110,11 @@ private:
            2 * static_cast<double>(exponent_ - exponent);
   }
 
+  // of vectors that depend on no unit; often 1
+  static double bits_of(const Gmpz& n) {
+    return n == Gmpz(1) ? 0 : static_cast<double>(mpz_sizeinbase(n.mpz(), 2));
+  }
+
   // upper bounds of the distances of points from point 0, over all conjugates
   void find_reach(const Unfolded_diamond& diamond, const std::vector<const Integer_face*>& faces) {
     std::vector<double> distance{0, length(*faces.front(), 0)};
@@ -138,7 +145,9 @@ private:
       const auto separates = [corners = beyond[n]](unsigned set) {
         return (corners & set) != 0 && (corners & set) != set;
       };
-      const double bits = bits_of(faces[n]->squared_lengths[t.entry], faces[n]->exponent);
+      const double bits = in_space
+                              ? bits_of(faces[n]->reduced_lengths[t.entry])
+                              : bits_of(faces[n]->squared_lengths[t.entry], faces[n]->exponent);
       if (separates(0b0011)) {
         hinges_[0] += bits;
       } else {

@@ -40,7 +40,8 @@ public:
   /// What is used of a triangle.
   struct Shape {
     const std::array<Gmpz, 3>* squared_lengths; ///< in any unit
-    Square_root area;                           ///< quadruple area in the same unit
+    const Gmpz* area_factor;                    ///< times `root`, the quadruple area in that unit
+    Square_root root;                           ///< see `area_factor`
   };
 
   /*!
@@ -88,7 +89,10 @@ public:
 
   If the root of some representative is imaginary, the first such root keeps its sign: the
   automorphism x + i y -> x - i y of the field changes the signs of all imaginary roots, and
-  permutes the values.
+  permutes the values. If every area has an odd number of roots, the first root that is not imaginary
+  keeps its sign as well: changing the signs of all roots changes those of all areas and no length,
+  hence at most the sign of the value.
+  \pre the expressions evaluated are odd or even in the areas
   \return whether there is one
   */
   bool next() {
@@ -139,7 +143,6 @@ private:
       roots_.push_back(field_.power(d, (field_.size() + 1) / 4));
       if (field_.multiply(roots_.back(), roots_.back()) != d) imaginary_ |= Mask(1) << g;
     }
-    fixed_ = imaginary_ & (~imaginary_ + 1);
     return true;
   }
 
@@ -153,9 +156,9 @@ private:
     for (std::size_t n = 0; n < shapes.size(); ++n) {
       const unsigned t = diamond_.triangles[n].entry;
       const auto& l = *shapes[n].squared_lengths;
-      const Square_root& area = shapes[n].area;
+      const Square_root& area = shapes[n].root;
       const Element entry = field_.element(l[t]);
-      Element root = field_.element(area.factor.numerator());
+      Element root = field_.element(*shapes[n].area_factor);
       unsigned turns = 1 + unsigned(std::popcount(area.radical & imaginary_));
       for (Mask rest = area.radical; rest != 0; rest &= rest - 1) {
         const auto g = std::size_t(std::countr_zero(rest));
@@ -165,12 +168,23 @@ private:
       if (turns % 4 >= 2) root = field_.negate(root);
       const Element p = field_.subtract(field_.add(entry, field_.element(l[(t + 2) % 3])),
                                         field_.element(l[(t + 1) % 3]));
-      const Element scale = field_.element(area.factor.denominator());
+      Element scale = field_.one();
+      if (area.factor != 1) {
+        root = field_.multiply(root, field_.element(area.factor.numerator()));
+        scale = field_.element(area.factor.denominator());
+      }
       ratios_.push_back({field_.multiply(p, scale), root, area.radical, turns % 2 != 0});
       denominators.push_back(field_.multiply(field_.add(entry, entry), scale));
       products.push_back(field_.multiply(products.back(), denominators.back()));
     }
     if (products.back() == 0) return false;
+    fixed_ = imaginary_ & (~imaginary_ + 1);
+    const Mask all = dimension_ == 64 ? ~Mask(0) : (Mask(1) << dimension_) - 1;
+    const Mask real = all & ~imaginary_;
+    const bool is_odd = std::all_of(shapes.begin(), shapes.end(), [](const Shape& s) {
+      return s.area_factor->sign() == ZERO || std::popcount(s.root.radical) % 2 != 0;
+    });
+    if (is_odd) fixed_ |= real & (~real + 1);
     Element inverse = field_.inverse(products.back()); // of the product of all up to n
     for (std::size_t n = shapes.size(); n-- > 0;) {
       const Element r = field_.multiply(inverse, products[n]);
@@ -206,7 +220,7 @@ private:
   std::vector<Ratio> ratios_;  // one for each triangle
   std::vector<std::size_t> first_use_;
   Mask imaginary_ = 0; // representatives whose root is i r
-  Mask fixed_ = 0;     // the first of them
+  Mask fixed_ = 0;     // representatives whose roots keep their signs, see `next()`
   Mask signs_ = 0;     // roots that are taken negative
   std::uint64_t count_ = 0;
   Element unit_ = 0;

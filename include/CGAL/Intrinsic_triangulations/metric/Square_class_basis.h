@@ -10,6 +10,7 @@
 #include <CGAL/Gmpz.h>
 #include <CGAL/assertions.h>
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -73,15 +74,42 @@ public:
     CGAL_precondition(x.sign() != NEGATIVE);
     if (x.sign() == ZERO) return Square_root{};
     auto [n, factor] = to_integer(x);
+    std::optional<Square_root> root = sqrt_of(n);
+    if (root) root->factor *= factor;
+    return root;
+  }
+
+  /*!
+  \brief writes the square root of a positive integer in the basis; fast where it is a representative.
+  \return as for rationals
+  */
+  std::optional<Square_root> sqrt_of(const Gmpz& n) {
+    if (n == one_) return Square_root{Gmpq(1), 0};
+    for (std::size_t i = 0; i < dimension(); ++i)
+      if (generators_[i].d == n) return Square_root{Gmpq(1), Mask(1) << i};
     const Mask candidate = find_candidate(n);
     const Gmpz square = n * product(candidate);
-    if (mpz_perfect_square_p(square.mpz()) != 0) {
-      factor *= Gmpq(sqrt_of_square(square), product(candidate));
-      return Square_root{factor, candidate};
-    }
+    if (mpz_perfect_square_p(square.mpz()) != 0)
+      return Square_root{Gmpq(sqrt_of_square(square), product(candidate)), candidate};
     if (dimension() == max_dimension) return std::nullopt;
     append(n, candidate, square);
-    return Square_root{factor, Mask(1) << (dimension() - 1)};
+    return Square_root{Gmpq(1), Mask(1) << (dimension() - 1)};
+  }
+
+  /// divides `n` by a square that is cheap to find, and returns its root. \pre `n` is positive
+  static Gmpz extract_square(Gmpz& n) {
+    if (mpz_perfect_square_p(n.mpz()) != 0) return sqrt_of_square(std::exchange(n, Gmpz(1)));
+    const unsigned long twos = mpz_scan1(n.mpz(), 0) / 2;
+    Gmpz rest, root(1);
+    mpz_fdiv_q_2exp(rest.mpz(), n.mpz(), 2 * twos);
+    mpz_mul_2exp(root.mpz(), root.mpz(), twos);
+    for (const unsigned long p : {3UL, 5UL, 7UL, 11UL, 13UL, 17UL, 19UL, 23UL, 29UL, 31UL})
+      while (mpz_divisible_ui_p(rest.mpz(), p * p) != 0) {
+        mpz_divexact_ui(rest.mpz(), rest.mpz(), p * p);
+        mpz_mul_ui(root.mpz(), root.mpz(), p);
+      }
+    n = rest;
+    return root;
   }
 
   /// returns the number of representatives.
@@ -127,22 +155,6 @@ private:
     return {n * m, Gmpq(a, b * m)};
   }
 
-  // divides n by a square that is cheap to find, and returns its root
-  static Gmpz extract_square(Gmpz& n) {
-    if (mpz_perfect_square_p(n.mpz()) != 0) return sqrt_of_square(std::exchange(n, Gmpz(1)));
-    const unsigned long twos = mpz_scan1(n.mpz(), 0) / 2;
-    Gmpz rest, root(1);
-    mpz_fdiv_q_2exp(rest.mpz(), n.mpz(), 2 * twos);
-    mpz_mul_2exp(root.mpz(), root.mpz(), twos);
-    for (const unsigned long p : {3UL, 5UL, 7UL, 11UL, 13UL, 17UL, 19UL, 23UL, 29UL, 31UL})
-      while (mpz_divisible_ui_p(rest.mpz(), p * p) != 0) {
-        mpz_divexact_ui(rest.mpz(), rest.mpz(), p * p);
-        mpz_mul_ui(root.mpz(), root.mpz(), p);
-      }
-    n = rest;
-    return root;
-  }
-
   static Gmpz sqrt_of_square(const Gmpz& n) {
     Gmpz root;
     mpz_sqrt(root.mpz(), n.mpz());
@@ -157,6 +169,24 @@ private:
     Gmpz rest;
     mpz_remove(rest.mpz(), n.mpz(), factor.mpz());
     return mpz_kronecker_ui(rest.mpz(), p) < 0;
+  }
+
+  // the largest prime that is at most p, from a list if it is close to 2^31
+  static unsigned long prime_up_to(unsigned long p) {
+    static constexpr auto primes = [] {
+      std::array<unsigned long, 48> list{};
+      unsigned long q = 2147483647UL;
+      for (unsigned long& x : list) {
+        while (!is_prime(q)) q -= 2;
+        x = q;
+        q -= 2;
+      }
+      return list;
+    }();
+    for (const unsigned long q : primes)
+      if (q <= p) return q;
+    while (!is_prime(p)) p -= 2;
+    return p;
   }
 
   // returns the only set S for which n d_S can be a square
@@ -178,7 +208,8 @@ private:
     const std::size_t k = dimension();
     const Mask bit = Mask(1) << k;
     unsigned long p = k == 0 ? 2147483647UL : generators_.back().prime - 2; // fits 32 bits
-    while (!is_prime(p) || !is_negative_symbol(e, p)) p -= 2;
+    p = prime_up_to(p);
+    while (!is_negative_symbol(e, p)) p = prime_up_to(p - 2);
     Mask negative = 0; // representatives with chi_p(d) = -1
     for (std::size_t i = 0; i < k; ++i)
       if (is_negative_symbol(generators_[i].d, p)) negative |= Mask(1) << i;

@@ -64,7 +64,7 @@ public:
   \param history the flips since, always the same but for new flips
   \param left side on the left
   \param right side on the right, glued to `left`
-  \param expression the expression, see `Conjugate_bound::bits()`
+  \param expression the expression, see `Conjugate_bound::bits()`; odd or even in the areas
   */
   template <class Expression>
   Answer operator()(const Input_metric& input, const Flip_history& history, Side left, Side right,
@@ -134,7 +134,9 @@ private:
       const auto length = [&](unsigned k) {
         return Number(Multiquadratic_number(Gmpq(values.squared_lengths[k]) / unit));
       };
-      const Multiquadratic_number area(basis_, *basis_.sqrt_of(Gmpq(values.squared_area)));
+      Square_root root = *basis_.sqrt_of(values.radicand);
+      root.factor *= Gmpq(values.area_factor);
+      const Multiquadratic_number area(basis_, root);
       return std::pair<std::array<Number, 3>, Number>({length(0), length(1), length(2)},
                                                       area / Multiquadratic_number(unit));
     };
@@ -145,10 +147,10 @@ private:
   bool find_shapes(const Input_metric& input) {
     for (const Unfolded_diamond::Triangle& t : diamond_->triangles) {
       const Integer_face& face = faces_(input, t.face);
-      const std::optional<Square_root> area = basis_.sqrt_of(Gmpq(face.squared_area));
+      const std::optional<Square_root> area = basis_.sqrt_of(face.radicand);
       if (!area || face.squared_lengths[t.entry].sign() == ZERO) return false;
       metric_.push_back(&face);
-      shapes_.push_back({&face.squared_lengths, *area});
+      shapes_.push_back({&face.squared_lengths, &face.area_factor, *area});
     }
     return true;
   }
