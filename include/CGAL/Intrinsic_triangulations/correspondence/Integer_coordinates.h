@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -35,6 +36,24 @@ class Integer_coordinates {
 public:
   /// What the representation is called by programs.
   static constexpr const char* name = "integer";
+
+  /// constructs no coordinates.
+  Integer_coordinates() = default;
+
+  /*!
+  \brief constructs coordinates from their parts.
+  \param input the input
+  \param fans the curves at the vertices, with those of vertices on input edges
+  \param normal normal coordinate of each edge number
+  \param roundabout slot of each halfedge number
+  \param location place of each inserted vertex, see `location()`
+  \pre the parts are consistent, see `first_inconsistent_edge()`
+  */
+  Integer_coordinates(std::shared_ptr<const Input_surface> input, Vertex_fans fans,
+                      std::vector<Normal_coordinate> normal, std::vector<std::uint32_t> roundabout,
+                      std::vector<Surface_point> location)
+      : input_(std::move(input)), fans_(std::move(fans)), normal_(std::move(normal)),
+        roundabout_(std::move(roundabout)), location_(std::move(location)) {}
 
   /// observes the triangulation that the input is: every edge runs along itself.
   /// \complexity linear

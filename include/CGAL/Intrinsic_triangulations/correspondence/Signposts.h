@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/geodesic_walk.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/signpost_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/signpost_location.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/tangent_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/trace_signpost.h>
@@ -37,6 +38,9 @@ geodesics. Angles are rounded: whether a path was found, and is certain, is alwa
 */
 class Signposts {
 public:
+  /// What the representation is called by programs.
+  static constexpr const char* name = "signposts";
+
   /// observes the triangulation that the input is.
   /// \complexity linear
   template <class Triangulation>
@@ -55,6 +59,8 @@ public:
 
   /// returns the input.
   const Input_surface& input() const { return *input_; }
+  /// returns the input, to be shared.
+  std::shared_ptr<const Input_surface> shared_input() const { return input_; }
   /// returns the directions of the input at its vertices.
   const Tangent_frames& frames() const { return *frames_; }
   /// tells whether a vertex was inserted.

@@ -40,6 +40,9 @@ public:
       if (slot_[h] == Gluing::none) add_fan(input, h);
   }
 
+  /// returns the bound of the numbers of slots.
+  std::uint32_t number_of_slots() const { return static_cast<std::uint32_t>(halfedge_.size()); }
+
   /// returns the slot of an input halfedge at its source.
   std::uint32_t slot(std::uint32_t halfedge) const { return slot_[halfedge]; }
 
