@@ -159,13 +159,15 @@ public:
     /*!
     \brief removes an inserted vertex that has three edges.
     \param h the side opposite the vertex of one of its faces, which will be the remaining face
+    \return `done`, or `not_removable` and nothing has changed
     */
-    void remove_degree_three_vertex(halfedge_descriptor h) { t_.remove_from_face(h); }
+    Move_status remove_degree_three_vertex(halfedge_descriptor h) { return t_.remove_from_face(h); }
     /*!
     \brief removes an inserted vertex of the border that has three edges.
     \param h the halfedge to the vertex along the border that has a face
+    \return `done`, or `not_removable` and nothing has changed
     */
-    void remove_border_vertex(halfedge_descriptor h) { t_.remove_from_border(h); }
+    Move_status remove_border_vertex(halfedge_descriptor h) { return t_.remove_from_border(h); }
     /*!
     \brief returns the cotangent weight of an edge: half the sum of the cotangents of the angles
     opposite it (Eq. 4 of the course), one of them on the border.
@@ -458,20 +460,23 @@ private:
     return {Move_status::done, v};
   }
 
-  void remove_from_face(halfedge_descriptor h) {
+  Move_status remove_from_face(halfedge_descriptor h) {
     const std::uint32_t number = number_.halfedge(h);
-    correspondence_.before_remove(*this, number);
+    if (!correspondence_.before_remove(*this, number)) return Move_status::not_removable;
     metric_.remove_from_face(star(h));
     remove_degree_3_vertex(h, mesh_, number_);
     correspondence_.after_remove(*this, number);
+    return Move_status::done;
   }
 
-  void remove_from_border(halfedge_descriptor h) {
+  Move_status remove_from_border(halfedge_descriptor h) {
     const std::uint32_t number = number_.halfedge(h);
-    correspondence_.before_remove_from_border(*this, number);
+    if (!correspondence_.before_remove_from_border(*this, number))
+      return Move_status::not_removable;
     metric_.remove_from_border_edge(border_star(h));
     CGAL::Intrinsic_triangulations::remove_border_vertex(h, mesh_, number_);
     correspondence_.after_remove_from_border(*this, number);
+    return Move_status::done;
   }
 
   std::uint32_t edge_number(halfedge_descriptor h) const { return number_.halfedge(h) / 2; }

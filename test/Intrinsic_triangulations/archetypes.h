@@ -12,8 +12,10 @@
 
 #include <CGAL/enum.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,7 +44,10 @@ struct Metric {
   CGAL::Sign sign(const IT::Diamond&, const Expression&) {
     return CGAL::POSITIVE;
   }
-  bool flip(const IT::Diamond&) { return true; }
+  struct Flipped {};
+  std::optional<Flipped> compute_flip(const IT::Diamond&) const { return Flipped(); }
+  std::optional<Flipped> compute_flip_to_zero_area(const IT::Diamond&) const { return Flipped(); }
+  void store_flip(const IT::Diamond&, const Flipped&) {}
   double cotangent_weight(const IT::Diamond&) { return 0; }
   double cotangent_weight(std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t) { return 0; }
   bool is_degenerate(std::uint32_t) const { return false; }
@@ -68,14 +73,54 @@ struct Correspondence {
   Correspondence& operator=(const Correspondence&) = delete;
 
   template <class Triangulation>
-  void before_flip(const Triangulation&, typename Triangulation::halfedge_descriptor) {
-    ++announced;
+  void start(const Triangulation&) {}
+  template <class Triangulation>
+  bool before_flip(const Triangulation&, std::uint32_t) {
+    return announce();
   }
   template <class Triangulation>
-  void after_flip(const Triangulation&, typename Triangulation::halfedge_descriptor) {
+  void after_flip(const Triangulation&, std::uint32_t) {
+    ++done;
+  }
+  template <class Triangulation>
+  bool before_insert_in_face(const Triangulation&, std::uint32_t, const std::array<double, 3>&) {
+    return announce();
+  }
+  template <class Triangulation>
+  void after_insert_in_face(const Triangulation&, std::uint32_t) {
+    ++done;
+  }
+  template <class Triangulation>
+  bool before_insert_in_border_edge(const Triangulation&, std::uint32_t, double) {
+    return announce();
+  }
+  template <class Triangulation>
+  void after_insert_in_border_edge(const Triangulation&, std::uint32_t) {
+    ++done;
+  }
+  template <class Triangulation>
+  bool before_remove(const Triangulation&, std::uint32_t) {
+    return announce();
+  }
+  template <class Triangulation>
+  void after_remove(const Triangulation&, std::uint32_t) {
+    ++done;
+  }
+  template <class Triangulation>
+  bool before_remove_from_border(const Triangulation&, std::uint32_t) {
+    return announce();
+  }
+  template <class Triangulation>
+  void after_remove_from_border(const Triangulation&, std::uint32_t) {
     ++done;
   }
   int announced = 0, done = 0;
+
+private:
+  bool announce() {
+    ++announced;
+    return true;
+  }
 };
 
 /// Has no metric at all: it is Delaunay when every edge was flipped once.

@@ -38,7 +38,7 @@ static_assert(!IT::MutableDeltaComplex<const IT::Gluing_map>);
 
 struct Metric_that_cannot_flip : archetypes::Metric {
   using archetypes::Metric::Metric;
-  void flip(const IT::Diamond&) = delete;
+  void store_flip(const IT::Diamond&, const Flipped&) = delete;
 };
 struct Metric_without_scope : archetypes::Metric {
   using archetypes::Metric::Metric;
@@ -98,8 +98,12 @@ static_assert(!IT::IntrinsicTriangulation<IT::Gluing_map>);
 
 struct Correspondence_that_hears_nothing {};
 struct Correspondence_that_hears_too_late {
-  template <class Triangulation, class Halfedge>
-  void after_flip(const Triangulation&, Halfedge) {}
+  template <class Triangulation>
+  void after_flip(const Triangulation&, std::uint32_t) {}
+};
+struct Correspondence_that_cannot_refuse : archetypes::Correspondence {
+  template <class Triangulation>
+  void before_remove(const Triangulation&, std::uint32_t) {}
 };
 
 static_assert(IT::IntrinsicCorrespondence<archetypes::Correspondence, archetypes::Triangulation>);
@@ -107,7 +111,7 @@ static_assert(IT::IntrinsicCorrespondence<IT::No_correspondence, archetypes::Tri
 static_assert(IT::IntrinsicCorrespondence<IT::No_correspondence, IT::Intrinsic_triangulation<>>);
 static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_hears_nothing, Archetypical>);
 static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_hears_too_late, Archetypical>);
-static_assert(!IT::IntrinsicCorrespondence<IT::No_correspondence, double>);
+static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_cannot_refuse, Archetypical>);
 
 // ---- the archetypes are enough for the algorithms
 

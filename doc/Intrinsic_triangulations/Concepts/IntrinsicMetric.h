@@ -25,10 +25,12 @@ metric may need time for a decision that depends on how many flips the values we
 | operation | needs |
 |---|---|
 | constructors of `Intrinsic_triangulation` | constructors, `is_degenerate`, `is_zero_length` |
-| `is_locally_delaunay()`, `flip_to_delaunay()` | `is_locally_delaunay`, `flip`, `is_exact` |
+| `is_locally_delaunay()`, `flip_to_delaunay()` | `is_locally_delaunay`, `compute_flip`, `store_flip`, `is_exact` |
 | `is_delaunay()` | `is_locally_delaunay` |
 | `check_delaunay()`, `delaunay_sign()`, `flip_status()`, `flip_edge()` | `sign` |
 | lengths and areas | `squared_length`, `quadruple_area`, `approximate_squared_length`, `approximate_quadruple_area`, `scale_exponent` |
+| `insert_vertex()`, `remove_vertex()` | also `compute_flip_to_zero_area`, `insert_in_face`, `insert_in_border_edge`, `remove_from_face`, `remove_from_border_edge` |
+| `locate_on_input()` | also `sign` of expressions in several faces, `sharpen` |
 | Laplacians | `cotangent_weight` |
 
 \cgalHasModel{`CGAL::Intrinsic_triangulations::Euclidean_metric<FT>`\,
@@ -63,12 +65,22 @@ public:
   */
   template <class Expression>
   CGAL::Sign sign(const CGAL::Intrinsic_triangulations::Diamond& d, const Expression& expression);
+  /// The values that a flip makes.
+  typedef unspecified_type Flipped;
   /*!
-  \brief computes the values that a flip makes and stores them under the same numbers.
-  \return whether it was done; if not, nothing has changed
+  \brief computes the values that a flip makes; nothing changes.
+  \return the values; nothing if the number type does not make areas that are positive
   \pre the diamond is strictly convex
   */
-  bool flip(const CGAL::Intrinsic_triangulations::Diamond& d);
+  std::optional<Flipped> compute_flip(const CGAL::Intrinsic_triangulations::Diamond& d) const;
+  /*!
+  \brief computes the values that a flip makes which leaves a face of zero area.
+  \pre the diamond is a triangle with the source of the edge on a side
+  */
+  std::optional<Flipped>
+  compute_flip_to_zero_area(const CGAL::Intrinsic_triangulations::Diamond& d) const;
+  /// stores the values that a flip makes, under the numbers that were there before.
+  void store_flip(const CGAL::Intrinsic_triangulations::Diamond& d, const Flipped& values);
 
   /// tells whether the area of a face is zero.
   bool is_degenerate(std::uint32_t face) const;

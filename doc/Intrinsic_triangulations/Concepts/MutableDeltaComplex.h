@@ -35,12 +35,15 @@ that `num_` functions may be linear.
 | `gluing_map_from_face_graph()`, predicates of `Intrinsic_triangulation` | `vertices`, `halfedges`, `edges`, `faces`, `num_…`, `next`, `opposite`, `target`, `face`, `halfedge`, `edge`, `Mesh_adaptor` |
 | `copy_gluing_map()`, the constructors of `Intrinsic_triangulation` | default constructor, `add_vertex`, `add_edge`, `add_face` and all setters on an empty mesh |
 | `Intrinsic_triangulation::flip_edge()` | `source` and all setters |
+| `insert_vertex()` | `add_vertex`, `add_edge`, `add_face`, `prev` at the border, all setters |
+| `remove_vertex()` | `remove_vertex`, `remove_edge`, `remove_face`, `prev` at the border, all setters |
 | `flip_to_delaunay()` | `edges`, `halfedge(e)`, `edge(h)`, `next`, `opposite` |
 | `delta_complex_defect()` | also `prev`, unless the mesh is a `Gluing_map` |
 
 A mesh other than those below also needs a specialisation of `Mesh_adaptor`, if its elements are not
-numbered so that halfedges `2e` and `2e + 1` are the sides of edge `e`. A flip must not change these
-numbers.
+numbered so that halfedges `2e` and `2e + 1` are the sides of edge `e`. It finds elements by their
+numbers too (`vertex_at`, `halfedge_at`, `face_at`) and is told of elements that are added or removed.
+Moves must not change the numbers of elements that stay.
 
 \cgalHasModel{`CGAL::Intrinsic_triangulations::Gluing_map`\, `CGAL::Surface_mesh`\,
 `CGAL::Polyhedron_3`\, `OpenMesh::TriMesh_ArrayKernelT`\, `OpenMesh::PolyMesh_ArrayKernelT`}

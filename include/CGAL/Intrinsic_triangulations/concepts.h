@@ -169,9 +169,9 @@ concept IntrinsicCorrespondence = std::default_initializable<Correspondence> &&
   c.after_insert_in_face(t, h);
   { c.before_insert_in_border_edge(t, h, parameter) } -> std::same_as<bool>;
   c.after_insert_in_border_edge(t, h);
-  c.before_remove(t, h);
+  { c.before_remove(t, h) } -> std::same_as<bool>;
   c.after_remove(t, h);
-  c.before_remove_from_border(t, h);
+  { c.before_remove_from_border(t, h) } -> std::same_as<bool>;
   c.after_remove_from_border(t, h);
 };
 

@@ -47,7 +47,7 @@ public:
       if (edges_.size() == 3 && !has_loop()) break;
       const Halfedge h = edge_to_flip();
       if (h != Traits::null_halfedge() && session_.flip_edge(h) == Move_status::done) {
-        flipped_.push_back(h);
+        undo_.push_back({h, 3});
         continue;
       }
       const Halfedge straight = edges_.size() == 4 ? straight_edge() : Traits::null_halfedge();
@@ -56,15 +56,21 @@ public:
         undo();
         return Move_status::not_removable;
       }
+      undo_.push_back({straight, 1});
     }
-    if (is_border_)
-      session_.remove_border_vertex(opposite(edges_.front(), mesh_));
-    else
-      session_.remove_degree_three_vertex(next(edges_.front(), mesh_));
-    return Move_status::done;
+    const Move_status s = is_border_
+                              ? session_.remove_border_vertex(opposite(edges_.front(), mesh_))
+                              : session_.remove_degree_three_vertex(next(edges_.front(), mesh_));
+    if (s != Move_status::done) undo();
+    return s;
   }
 
 private:
+  struct Undo {
+    Halfedge edge;
+    int flips;
+  };
+
   // the halfedges from the vertex, counterclockwise; on the border the first has no face on its right
   void find_edges() {
     edges_.clear();
@@ -143,10 +149,11 @@ private:
     }
   }
 
-  // back by three more flips: four are the identity
+  // back by three more flips: four are the identity; the edge that left a face of zero area comes back
+  // by one, its halfedges exchanged
   void undo() {
-    for (auto h = flipped_.rbegin(); h != flipped_.rend(); ++h)
-      for (int i = 0; i < 3; ++i) session_.flip_edge(*h);
+    for (auto u = undo_.rbegin(); u != undo_.rend(); ++u)
+      for (int i = 0; i < u->flips; ++i) session_.flip_edge(u->edge);
   }
 
   // relative area that a face with a straight angle has by rounding after many moves
@@ -158,7 +165,7 @@ private:
   Vertex v_;
   bool is_border_ = false;
   std::vector<Halfedge> edges_;
-  std::vector<Halfedge> flipped_;
+  std::vector<Undo> undo_;
 };
 
 /// removes an inserted vertex, see `Intrinsic_triangulation::remove_vertex()`

@@ -7,9 +7,11 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/concepts.h>
 
+#include <cstdint>
+
 struct Hears_too_late {
-  template <class Triangulation, class Halfedge>
-  void after_flip(const Triangulation&, Halfedge) {}
+  template <class Triangulation>
+  void after_flip(const Triangulation&, std::uint32_t) {}
 };
 
 template <class Triangulation, class Correspondence>

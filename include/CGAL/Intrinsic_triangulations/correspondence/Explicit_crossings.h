@@ -166,10 +166,11 @@ public:
   /// observes the removal of a vertex of degree three before it is done; see
   /// `remove_degree_3_vertex()`.
   template <class Triangulation>
-  void before_remove(const Triangulation& t, std::uint32_t h) {
-    integers_.before_remove(t, h);
+  bool before_remove(const Triangulation& t, std::uint32_t h) {
+    if (!integers_.before_remove(t, h)) return false;
     for (const std::uint32_t s : Integer_coordinates::spokes(Intrinsic_view<Triangulation>(t), h))
       lists_.clear(s / 2);
+    return true;
   }
 
   /// observes the removal of a vertex after it was done.
@@ -180,9 +181,10 @@ public:
 
   /// observes the removal of a vertex on the border before it is done; see `remove_border_vertex()`.
   template <class Triangulation>
-  void before_remove_from_border(const Triangulation& t, std::uint32_t h) {
-    integers_.before_remove_from_border(t, h);
+  bool before_remove_from_border(const Triangulation& t, std::uint32_t h) {
+    if (!integers_.before_remove_from_border(t, h)) return false;
     lists_.clear(Intrinsic_view<Triangulation>(t).next(h) / 2);
+    return true;
   }
 
   /// observes the removal of a vertex on the border after it was done.

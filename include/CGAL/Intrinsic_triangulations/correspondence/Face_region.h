@@ -119,6 +119,39 @@ inline std::array<Normal_coordinate, 3> inserted_normal_coordinates(const Corner
   return n;
 }
 
+/*!
+\brief tells whether the edges to a vertex in a face are crossed as they are if the vertex is in one of
+the regions of the face: then the face can do without it.
+\param c how curves run in the face without the vertex
+\param normal normal coordinates of the edges from the corners to the vertex
+\param is_on_curve whether the vertex is on a curve
+*/
+inline bool has_region(const Corner_coordinates& c, const std::array<Normal_coordinate, 3>& normal,
+                       bool is_on_curve) {
+  Face_region middle;
+  middle.cutting = c.cutting;
+  for (unsigned k = 0; k < 3; ++k)
+    if (c.emanating[k] > 0) middle.fan_corner = k;
+  const unsigned fan = middle.fan_corner;
+  const auto is = [&](const Face_region& r) { return inserted_normal_coordinates(c, r) == normal; };
+  for (unsigned k = 0; k < 3; ++k) { // beyond an arc about corner k, or on one
+    if (normal[k] < 0 || normal[k] >= c.cutting[k]) continue;
+    Face_region r = middle;
+    r.cutting[k] = normal[k];
+    if (fan < 3) r.right_of_fan = k == (fan + 1) % 3 ? 0 : c.emanating[fan];
+    r.is_on_curve = is_on_curve;
+    r.corner = k;
+    if (is(r)) return true;
+  }
+  if (fan == 3) return !is_on_curve && is(middle);
+  const unsigned next = (fan + 1) % 3;
+  middle.right_of_fan = normal[next] - c.cutting[next];
+  middle.is_on_curve = is_on_curve;
+  middle.corner = fan;
+  return middle.right_of_fan >= 0 &&
+         middle.right_of_fan + (is_on_curve ? 1 : 0) <= c.emanating[fan] && is(middle);
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_FACE_REGION_H

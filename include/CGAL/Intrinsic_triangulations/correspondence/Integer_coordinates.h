@@ -185,11 +185,17 @@ public:
 
   /// observes the removal of a vertex of degree three before it is done; see
   /// `remove_degree_3_vertex()`.
+  /// \return whether curves run straight through the face without the vertex; if not, which inexact
+  /// arithmetic can lead to, nothing has changed
   template <class Triangulation>
-  void before_remove(const Triangulation& t, std::uint32_t h) {
+  bool before_remove(const Triangulation& t, std::uint32_t h) {
     const Intrinsic_view<Triangulation> view(t);
     const std::array<std::uint32_t, 3> to = spokes(view, h);
     const std::array<std::uint32_t, 3> sides = outer_sides(view, h, to);
+    if (!can_do_without({normal_[sides[0] / 2], normal_[sides[1] / 2], normal_[sides[2] / 2]},
+                        {normal_[to[0] / 2], normal_[to[1] / 2], normal_[to[2] / 2]},
+                        roundabout_[to[0] ^ 1U] != Gluing::none))
+      return false;
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t a = to[k], b = to[(k + 1) % 3];
       if (normal_[a / 2] >= 0 || normal_[b / 2] >= 0) continue;
@@ -200,6 +206,7 @@ public:
     }
     if (roundabout_[to[0] ^ 1U] != Gluing::none) fans_.remove_fan(roundabout_[to[0] ^ 1U]);
     for (const std::uint32_t s : to) normal_[s / 2] = 0;
+    return true;
   }
 
   /// observes the removal of a vertex after it was done.
@@ -207,13 +214,18 @@ public:
   void after_remove(const Triangulation&, std::uint32_t) {}
 
   /// observes the removal of a vertex on the border before it is done; see `remove_border_vertex()`.
+  /// \return see `before_remove()`
   template <class Triangulation>
-  void before_remove_from_border(const Triangulation& t, std::uint32_t h) {
+  bool before_remove_from_border(const Triangulation& t, std::uint32_t h) {
     const Intrinsic_view<Triangulation> view(t);
-    const std::uint32_t pj = view.next(view.next(h) ^ 1U);
+    const std::uint32_t pk = view.next(h), pj = view.next(pk ^ 1U);
+    const std::array<Normal_coordinate, 3> sides{0, normal_[view.next(pj) / 2],
+                                                 normal_[view.next(pk) / 2]};
+    if (!can_do_without(sides, {-1, -1, normal_[pk / 2]}, true)) return false;
     fans_.remove_fan(roundabout_[pj]);
     roundabout_[h ^ 1U] = roundabout_[pj ^ 1U];
-    normal_[pj / 2] = normal_[view.next(h) / 2] = 0;
+    normal_[pj / 2] = normal_[pk / 2] = 0;
+    return true;
   }
 
   /// observes the removal of a vertex on the border after it was done.
@@ -278,6 +290,28 @@ private:
   static std::array<std::uint32_t, 3> outer_sides(const View& view, std::uint32_t h,
                                                   const std::array<std::uint32_t, 3>& to) {
     return {h, view.next(to[1] ^ 1U), view.next(to[2] ^ 1U)};
+  }
+
+  // Whether a vertex of degree three is in a region of the face around it, or on a curve along a side.
+  static bool can_do_without(std::array<Normal_coordinate, 3> sides,
+                             std::array<Normal_coordinate, 3> to, bool is_on_curve) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned next = (k + 1) % 3, last = (k + 2) % 3;
+      if (to[k] >= 0 || to[next] >= 0) continue;
+      if (sides[k] != 0) return false;
+      sides[k] = -1;
+      const Corner_coordinates c = corner_coordinates(sides);
+      return is_even_or_fan(sides, c) &&
+             to[last] == c.cutting[last] + c.emanating[k] + c.emanating[next];
+    }
+    const Corner_coordinates c = corner_coordinates(sides);
+    return is_even_or_fan(sides, c) && has_region(c, to, is_on_curve);
+  }
+  // Curves that start from no corner meet two sides each.
+  static bool is_even_or_fan(const std::array<Normal_coordinate, 3>& sides,
+                             const Corner_coordinates& c) {
+    const Normal_coordinate sum = crossings(sides[0]) + crossings(sides[1]) + crossings(sides[2]);
+    return sum % 2 == 0 || c.emanating[0] + c.emanating[1] + c.emanating[2] > 0;
   }
 
   // The new vertex cuts the curve along side ij: ij itself, which goes on to bound a face on the

@@ -44,15 +44,19 @@ struct No_correspondence {
   /// observes the insertion of a vertex on the border after it was done.
   template <class Triangulation>
   void after_insert_in_border_edge(const Triangulation&, std::uint32_t) {}
-  /// observes the removal of a vertex of degree three before it is done.
+  /// observes the removal of a vertex of degree three before it is done. \return true
   template <class Triangulation>
-  void before_remove(const Triangulation&, std::uint32_t) {}
+  bool before_remove(const Triangulation&, std::uint32_t) {
+    return true;
+  }
   /// observes the removal of a vertex of degree three after it was done.
   template <class Triangulation>
   void after_remove(const Triangulation&, std::uint32_t) {}
-  /// observes the removal of a vertex on the border before it is done.
+  /// observes the removal of a vertex on the border before it is done. \return true
   template <class Triangulation>
-  void before_remove_from_border(const Triangulation&, std::uint32_t) {}
+  bool before_remove_from_border(const Triangulation&, std::uint32_t) {
+    return true;
+  }
   /// observes the removal of a vertex on the border after it was done.
   template <class Triangulation>
   void after_remove_from_border(const Triangulation&, std::uint32_t) {}

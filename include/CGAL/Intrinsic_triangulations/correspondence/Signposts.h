@@ -212,13 +212,14 @@ public:
   /// observes the removal of a vertex of degree three before it is done; see
   /// `remove_degree_3_vertex()`.
   template <class Triangulation>
-  void before_remove(const Triangulation& t, std::uint32_t h) {
+  bool before_remove(const Triangulation& t, std::uint32_t h) {
     const Intrinsic_view<Triangulation> view(t);
     const std::uint32_t jp = view.next(h), ip = view.next(jp) ^ 1U, jk = view.next(jp ^ 1U),
                         kp = view.next(jk), ki = view.next(kp ^ 1U);
     leave(ip, h);
     leave(jp, jk);
     leave(kp, ki);
+    return true;
   }
 
   /// observes the removal of a vertex after it was done.
@@ -227,11 +228,12 @@ public:
 
   /// observes the removal of a vertex on the border before it is done; see `remove_border_vertex()`.
   template <class Triangulation>
-  void before_remove_from_border(const Triangulation& t, std::uint32_t h) {
+  bool before_remove_from_border(const Triangulation& t, std::uint32_t h) {
     const Intrinsic_view<Triangulation> view(t);
     const std::uint32_t pk = view.next(h), pj = view.next(pk ^ 1U);
     leave(pk ^ 1U, view.next(pk));
     signpost_[h ^ 1U] = signpost_[pj ^ 1U];
+    return true;
   }
 
   /// observes the removal of a vertex on the border after it was done.
