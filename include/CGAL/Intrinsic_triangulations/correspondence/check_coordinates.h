@@ -43,7 +43,8 @@ public:
   /// returns an edge, or none if all is right.
   std::uint32_t first_bad_edge() {
     // each step relies on those before
-    check_faces();
+    check_numbers();
+    if (bad_ == Gluing::none) check_faces();
     if (bad_ == Gluing::none) check_slots();
     if (bad_ == Gluing::none) check_curves();
     if (bad_ == Gluing::none) check_lengths();
@@ -56,6 +57,17 @@ private:
   }
 
   Normal_coordinate normal(std::uint32_t h) const { return coordinates_.normal_coordinate(h / 2); }
+
+  void check_numbers() {
+    for (std::uint32_t e = 0; e < coordinates_.number_of_edges(); ++e) {
+      const Normal_coordinate n = coordinates_.normal_coordinate(e);
+      if ((n < 0) != (traces_.along[e] != Gluing::none) ||
+          static_cast<std::size_t>(crossings(n)) != traces_[e].size() ||
+          (n < 0 && (coordinates_.roundabout(2 * e) == Gluing::none ||
+                     coordinates_.roundabout(2 * e + 1) == Gluing::none)))
+        fail(e);
+    }
+  }
 
   // ---- curves in each face and around each vertex (Eq. 9, 10, 12 of the course)
 
@@ -224,7 +236,7 @@ mean length of all edges.
 \tparam Coordinates `Integer_coordinates`
 \param t the triangulation
 \param coordinates normal coordinates and roundabouts
-\param traces the paths of all edges; as many crossings as the normal coordinates say
+\param traces the paths of all edges, for the same edge numbers
 \return the first edge that is found to be wrong; none if there is none
 \complexity linear in the number of edges and crossings
 */
