@@ -147,7 +147,7 @@ TEST(Extract_subdivision, Measures_what_both_triangulations_measure) {
     for (int i = 0; i < 60; ++i) mover.move(true);
     const Common_subdivision s = IT::extract_subdivision(t, t.correspondence());
     expect_subdivision(t, s, name);
-    // coordinates are up to 40, and 1e-10 is far above what a strip of some tens of faces loses
+    // coordinates are up to 40, and 1e-8 is far above what a strip of some tens of faces loses
     expect_measures(t, s, mesh.points, 1e-8, name);
   }
 }

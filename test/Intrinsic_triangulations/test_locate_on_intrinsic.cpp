@@ -40,8 +40,8 @@ void expect_round_trips(T& t, const meshes::Mesh& mesh, double tolerance, const 
   const IT::Input_surface& s = t.correspondence().input();
   Mover<T> mover(t, 9);
   for (std::uint32_t f = 0; f < s.mesh().number_of_faces(); ++f)
-    for (int i = 0; i < 8; ++i) {
-      const IT::Surface_point p{s.halfedge_of_face(f), mover.weights(i % 3 == 0)};
+    for (int i = 0; i < 3; ++i) {
+      const IT::Surface_point p{s.halfedge_of_face(f), mover.weights(i == 0)};
       const std::optional<IT::Surface_point> q = IT::locate_on_intrinsic(t, t.correspondence(), p);
       ASSERT_TRUE(q) << name;
       const IT::Surface_point r =
@@ -66,7 +66,7 @@ TEST(Locate_on_intrinsic, Is_undone_by_locating_on_the_input) {
     IT::flip_to_delaunay(rounded);
     expect_round_trips(rounded, mesh, 1e-9 * size, name);
     Mover<Exact> mover(exact, 5);
-    for (int i = 0; i < 40; ++i) mover.move(true);
+    for (int i = 0; i < 20; ++i) mover.move(true);
     expect_round_trips(exact, mesh, 1e-9 * size, name + std::string(", after moves"));
   }
 }
