@@ -25,7 +25,7 @@ fi
 
 bash "$root/cmake/install_dependencies.sh" \
   g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libmpfi-dev libboost-dev \
-  libeigen3-dev libcli11-dev nlohmann-json3-dev
+  libeigen3-dev libcli11-dev nlohmann-json3-dev libjs-three
 
 if [[ ! -f "$build/build.ninja" ]]; then # else keep what was chosen, such as to build the tests
   (cd -- "$root" && cmake --preset release -DINTRINSIC_TRIANGULATIONS_BUILD_TESTS=OFF)
@@ -37,11 +37,13 @@ name=$(basename -- "$mesh")
 output=$results/${name%.*}
 intrinsic=$build/examples/intrinsic
 
-"$intrinsic" delaunay "$mesh" --arithmetic exact -o "$output.idt" --stats "$output.delaunay.json"
+"$intrinsic" delaunay "$mesh" -o "$output.ply" --view "$output.html" \
+  --stats "$output.delaunay.json"
 "$intrinsic" laplacian "$mesh" -o "$output.laplacian.mtx"
 
 cat -- "$output.delaunay.json"
 echo
-echo "Intrinsic Delaunay triangulation: $output.idt"
-echo "Its statistics, shown above:      $output.delaunay.json"
-echo "Its Laplacian, MatrixMarket:      $output.laplacian.mtx"
+echo "Intrinsic Delaunay triangulation, drawn on the surface: $output.ply"
+echo "The same, to look at in a browser:                      $output.html"
+echo "Its statistics, shown above:                            $output.delaunay.json"
+echo "Its Laplacian, MatrixMarket:                            $output.laplacian.mtx"

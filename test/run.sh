@@ -11,7 +11,8 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
 bash "$root/cmake/install_dependencies.sh" \
   g++ cmake ninja-build libcgal-dev libcgal-demo libgmp-dev libmpfr-dev libmpfi-dev libboost-dev \
-  libeigen3-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev libgtest-dev doxygen python3
+  libeigen3-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev libjs-three libgtest-dev doxygen \
+  python3
 
 cd -- "$root"
 cmake --preset release \

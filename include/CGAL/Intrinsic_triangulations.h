@@ -13,6 +13,13 @@ All of the package that needs neither Eigen nor OpenMesh. Operators are in
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/read_triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/IO/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/locate_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/locate_on_intrinsic.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivide.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>
 

@@ -45,11 +45,7 @@ public:
     for (;;) {
       find_edges();
       if (edges_.size() == 3 && !has_loop()) break;
-      const Halfedge h = edge_to_flip();
-      if (h != Traits::null_halfedge() && session_.flip_edge(h) == Move_status::done) {
-        undo_.push_back({h, 3});
-        continue;
-      }
+      if (flip_an_edge()) continue;
       const Halfedge straight = edges_.size() == 4 ? straight_edge() : Traits::null_halfedge();
       if (straight == Traits::null_halfedge() ||
           session_.flip_to_zero_area(straight) != Move_status::done) {
@@ -66,6 +62,10 @@ public:
   }
 
 private:
+  struct Candidate {
+    double quality; // least new area by squared length
+    Halfedge edge;
+  };
   struct Undo {
     Halfedge edge;
     int flips;
@@ -110,24 +110,27 @@ private:
             m.approximate_quadruple_area(d.g)};
   }
 
-  // the edge whose flip leaves the least thin faces, for rounding's sake
-  Halfedge edge_to_flip() {
-    Halfedge best = Traits::null_halfedge();
-    double best_quality = 0;
+  // Flips the edge that leaves the least thin faces, for rounding's sake, and to leave alone what exact
+  // arithmetic would have to prove straight.
+  bool flip_an_edge() {
+    candidates_.clear();
     for (const Halfedge h : edges_) {
-      if (!is_candidate(h) || session_.flip_status(h) != Move_status::done) continue;
+      if (!is_candidate(h)) continue;
       const Flipped_values<double> n = flipped(values(h));
-      const double quality = std::max(std::min(n.area_f, n.area_g) / n.km, 1e-300);
-      if (quality > best_quality) {
-        best_quality = quality;
-        best = h;
-      }
+      candidates_.push_back({std::min(n.area_f, n.area_g) / n.km, h});
     }
-    // of four edges two may go straight through, up to rounding
-    const bool is_doubtful = !Triangulation::Metric::is_exact && edges_.size() == 4 && !is_border_;
-    return is_doubtful && best_quality < 1e-9 && straight_edge() != Traits::null_halfedge()
-               ? Traits::null_halfedge()
-               : best;
+    std::sort(candidates_.begin(), candidates_.end(),
+              [](const Candidate& a, const Candidate& b) { return a.quality > b.quality; });
+    for (const Candidate& c : candidates_) {
+      // of four edges two may go straight through, up to rounding
+      if (!Triangulation::Metric::is_exact && c.quality < doubtful_quality && edges_.size() == 4 &&
+          !is_border_ && straight_edge() != Traits::null_halfedge())
+        return false;
+      if (session_.flip_edge(c.edge) != Move_status::done) continue;
+      undo_.push_back({c.edge, 3});
+      return true;
+    }
+    return false;
   }
 
   // an edge to whose sides the vertex has a straight angle
@@ -153,11 +156,12 @@ private:
   // by one, its halfedges exchanged
   void undo() {
     for (auto u = undo_.rbegin(); u != undo_.rend(); ++u)
-      for (int i = 0; i < u->flips; ++i) session_.flip_edge(u->edge);
+      for (int i = 0; i < u->flips; ++i) session_.flip_non_delaunay_edge(u->edge);
   }
 
   // relative area that a face with a straight angle has by rounding after many moves
   static constexpr double straight_tolerance = 1e-7;
+  static constexpr double doubtful_quality = 1e-9;
 
   Triangulation& t_;
   Session& session_;
@@ -165,6 +169,7 @@ private:
   Vertex v_;
   bool is_border_ = false;
   std::vector<Halfedge> edges_;
+  std::vector<Candidate> candidates_;
   std::vector<Undo> undo_;
 };
 
