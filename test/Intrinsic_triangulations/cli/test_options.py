@@ -57,9 +57,12 @@ class Options(Cli_test):
         self.assert_misused("delaunay", self.mesh, "--mass", "m.mtx")
         self.assert_misused("laplacian", self.mesh, "--mass-kind", "full")
         self.assert_misused("delaunay", self.mesh, "extra.off")
-        for word in ("integer", "signposts", "crossings"):
-            self.assert_misused("delaunay", self.mesh, "--correspondence", word, word="only none")
-        self.assert_misused("delaunay", self.mesh, "-o", "out.ply", word=".idt")
+        self.assert_misused("delaunay", self.mesh, "--correspondence", "some")
+        self.assert_misused("laplacian", self.mesh, "--correspondence", "integer")
+        self.assert_misused("delaunay", self.mesh, "-o", "out.txt", word=".idt")
+        self.assert_misused("delaunay", self.mesh, "-o", "out.ply", "--correspondence", "none",
+                            word="integer")
+        self.assert_misused("delaunay", self.mesh, "-o", "a.ply", "--view", "a.ply", word="two")
         self.assert_misused("laplacian", self.mesh, "-o", "out.txt", word=".mtx")
         self.assert_misused("laplacian", self.mesh, "-o", "a.mtx", "--mass", "a.mtx", word="two")
 
@@ -70,7 +73,8 @@ class Options(Cli_test):
                 for key, inner in KEYS.items():
                     self.assertLessEqual(inner, stats[key].keys())
                 self.assertEqual(stats["arithmetic"], arithmetic)
-                self.assertEqual(stats["correspondence"], "none")
+                self.assertEqual(stats["correspondence"],
+                                 "integer" if command == "delaunay" else "none")
                 self.assertGreater(stats["peak_rss_mib"], 1)
                 self.assertEqual(stats["input"]["file"], self.mesh)
                 self.assertEqual(stats["input"]["genus"], 0)

@@ -1,0 +1,108 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The common subdivision that `intrinsic delaunay` writes: a mesh with the shape of the input."""
+
+import math
+import random
+
+from cli_support import Cli_test, main
+
+KINDS = ("integer", "crossings", "signposts")
+
+
+def read_off(path):
+    """Points and faces of an OFF file; colours after the vertices of a face are left out."""
+    with open(path) as file:
+        words = file.read().split()
+    assert words[0] == "OFF"
+    vertices, faces = int(words[1]), int(words[2])
+    at = 4
+    points = [tuple(map(float, words[at + 3 * i:at + 3 * i + 3])) for i in range(vertices)]
+    lines = open(path).read().splitlines()
+    rows = [line.split() for line in lines if line and not line.startswith("#")][2 + vertices:]
+    return points, [[int(x) for x in row[1:1 + int(row[0])]] for row in rows[:faces]]
+
+
+def area(points, faces):
+    total = 0.0
+    for f in faces:
+        for b, c in zip(f[1:], f[2:]):
+            u = [points[b][k] - points[f[0]][k] for k in range(3)]
+            v = [points[c][k] - points[f[0]][k] for k in range(3)]
+            total += math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                u[0] * v[1] - u[1] * v[0]) / 2
+    return total
+
+
+def sheared_torus(n, m, shift):
+    """A torus whose rows are joined with a shift, so that most edges are not Delaunay."""
+    points = [((1 + 0.35 * math.cos(2 * math.pi * j / m)) * math.cos(2 * math.pi * i / n),
+               (1 + 0.35 * math.cos(2 * math.pi * j / m)) * math.sin(2 * math.pi * i / n),
+               0.35 * math.sin(2 * math.pi * j / m)) for j in range(m) for i in range(n)]
+    faces = []
+    for j in range(m):
+        for i in range(n):
+            a, b = j * n + i, j * n + (i + 1) % n
+            c, d = ((j + 1) % m * n + (i + k + shift) % n for k in (1, 0))
+            faces += [(a, b, c), (a, c, d)]
+    return points, faces
+
+
+def rough_square(n):
+    """A square of a height field, with a border; coordinates are from a fixed sequence."""
+    numbers = random.Random(7)
+    points = [(i + 0.4 * numbers.random(), 5 * j, numbers.random()) for j in range(n)
+              for i in range(n)]
+    faces = []
+    for j in range(n - 1):
+        for i in range(n - 1):
+            a = j * n + i
+            faces += [(a, a + 1, a + n + 1), (a, a + n + 1, a + n)]
+    return points, faces
+
+
+class Subdivision(Cli_test):
+    def check(self, mesh, points, faces, euler):
+        counts = []
+        for kind in KINDS:
+            stats = self.stats("delaunay", mesh, "--correspondence", kind, "-o", "out.off")
+            self.assertEqual(stats["correspondence"], kind)
+            s = stats["subdivision"]
+            self.assertEqual(s["vertices"] - s["edges"] + s["faces"], euler)
+            p, f = read_off(self.path("out.off"))
+            self.assertEqual((len(p), len(f)), (s["vertices"], s["faces"]))
+            self.assert_close(area(p, f), area(points, faces), 1e-12)
+            # each directed side once: a manifold, oriented as the input is
+            sides = [(a, b) for g in f for a, b in zip(g, g[1:] + g[:1])]
+            self.assertEqual(len(sides), len(set(sides)))
+            # its vertices are those of the input, in order, and then crossings
+            self.assertEqual(p[:len(points)], [tuple(float(x) for x in q) for q in points])
+            counts.append((s["vertices"], s["edges"], s["faces"]))
+        self.assertEqual(len(set(counts)), 1)
+        self.assertGreater(counts[0][0], len(points))
+
+    def test_closed_surface(self):
+        points, faces = sheared_torus(24, 12, 5)
+        self.check(self.write_off("torus.off", points, faces), points, faces, 0)
+
+    def test_surface_with_border(self):
+        points, faces = rough_square(9)
+        self.check(self.write_off("square.off", points, faces), points, faces, 1)
+
+    def test_all_formats(self):
+        mesh = self.write_off("torus.off", *sheared_torus(24, 12, 5))
+        for extension in ("ply", "obj", "off", "stl", "vtp"):
+            run = self.run_program("delaunay", mesh, "-o", "out." + extension)
+            self.assertEqual((run.code, run.out), (0, ""))
+            self.assertGreater(len(open(self.path("out." + extension), "rb").read()), 1000)
+
+    def test_faces_are_labelled_with_the_polygons_of_the_file(self):
+        points = [(0, 0, 0), (3, 0, 0), (3, 1, 0), (0, 1, 0), (3, 0, 4), (3, 1, 4)]
+        mesh = self.write_off("two.off", points, [(0, 1, 2, 3), (2, 1, 4, 5)])
+        run = self.run_program("delaunay", mesh, "-o", "out.obj")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertIn("f ", open(self.path("out.obj")).read())
+
+
+if __name__ == "__main__":
+    main()
