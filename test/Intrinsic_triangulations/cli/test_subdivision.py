@@ -96,13 +96,6 @@ class Subdivision(Cli_test):
             self.assertEqual((run.code, run.out), (0, ""))
             self.assertGreater(len(open(self.path("out." + extension), "rb").read()), 1000)
 
-    def test_faces_are_labelled_with_the_polygons_of_the_file(self):
-        points = [(0, 0, 0), (3, 0, 0), (3, 1, 0), (0, 1, 0), (3, 0, 4), (3, 1, 4)]
-        mesh = self.write_off("two.off", points, [(0, 1, 2, 3), (2, 1, 4, 5)])
-        run = self.run_program("delaunay", mesh, "-o", "out.obj")
-        self.assertEqual(run.code, 0, run.err)
-        self.assertIn("f ", open(self.path("out.obj")).read())
-
 
 if __name__ == "__main__":
     main()
