@@ -20,7 +20,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -38,8 +37,8 @@ public:
 
   void run() {
     check();
-    decltype(auto) mesh =
-        as_gluing_map(t_.mesh()); // elements have the numbers of the triangulation
+    const As_gluing_map read(t_.mesh()); // elements have the numbers of the triangulation
+    const Gluing_map& mesh = *read;
     write_header();
     write_vertices(mesh);
     write_edges(mesh);
@@ -60,8 +59,9 @@ private:
     for (const auto v : vertices(t_.mesh())) only_flips = only_flips && !t_.is_inserted(v);
     if constexpr (Metric::is_exact)
       only_flips = only_flips && t_.metric().history().number_of_vertex_moves() == 0;
-    if constexpr (std::is_same_v<typename Triangulation::Mesh, Gluing_map>)
-      only_flips = only_flips && !t_.mesh().has_garbage();
+    std::uint32_t next_edge = 0, next_face = 0; // gaps, or another order, come from removals
+    for (const auto e : edges(t_.mesh())) only_flips = only_flips && t_.index(e) == next_edge++;
+    for (const auto f : faces(t_.mesh())) only_flips = only_flips && t_.index(f) == next_face++;
     if (!only_flips)
       throw Invalid_input(
           Element_kind::none, 0,

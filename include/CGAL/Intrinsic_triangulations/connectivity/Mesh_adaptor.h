@@ -37,6 +37,11 @@ public:
   /// numbers the elements of a mesh that the caller may change; numbers are 0, 1, 2, ...
   explicit Mesh_adaptor(Mesh& mesh) : Mesh_adaptor(static_cast<const Mesh&>(mesh)) {}
 
+  /// numbers the elements of `copy`, a copy of `original`, as those of `original` are numbered.
+  Mesh_adaptor(Mesh& copy, [[maybe_unused]] const Mesh_adaptor& numbers,
+               [[maybe_unused]] const Mesh& original)
+      : Mesh_adaptor(copy) {}
+
   /// returns the number of a vertex.
   std::uint32_t vertex(typename Traits::vertex_descriptor v) const {
     return static_cast<std::uint32_t>(get(vertex_, v));
@@ -69,6 +74,19 @@ public:
   /// frees the number of a vertex, an edge or a face that is going to be removed from the mesh.
   template <class Descriptor>
   void remove(Descriptor, const Mesh&) {}
+
+  /// returns a bound of the numbers of vertices, those of removed ones included.
+  std::uint32_t vertex_capacity(const Mesh& mesh) const {
+    return static_cast<std::uint32_t>(num_vertices(mesh));
+  }
+  /// returns a bound of the numbers of edges; twice as many are one for halfedges.
+  std::uint32_t edge_capacity(const Mesh& mesh) const {
+    return static_cast<std::uint32_t>(num_edges(mesh));
+  }
+  /// returns a bound of the numbers of faces.
+  std::uint32_t face_capacity(const Mesh& mesh) const {
+    return static_cast<std::uint32_t>(num_faces(mesh));
+  }
 
   /// reads the coordinates of a point as doubles.
   template <class Point>

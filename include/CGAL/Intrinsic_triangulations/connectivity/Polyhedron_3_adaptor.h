@@ -45,6 +45,16 @@ public:
     number(mesh);
   }
 
+  /// numbers the elements of `copy`, a copy of `original`, as those of `original` are numbered, which is
+  /// not the order of its lists any more after removals.
+  Mesh_adaptor(Mesh& copy, const Mesh_adaptor& numbers, const Mesh& original) {
+    use_ids_ = has_ids;
+    renumber(CGAL::vertices(copy), vertices_, CGAL::vertices(original), numbers, numbers.vertices_);
+    renumber(CGAL::halfedges(copy), halfedges_, CGAL::halfedges(original), numbers,
+             numbers.halfedges_);
+    renumber(CGAL::faces(copy), faces_, CGAL::faces(original), numbers, numbers.faces_);
+  }
+
   /// returns the number of a vertex.
   std::uint32_t vertex(Vertex v) const { return find(v, vertices_); }
   /// returns the number of a halfedge.
@@ -87,6 +97,13 @@ public:
   /// frees the number of a face that is going to be removed from the mesh.
   void remove(Face f, const Mesh&) { remove(f, faces_); }
 
+  /// returns a bound of the numbers of vertices, those of removed ones included.
+  std::uint32_t vertex_capacity(const Mesh&) const { return capacity(vertices_); }
+  /// returns a bound of the numbers of edges; twice as many are one for halfedges.
+  std::uint32_t edge_capacity(const Mesh&) const { return capacity(halfedges_) / 2; }
+  /// returns a bound of the numbers of faces.
+  std::uint32_t face_capacity(const Mesh&) const { return capacity(faces_); }
+
   /// reads the coordinates of a point as doubles.
   template <class Point>
   static std::array<double, 3> coordinates(const Point& p) {
@@ -111,15 +128,36 @@ private:
   }
 
   template <class Descriptor>
+  static std::uint32_t capacity(const Numbering<Descriptor>& n) {
+    return static_cast<std::uint32_t>(n.elements.size());
+  }
+
+  // copies of elements come in the same order as the elements
+  template <class Range, class ConstRange, class Descriptor>
+  void renumber(const Range& copies, Numbering<Descriptor>& n, const ConstRange& originals,
+                const Mesh_adaptor& numbers, const Numbering<Descriptor>& original_numbers) {
+    n.elements.resize(original_numbers.elements.size());
+    n.free = original_numbers.free;
+    auto original = originals.begin();
+    for (const Descriptor d : copies)
+      assign(d, numbers.find(Descriptor(*original++), original_numbers), n);
+  }
+
+  template <class Descriptor>
   void add(Descriptor d, Numbering<Descriptor>& n) {
-    auto i = static_cast<std::uint32_t>(n.elements.size());
+    std::uint32_t i = capacity(n);
     if (n.free.empty()) {
-      n.elements.push_back(d);
+      n.elements.emplace_back();
     } else {
       i = n.free.back();
       n.free.pop_back();
-      n.elements[i] = d;
     }
+    assign(d, i, n);
+  }
+
+  template <class Descriptor>
+  void assign(Descriptor d, std::uint32_t i, Numbering<Descriptor>& n) {
+    n.elements[i] = d;
     if constexpr (has_ids)
       if (use_ids_) {
         d->id() = i;

@@ -17,13 +17,15 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief writes a gluing map as a list of gluings: the inverse of `Gluing_map(const Gluing&)`.
 
-Side 0 of face `f` is `map.halfedge(f)`. Building a gluing map from the result gives the same faces
+Side 0 of face `f` is `map.halfedge(f)`; where elements have been removed, the others are numbered in
+the order of iteration. Building a gluing map from the result gives the same faces
 and vertices; edges are numbered anew, in the order in which the faces meet them.
 \param map the gluing map, oriented or not
 \pre `is_valid_delta_complex(map)`
 \complexity linear
 */
 inline Gluing gluing_from_map(const Gluing_map& map) {
+  if (map.has_garbage()) return gluing_from_map(gluing_map_from_face_graph(map));
   Gluing g;
   g.number_of_vertices = map.number_of_vertices();
   std::vector<std::uint32_t> corner(map.number_of_halfedges(), Gluing::none);
@@ -46,14 +48,27 @@ inline Gluing gluing_from_map(const Gluing_map& map) {
 namespace internal {
 
 // The connectivity of any mesh as a gluing map with vertices, edges and faces in the order of
-// iteration: the map itself by reference, a copy of anything else.
+// iteration: the map itself by reference, a copy of anything else and of a map with removed elements.
 template <class Mesh>
-decltype(auto) as_gluing_map(const Mesh& mesh) {
-  if constexpr (std::is_same_v<Mesh, Gluing_map>)
-    return static_cast<const Gluing_map&>(mesh);
-  else
-    return gluing_map_from_face_graph(mesh);
-}
+class As_gluing_map {
+public:
+  explicit As_gluing_map(const Mesh& mesh) {
+    if constexpr (std::is_same_v<Mesh, Gluing_map>)
+      if (!mesh.has_garbage()) {
+        map_ = &mesh;
+        return;
+      }
+    copy_ = gluing_map_from_face_graph(mesh);
+  }
+  As_gluing_map(const As_gluing_map&) = delete;
+  As_gluing_map& operator=(const As_gluing_map&) = delete;
+
+  const Gluing_map& operator*() const { return *map_; }
+
+private:
+  Gluing_map copy_;
+  const Gluing_map* map_ = &copy_;
+};
 
 } // namespace internal
 

@@ -237,13 +237,15 @@ Gluing_map gluing_map_from_face_graph(const FaceGraph& mesh) {
 \brief builds a mesh of any type from a gluing map, with the same numbering.
 
 Vertex `i`, edge `e` and face `f` of the result, in the order of iteration, are those of `map`, and
-`halfedge(face, mesh)` and the directions of edges agree.
+`halfedge(face, mesh)` and the directions of edges agree. Elements that have been removed from `map` are
+left out, and those after them move up.
 \tparam Mesh a model of `MutableFaceGraph` that is empty
 \pre `map.is_oriented()`
 \complexity linear
 */
 template <class Mesh>
 void copy_gluing_map(const Gluing_map& map, Mesh& mesh) {
+  if (map.has_garbage()) return copy_gluing_map(gluing_map_from_face_graph(map), mesh);
   using Traits = boost::graph_traits<Mesh>;
   std::vector<typename Traits::vertex_descriptor> vertex;
   std::vector<typename Traits::halfedge_descriptor> side;

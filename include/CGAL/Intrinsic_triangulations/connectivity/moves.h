@@ -27,17 +27,22 @@ void connect_face(Halfedge a, Halfedge b, Halfedge c,
   set_halfedge(f, a, mesh);
 }
 
-// Makes `h` the halfedge of its target unless that has one on the border.
-template <class Mesh>
-void set_halfedge_of_target(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh) {
-  const auto v = target(h, mesh);
-  const auto old = halfedge(v, mesh);
-  if (face(old, mesh) != boost::graph_traits<Mesh>::null_face()) set_halfedge(v, h, mesh);
+// Makes `kept` the halfedge of its target if that is `removed` so far. Any other halfedge stays, so that
+// vertices of the border keep theirs on the border.
+template <class Mesh, class Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor>
+void replace_halfedge_of_target(Halfedge removed, Halfedge kept, Mesh& mesh) {
+  const auto v = target(kept, mesh);
+  if (halfedge(v, mesh) == removed) set_halfedge(v, kept, mesh);
 }
 
+// An edge that refers to nothing, numbered; one that was removed if the numbering brings it back.
 template <class Mesh, class Numbers>
 typename boost::graph_traits<Mesh>::halfedge_descriptor add_numbered_edge(Mesh& mesh,
                                                                           Numbers& numbers) {
+  if constexpr (requires { numbers.reuse_edge(mesh); }) {
+    const typename boost::graph_traits<Mesh>::halfedge_descriptor h = numbers.reuse_edge(mesh);
+    if (h != boost::graph_traits<Mesh>::null_halfedge()) return h;
+  }
   const typename boost::graph_traits<Mesh>::edge_descriptor e = add_edge(mesh);
   numbers.add(e, mesh);
   return halfedge(e, mesh);
@@ -54,6 +59,10 @@ void remove_numbered_edge(typename boost::graph_traits<Mesh>::halfedge_descripto
 template <class Mesh, class Numbers>
 typename boost::graph_traits<Mesh>::face_descriptor add_numbered_face(Mesh& mesh,
                                                                       Numbers& numbers) {
+  if constexpr (requires { numbers.reuse_face(mesh); }) {
+    const typename boost::graph_traits<Mesh>::face_descriptor f = numbers.reuse_face(mesh);
+    if (f != boost::graph_traits<Mesh>::null_face()) return f;
+  }
   const typename boost::graph_traits<Mesh>::face_descriptor f = add_face(mesh);
   numbers.add(f, mesh);
   return f;
@@ -69,6 +78,10 @@ void remove_numbered_face(typename boost::graph_traits<Mesh>::face_descriptor f,
 template <class Mesh, class Numbers>
 typename boost::graph_traits<Mesh>::vertex_descriptor add_numbered_vertex(Mesh& mesh,
                                                                           Numbers& numbers) {
+  if constexpr (requires { numbers.reuse_vertex(mesh); }) {
+    const typename boost::graph_traits<Mesh>::vertex_descriptor v = numbers.reuse_vertex(mesh);
+    if (v != boost::graph_traits<Mesh>::null_vertex()) return v;
+  }
   const typename boost::graph_traits<Mesh>::vertex_descriptor v = add_vertex(mesh);
   numbers.add(v, mesh);
   return v;
@@ -132,7 +145,9 @@ void remove_degree_3_vertex(typename boost::graph_traits<Mesh>::halfedge_descrip
   const auto p = target(jp, mesh);
   const auto g = face(jk, mesh), e = face(ki, mesh);
   internal::connect_face(ij, jk, ki, face(h, mesh), mesh);
-  for (const Halfedge s : {ij, jk, ki}) internal::set_halfedge_of_target(s, mesh);
+  internal::replace_halfedge_of_target(opposite(jp, mesh), ij, mesh);
+  internal::replace_halfedge_of_target(opposite(kp, mesh), jk, mesh);
+  internal::replace_halfedge_of_target(pi, ki, mesh);
   for (const Halfedge s : {jp, kp, pi}) internal::remove_numbered_edge(s, mesh, numbers);
   internal::remove_numbered_face(g, mesh, numbers);
   internal::remove_numbered_face(e, mesh, numbers);
@@ -193,8 +208,8 @@ void remove_border_vertex(typename boost::graph_traits<Mesh>::halfedge_descripto
   set_target(ip, j, mesh);
   internal::connect_face(ip, jk, ki, face(h, mesh), mesh);
   set_next(before, pi, mesh);
-  if (halfedge(j, mesh) == pj) set_halfedge(j, ip, mesh);
-  internal::set_halfedge_of_target(jk, mesh);
+  internal::replace_halfedge_of_target(pj, ip, mesh);
+  internal::replace_halfedge_of_target(pk, jk, mesh);
   internal::remove_numbered_edge(pj, mesh, numbers);
   internal::remove_numbered_edge(pk, mesh, numbers);
   internal::remove_numbered_face(g, mesh, numbers);

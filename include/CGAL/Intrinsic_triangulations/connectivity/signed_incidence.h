@@ -67,7 +67,8 @@ Edge `e` starts at the source of its halfedge. Elements are numbered in the orde
 */
 template <class Mesh>
 Signed_incidence incidence(const Mesh& mesh) {
-  const Gluing_map& m = internal::as_gluing_map(mesh);
+  const internal::As_gluing_map read(mesh);
+  const Gluing_map& m = *read;
   Signed_incidence s{m.number_of_vertices(), m.number_of_edges(), m.number_of_faces(), {}, {}};
   s.vertex_edge.reserve(2 * std::size_t{s.number_of_edges});
   s.edge_face.reserve(3 * std::size_t{s.number_of_faces});

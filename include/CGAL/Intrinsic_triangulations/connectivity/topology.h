@@ -21,7 +21,8 @@
 Counts that describe the topology of a Delta-complex. All of them count with multiplicity, read any
 mesh through BGL without looking an edge up by its end vertices, and take time and memory linear in
 the mesh, in flat arrays. Their precondition is `is_valid_delta_complex()`. Elements are numbered in
-the order of iteration. A `Gluing_map` is read in place, another mesh is copied to one first.
+the order of iteration. A `Gluing_map` without removed elements is read in place, another mesh is
+copied to one first.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -109,7 +110,7 @@ void select(const Range& range, const std::vector<std::uint32_t>& numbers,
 template <class Mesh, class Condition>
 auto vertices_with(const Mesh& mesh, Condition condition) {
   std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> selected;
-  const std::vector<std::uint32_t> umbrellas = umbrellas_of_vertices(as_gluing_map(mesh));
+  const std::vector<std::uint32_t> umbrellas = umbrellas_of_vertices(*As_gluing_map(mesh));
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t v = 0; v < umbrellas.size(); ++v)
     if (condition(umbrellas[v])) numbers.push_back(v);
@@ -125,7 +126,8 @@ auto vertices_with(const Mesh& mesh, Condition condition) {
 */
 template <class Mesh>
 std::ptrdiff_t euler_characteristic(const Mesh& mesh) {
-  const Gluing_map& m = internal::as_gluing_map(mesh); // element counts without removed elements
+  const internal::As_gluing_map read(mesh); // element counts without removed elements
+  const Gluing_map& m = *read;
   return std::ptrdiff_t{m.number_of_vertices()} - std::ptrdiff_t{m.number_of_edges()} +
          std::ptrdiff_t{m.number_of_faces()};
 }
@@ -146,7 +148,8 @@ struct Face_components {
 */
 template <class Mesh>
 Face_components connected_components(const Mesh& mesh) {
-  const Gluing_map& m = internal::as_gluing_map(mesh);
+  const internal::As_gluing_map read(mesh);
+  const Gluing_map& m = *read;
   Face_components c;
   c.of_face.assign(m.number_of_faces(), Gluing::none);
   std::vector<std::uint32_t> stack;
@@ -183,7 +186,7 @@ std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor>
 boundary_loops(const Mesh& mesh) {
   using Traits = boost::graph_traits<Mesh>;
   const std::vector<std::uint32_t> numbers =
-      internal::border_of_loops(internal::as_gluing_map(mesh));
+      internal::border_of_loops(*internal::As_gluing_map(mesh));
   std::vector<typename Traits::halfedge_descriptor> loops;
   std::uint32_t e = 0;
   auto wanted = numbers.begin();
@@ -202,7 +205,8 @@ boundary_loops(const Mesh& mesh) {
 */
 template <class Mesh>
 std::vector<std::uint32_t> degrees(const Mesh& mesh) {
-  const Gluing_map& m = internal::as_gluing_map(mesh);
+  const internal::As_gluing_map read(mesh);
+  const Gluing_map& m = *read;
   std::vector<std::uint32_t> degree(m.number_of_vertices(), 0);
   for (std::uint32_t h = 0; h < m.number_of_halfedges(); h += 2) {
     const Gluing_map::Halfedge inner =
@@ -220,7 +224,7 @@ edges. One at a manifold vertex, none at an isolated one, more at a nonmanifold 
 */
 template <class Mesh>
 std::vector<std::uint32_t> umbrellas(const Mesh& mesh) {
-  return internal::umbrellas_of_vertices(internal::as_gluing_map(mesh));
+  return internal::umbrellas_of_vertices(*internal::As_gluing_map(mesh));
 }
 
 /*!
@@ -265,7 +269,8 @@ C components and b boundary loops.
 */
 template <class Mesh>
 std::optional<std::size_t> genus(const Mesh& mesh) {
-  const Gluing_map& m = internal::as_gluing_map(mesh);
+  const internal::As_gluing_map read(mesh);
+  const Gluing_map& m = *read;
   if (!is_orientable(m)) return std::nullopt;
   // all terms are nonnegative, and so is the sum: 2 g = (2 C + E) - (V + F + b)
   const std::size_t more = 2 * std::size_t{connected_components(m).count} + m.number_of_edges();

@@ -118,9 +118,10 @@ private:
   }
 
   void push(Halfedge h) {
-    char& waits = is_waiting_[t_.index(edge(h, t_.mesh()))];
-    if (waits) return;
-    waits = 1;
+    const std::uint32_t e = t_.index(edge(h, t_.mesh()));
+    if (e >= is_waiting_.size()) is_waiting_.resize(e + std::size_t{1}, 0); // numbers may have gaps
+    if (is_waiting_[e]) return;
+    is_waiting_[e] = 1;
     waiting_.push_back(h);
   }
 
