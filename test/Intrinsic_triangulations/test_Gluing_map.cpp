@@ -229,5 +229,5 @@ TEST(Gluing_map, ranges_and_index_maps_agree_with_the_numbers) {
     EXPECT_EQ(get(get(boost::vertex_index, m), v), i++);
   EXPECT_EQ(i, num_vertices(m));
   EXPECT_EQ(std::distance(halfedges(m).begin(), halfedges(m).end()), 72);
-  EXPECT_EQ((*(faces(m).begin() + 5)).index, 5U);
+  EXPECT_EQ((*std::next(faces(m).begin(), 5)).index, 5U);
 }

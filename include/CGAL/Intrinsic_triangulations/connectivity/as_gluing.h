@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 
 #include <cstdint>
 #include <type_traits>
