@@ -3,6 +3,7 @@
 """The common subdivision that `intrinsic delaunay` writes: a mesh with the shape of the input."""
 
 import math
+import os
 import random
 
 from cli_support import Cli_test, main
@@ -13,14 +14,12 @@ KINDS = ("integer", "crossings", "signposts")
 def read_off(path):
     """Points and faces of an OFF file; colours after the vertices of a face are left out."""
     with open(path) as file:
-        words = file.read().split()
-    assert words[0] == "OFF"
-    vertices, faces = int(words[1]), int(words[2])
-    at = 4
-    points = [tuple(map(float, words[at + 3 * i:at + 3 * i + 3])) for i in range(vertices)]
-    lines = open(path).read().splitlines()
-    rows = [line.split() for line in lines if line and not line.startswith("#")][2 + vertices:]
-    return points, [[int(x) for x in row[1:1 + int(row[0])]] for row in rows[:faces]]
+        rows = [line.split() for line in file if line.strip() and not line.startswith("#")]
+    assert rows[0] == ["OFF"]
+    vertices, faces = int(rows[1][0]), int(rows[1][1])
+    points = [tuple(map(float, row)) for row in rows[2:2 + vertices]]
+    return points, [[int(x) for x in row[1:1 + int(row[0])]]
+                    for row in rows[2 + vertices:2 + vertices + faces]]
 
 
 def area(points, faces):
@@ -94,7 +93,7 @@ class Subdivision(Cli_test):
         for extension in ("ply", "obj", "off", "stl", "vtp"):
             run = self.run_program("delaunay", mesh, "-o", "out." + extension)
             self.assertEqual((run.code, run.out), (0, ""))
-            self.assertGreater(len(open(self.path("out." + extension), "rb").read()), 1000)
+            self.assertGreater(os.path.getsize(self.path("out." + extension)), 1000)
 
 
 if __name__ == "__main__":

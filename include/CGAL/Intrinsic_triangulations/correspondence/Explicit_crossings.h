@@ -58,7 +58,7 @@ without following curves; see `trace_edge()`.
 class Explicit_crossings {
 public:
   /// What the representation is called by programs.
-  static constexpr const char* name = "explicit";
+  static constexpr const char* name = "crossings";
 
   /// observes the triangulation that the input is: every edge runs along itself.
   /// \complexity linear
