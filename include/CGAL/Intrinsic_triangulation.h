@@ -241,19 +241,20 @@ public:
 
   /// copies everything; elements keep their numbers.
   Intrinsic_triangulation(const Intrinsic_triangulation& other)
-      : mesh_(other.mesh_), number_(mesh_), metric_(other.metric_),
+      : mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_), metric_(other.metric_),
         correspondence_(other.correspondence_), renumbering_(other.renumbering_),
         report_(other.report_), input_vertices_(other.input_vertices_) {}
   /// moves everything; elements keep their numbers.
   Intrinsic_triangulation(Intrinsic_triangulation&& other)
-      : mesh_(std::move(other.mesh_)), number_(mesh_), metric_(std::move(other.metric_)),
-        correspondence_(std::move(other.correspondence_)),
+      : mesh_(std::move(other.mesh_)), number_(mesh_, other.number_, other.mesh_),
+        metric_(std::move(other.metric_)), correspondence_(std::move(other.correspondence_)),
         renumbering_(std::move(other.renumbering_)), report_(other.report_),
         input_vertices_(other.input_vertices_) {}
   /// assigns everything; elements keep their numbers.
   Intrinsic_triangulation& operator=(Intrinsic_triangulation other) {
     mesh_ = std::move(other.mesh_);
-    number_ = Mesh_adaptor<Mesh>(mesh_); // descriptors of some meshes are pointers
+    number_ =
+        Mesh_adaptor<Mesh>(mesh_, other.number_, other.mesh_); // as descriptors may be pointers
     metric_ = std::move(other.metric_);
     correspondence_ = std::move(other.correspondence_);
     renumbering_ = std::move(other.renumbering_);

@@ -5,12 +5,18 @@
 
 #include "gallery.h"
 #include "mesh_types.h"
+#include "meshes.h"
 
+#include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/validity.h>
+#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -548,4 +554,75 @@ TEST(Gluing_map_with_removed_elements, is_read_and_copied_without_them) {
   EXPECT_EQ(mesh.number_of_edges(), 6U);
   EXPECT_EQ(mesh.number_of_faces(), 4U);
   EXPECT_FALSE(mesh.has_garbage());
+}
+
+// ---- what sizes arrays by the numbers of a triangulation with removed elements
+
+namespace {
+
+template <class Mesh>
+using Triangulation = IT::Intrinsic_triangulation<Mesh, IT::Euclidean_traits<double>>;
+
+// inserts 40 vertices in random faces and removes most of them, the first ones first
+template <class Mesh>
+void leave_gaps(Triangulation<Mesh>& t) {
+  Random random(7);
+  std::vector<typename Triangulation<Mesh>::vertex_descriptor> inserted;
+  for (int k = 0; k < 40; ++k) {
+    const auto all = faces(t.mesh());
+    const auto f = *std::next(all.begin(), static_cast<int>(random() % length_of(all)));
+    const auto n = t.insert_vertex(halfedge(f, t.mesh()), {0.25, 0.5, 0.25});
+    ASSERT_EQ(n.status, IT::Move_status::done);
+    inserted.push_back(n.vertex);
+  }
+  int removed = 0;
+  for (int k = 0; k < 30; ++k)
+    removed += t.remove_vertex(inserted[static_cast<std::size_t>(k)]) == IT::Move_status::done;
+  ASSERT_GT(removed, 20);
+}
+
+template <class Mesh>
+std::vector<double> squared_lengths(const Triangulation<Mesh>& t) {
+  std::vector<double> result;
+  for (const auto e : edges(t.mesh())) result.push_back(t.squared_length(e));
+  return result;
+}
+
+} // namespace
+
+template <class Mesh>
+class Triangulation_with_removed_vertices : public ::testing::Test {};
+TYPED_TEST_SUITE(Triangulation_with_removed_vertices, All_meshes);
+
+TYPED_TEST(Triangulation_with_removed_vertices, keeps_its_values_when_it_is_copied_and_moved) {
+  Triangulation<TypeParam> t(meshes::rough_grid(4, 1).input());
+  leave_gaps(t);
+  const std::vector<double> expected = squared_lengths(t);
+  Triangulation<TypeParam> copy(t);
+  EXPECT_EQ(squared_lengths(copy), expected);
+  Triangulation<TypeParam> moved(std::move(copy));
+  EXPECT_EQ(squared_lengths(moved), expected);
+  Triangulation<TypeParam> assigned(meshes::rough_grid(3, 1).input());
+  assigned = moved;
+  EXPECT_EQ(squared_lengths(assigned), expected);
+  EXPECT_EQ(IT::flip_to_delaunay(assigned).flips, IT::flip_to_delaunay(t).flips);
+  EXPECT_EQ(squared_lengths(assigned), squared_lengths(t));
+}
+
+TYPED_TEST(Triangulation_with_removed_vertices, is_made_Delaunay_and_has_matrices) {
+  Triangulation<TypeParam> t(meshes::rough_grid(4, 1).input());
+  leave_gaps(t);
+  IT::flip_to_delaunay(t);
+  EXPECT_TRUE(IT::is_delaunay(t));
+  const auto rows = static_cast<Eigen::Index>(t.numbers().vertex_capacity(t.mesh()));
+  const Eigen::SparseMatrix<double> laplacian = IT::cotangent_laplacian(t);
+  const Eigen::SparseMatrix<double> mass = IT::lumped_mass_matrix(t);
+  ASSERT_EQ(laplacian.rows(), rows);
+  ASSERT_EQ(mass.rows(), rows);
+  std::vector<char> is_there(static_cast<std::size_t>(rows), 0);
+  for (const auto v : vertices(t.mesh())) is_there[t.input_vertex(v)] = 1;
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    EXPECT_EQ(mass.coeff(i, i) > 0, is_there[static_cast<std::size_t>(i)] != 0);
+    EXPECT_EQ(laplacian.coeff(i, i) > 0, is_there[static_cast<std::size_t>(i)] != 0);
+  }
 }

@@ -44,6 +44,14 @@ A mesh other than those below also needs a specialisation of `Mesh_adaptor`, if 
 numbered so that halfedges `2e` and `2e + 1` are the sides of edge `e`. It finds elements by their
 numbers too (`vertex_at`, `halfedge_at`, `face_at`) and is told of elements that are added or removed.
 Moves must not change the numbers of elements that stay.
+Removed elements leave gaps in the numbers, which the elements added next fill. The ranges of the
+mesh leave removed elements out; `num_vertices()`, ... may count them. Arrays by number are sized by
+`vertex_capacity()`, `edge_capacity()` and `face_capacity()` of the adaptor. An adaptor of a mesh whose
+`add_vertex()`, ... do not bring removed elements back may do so itself in `reuse_vertex()`,
+`reuse_edge()` and `reuse_face()`, which return null where there is none.
+
+The halfedge of a vertex on the border is one on the border: `copy_gluing_map()` sees to that, and moves
+keep it so.
 
 \cgalHasModel{`CGAL::Intrinsic_triangulations::Gluing_map`\, `CGAL::Surface_mesh`\,
 `CGAL::Polyhedron_3`\, `OpenMesh::TriMesh_ArrayKernelT`\, `OpenMesh::PolyMesh_ArrayKernelT`}

@@ -83,11 +83,22 @@ concept Has_mutable_connectivity = requires(Mesh& m, V v, H h, E e, F f) {
 
 template <class Mesh, class Traits = boost::graph_traits<Mesh>>
 concept Has_numbers = requires(Mesh& m, const Mesh& c, const Mesh_adaptor<Mesh>& a,
-                               typename Traits::vertex_descriptor v,
+                               Mesh_adaptor<Mesh>& n, typename Traits::vertex_descriptor v,
                                typename Traits::halfedge_descriptor h,
+                               typename Traits::edge_descriptor e,
                                typename Traits::face_descriptor f, std::uint32_t i) {
   Mesh_adaptor<Mesh>(m);
   Mesh_adaptor<Mesh>(c);
+  Mesh_adaptor<Mesh>(m, a, c);
+  n.add(v, c);
+  n.add(e, c);
+  n.add(f, c);
+  n.remove(v, c);
+  n.remove(e, c);
+  n.remove(f, c);
+  { a.vertex_capacity(c) } -> std::same_as<std::uint32_t>;
+  { a.edge_capacity(c) } -> std::same_as<std::uint32_t>;
+  { a.face_capacity(c) } -> std::same_as<std::uint32_t>;
   { a.vertex_at(i) } -> std::convertible_to<typename Traits::vertex_descriptor>;
   { a.halfedge_at(i) } -> std::convertible_to<typename Traits::halfedge_descriptor>;
   { a.face_at(i) } -> std::convertible_to<typename Traits::face_descriptor>;

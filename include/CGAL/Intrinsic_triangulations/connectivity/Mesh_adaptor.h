@@ -37,7 +37,8 @@ public:
   /// numbers the elements of a mesh that the caller may change; numbers are 0, 1, 2, ...
   explicit Mesh_adaptor(Mesh& mesh) : Mesh_adaptor(static_cast<const Mesh&>(mesh)) {}
 
-  /// numbers the elements of `copy`, a copy of `original`, as those of `original` are numbered.
+  /// numbers the elements of `copy`, a copy of `original`, as those of `original` are numbered;
+  /// `original` may have been moved from.
   Mesh_adaptor(Mesh& copy, [[maybe_unused]] const Mesh_adaptor& numbers,
                [[maybe_unused]] const Mesh& original)
       : Mesh_adaptor(copy) {}

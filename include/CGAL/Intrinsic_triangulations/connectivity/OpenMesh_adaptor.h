@@ -73,7 +73,8 @@ public:
       find_deleted<OpenMesh::FaceHandle>(mesh, mesh.n_faces(), free_faces_);
   }
 
-  /// numbers the elements of `copy`, a copy of `original`, as those of `original` are numbered.
+  /// numbers the elements of `copy`, a copy of `original`, as those of `original` are numbered;
+  /// `original` may have been moved from.
   OpenMesh_adaptor([[maybe_unused]] Mesh& copy, const OpenMesh_adaptor& numbers,
                    [[maybe_unused]] const Mesh& original)
       : OpenMesh_adaptor(numbers) {}

@@ -47,7 +47,12 @@ public:
 
   /// numbers the elements of `copy`, a copy of `original`, as those of `original` are numbered, which is
   /// not the order of its lists any more after removals.
+  /// If elements have been moved to `copy`, they keep their numbers.
   Mesh_adaptor(Mesh& copy, const Mesh_adaptor& numbers, const Mesh& original) {
+    if (copy.size_of_vertices() != original.size_of_vertices()) {
+      *this = numbers;
+      return;
+    }
     use_ids_ = has_ids;
     renumber(CGAL::vertices(copy), vertices_, CGAL::vertices(original), numbers, numbers.vertices_);
     renumber(CGAL::halfedges(copy), halfedges_, CGAL::halfedges(original), numbers,

@@ -95,7 +95,7 @@ others in its column, in their order.
 */
 template <class Triangulation>
 Eigen::SparseMatrix<double> cotangent_laplacian(Triangulation& t) {
-  const int size = checked_matrix_size(t.mesh());
+  const int size = checked_matrix_size(t);
   Eigen::SparseMatrix<double> l =
       symmetric_matrix_with_zero_diagonal(internal::cotangent_entries(t), size);
   for (int c = 0; c < size; ++c) {

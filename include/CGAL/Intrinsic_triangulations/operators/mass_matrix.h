@@ -21,7 +21,7 @@ namespace internal {
 template <class Triangulation>
 Eigen::VectorXd areas_at_vertices(const Triangulation& t) {
   const auto& mesh = t.mesh();
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(checked_matrix_size(mesh));
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(checked_matrix_size(t));
   for (const typename Triangulation::face_descriptor f : faces(mesh)) {
     const double area = t.area(f);
     typename Triangulation::halfedge_descriptor h = halfedge(f, mesh);

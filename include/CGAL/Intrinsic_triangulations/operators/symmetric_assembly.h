@@ -125,13 +125,15 @@ symmetric_matrix_with_zero_diagonal(const std::vector<Symmetric_entry>& entries,
 
 /*!
 \brief checks that the numbers of rows and of entries fit the index type of `Eigen::SparseMatrix`.
+
+Vertices that have been removed have a row too, until their number is taken again.
 \return the number of rows
 \throws Invalid_input if they do not
 */
-template <class Mesh>
-int checked_matrix_size(const Mesh& mesh) {
-  const std::uint64_t rows = num_vertices(mesh),
-                      entries = rows + 2 * std::uint64_t{num_edges(mesh)};
+template <class Triangulation>
+int checked_matrix_size(const Triangulation& t) {
+  const std::uint64_t rows = t.numbers().vertex_capacity(t.mesh()),
+                      entries = rows + 2 * std::uint64_t{t.numbers().edge_capacity(t.mesh())};
   if (entries > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
     throw Invalid_input(Element_kind::none, 0,
                         "a matrix of the mesh has " + std::to_string(entries) +
