@@ -101,7 +101,7 @@ TEST(Euclidean_traits, a_flip_that_makes_no_area_is_refused_and_changes_nothing)
   // two caps on the same edge, as rounding may make them
   const std::vector<double> lengths{1, 1, 4, 1, 1};
   IT::Euclidean_metric<double> flat(0, lengths, {0, 0});
-  EXPECT_FALSE(flat.flip({2, 0, 1, 3, 4, 0, 1}));
+  EXPECT_FALSE(flat.compute_flip({2, 0, 1, 3, 4, 0, 1}));
   EXPECT_EQ(flat.squared_length(2), 4);
   EXPECT_EQ(flat.quadruple_area(0), 0);
   EXPECT_EQ(flat.quadruple_area(1), 0);
