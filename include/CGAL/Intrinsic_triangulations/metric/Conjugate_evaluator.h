@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -56,13 +57,14 @@ public:
   Conjugate_evaluator(const Unfolded_diamond& diamond, const std::vector<Shape>& shapes,
                       long exponent, const Square_class_basis& basis, const Prime_field& field)
       : diamond_(diamond), field_(field), dimension_(basis.dimension()),
-        points_(shapes.size() + 2) {
+        points_(shapes.size() + 2 + diamond.combinations.size()) {
     if (!find_roots(basis) || !find_ratios(shapes)) return;
     const Element four = field_.element(Gmpz(4));
     unit_ = field_.multiply(
         field_.element((*shapes.front().squared_lengths)[0]),
         exponent < 0 ? field_.power(four, static_cast<std::uint64_t>(-exponent))
                      : field_.power(field_.inverse(four), static_cast<std::uint64_t>(exponent)));
+    find_weights();
     is_defined_ = true;
     const Gaussian_residue zero(field_, 0, 0), one(field_, field_.one(), 0);
     points_[0] = {zero, zero};
@@ -195,6 +197,35 @@ private:
     return true;
   }
 
+  // of combinations: n / 2^e for an integer n
+  void find_weights() {
+    weights_.reserve(diamond_.combinations.size());
+    if (diamond_.combinations.empty()) return;
+    const Element half = field_.inverse(field_.add(field_.one(), field_.one()));
+    for (const Unfolded_diamond::Combination& c : diamond_.combinations) {
+      std::array<Element, 3>& weights = weights_.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        int e = 0; // the weight is not negative and at most 1: e <= 1
+        const double n = std::ldexp(std::frexp(c.weights[k], &e), 53);
+        weights[k] = field_.multiply(field_.element(Gmpz(n)),
+                                     field_.power(half, static_cast<std::uint64_t>(53 - e)));
+      }
+    }
+  }
+
+  void combine() {
+    for (std::size_t n = 0; n < weights_.size(); ++n) {
+      const Gaussian_residue zero(field_, 0, 0);
+      Point sum{zero, zero};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Point& p = points_[diamond_.point(diamond_.combinations[n].corners[k])];
+        sum = {sum.z + scaled(weights_[n][k], p.z),
+               sum.conjugate + scaled(weights_[n][k], p.conjugate)};
+      }
+      points_[ratios_.size() + 2 + n] = sum;
+    }
+  }
+
   void develop(std::size_t first) {
     for (std::size_t n = first; n < ratios_.size(); ++n) {
       const Point& start = points_[diamond_.triangles[n].start()];
@@ -210,14 +241,16 @@ private:
                           start.conjugate + scaled(field_.subtract(real, root), side.conjugate)};
       }
     }
+    combine();
   }
 
   const Unfolded_diamond& diamond_;
   const Prime_field& field_;
   std::size_t dimension_;
   std::vector<Point> points_;
-  std::vector<Element> roots_; // r, where r or i r is the root of a representative
-  std::vector<Ratio> ratios_;  // one for each triangle
+  std::vector<Element> roots_;                  // r, where r or i r is the root of a representative
+  std::vector<Ratio> ratios_;                   // one for each triangle
+  std::vector<std::array<Element, 3>> weights_; // one triple for each combination
   std::vector<std::size_t> first_use_;
   Mask imaginary_ = 0; // representatives whose root is i r
   Mask fixed_ = 0;     // representatives whose roots keep their signs, see `next()`

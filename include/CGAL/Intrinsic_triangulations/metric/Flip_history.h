@@ -134,6 +134,28 @@ public:
     return s;
   }
 
+  /// returns the side from which a side of a face that a vertex move made has its length, or nothing if
+  /// the move made that.
+  std::optional<Side> inherited(const Vertex_move& m, Side s) const {
+    using Kind = Vertex_move::Kind;
+    const std::uint32_t k = s.version - left_version(m.node);
+    switch (m.kind) {
+    case Kind::insert_in_face:
+      if (s.slot == 0) return after(m.parents[0], k);
+      break;
+    case Kind::insert_in_border_edge:
+      if (s.slot == 2 - k) return after(m.parents[0], s.slot);
+      break;
+    case Kind::remove_from_face:
+      return m.parents[s.slot];
+    case Kind::remove_from_border_edge:
+      if (s.slot == 1) return after(m.parents[1], 2);
+      if (s.slot == 2) return after(m.parents[0], 1);
+      break;
+    }
+    return std::nullopt;
+  }
+
   /*!
   \brief tells which of the lengths that a vertex move made is that of a side, see `Vertex_move_values`.
   \pre `s` is an `origin()` in a face that a vertex move made
@@ -201,27 +223,6 @@ private:
   static std::size_t number_of_parents(Vertex_move::Kind kind) {
     if (kind == Vertex_move::Kind::remove_from_face) return 3;
     return kind == Vertex_move::Kind::remove_from_border_edge ? 2 : 1;
-  }
-
-  // the side from which a side has its length, unless the move made it
-  std::optional<Side> inherited(const Vertex_move& m, Side s) const {
-    using Kind = Vertex_move::Kind;
-    const std::uint32_t k = s.version - left_version(m.node);
-    switch (m.kind) {
-    case Kind::insert_in_face:
-      if (s.slot == 0) return after(m.parents[0], k);
-      break;
-    case Kind::insert_in_border_edge:
-      if (s.slot == 2 - k) return after(m.parents[0], s.slot);
-      break;
-    case Kind::remove_from_face:
-      return m.parents[s.slot];
-    case Kind::remove_from_border_edge:
-      if (s.slot == 1) return after(m.parents[1], 2);
-      if (s.slot == 2) return after(m.parents[0], 1);
-      break;
-    }
-    return std::nullopt;
   }
 
   std::uint32_t faces_;

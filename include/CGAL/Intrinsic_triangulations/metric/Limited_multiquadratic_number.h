@@ -26,6 +26,8 @@ public:
 
   /// constructs an integer.
   Limited_multiquadratic_number(int n = 0) : value_(Multiquadratic_number(n)) {}
+  /// constructs a rational from a finite double, exactly.
+  Limited_multiquadratic_number(double x) : value_(Multiquadratic_number(x)) {}
   /// constructs a known number.
   Limited_multiquadratic_number(Multiquadratic_number value) : value_(std::move(value)) {}
 

@@ -15,7 +15,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief is a tree of input triangles, to be unfolded into a plane, that reaches all corners of a
-diamond.
+diamond, and vertices that were inserted there.
 
 Points 0 and 1 are the ends of side 0 of the first triangle. Triangle number n adds point n + 2, the
 corner opposite the side by which it is entered. With that side from z_t to z_u, squared lengths
@@ -25,6 +25,9 @@ L_t of the side, L_u of the next and L_v of the last, and D = 4 L_t L_v - p^2, p
 
 in complex numbers. Nothing is ever divided by but squared lengths of the input, and the figure does
 not depend on the flips that made the diamond.
+
+A vertex that was inserted is a combination of three points with rational weights. With N triangles,
+combination number n is point N + 2 + n.
 */
 struct Unfolded_diamond {
   /// An input triangle in the tree.
@@ -40,14 +43,24 @@ struct Unfolded_diamond {
     std::uint32_t end() const { return point[(entry + 1) % 3]; }
   };
 
-  /// A corner of the diamond.
+  /// A corner of a triangle, or a combination.
   struct Corner {
-    std::uint32_t triangle; ///< triangle in the tree
-    std::uint32_t slot;     ///< corner in the triangle
+    std::uint32_t index; ///< triangle in the tree, or combination
+    std::uint32_t slot;  ///< corner in the triangle, or 3: it is a combination
+    /// tells whether it is a combination.
+    bool is_combination() const { return slot == 3; }
+  };
+
+  /// A vertex that was inserted.
+  struct Combination {
+    std::array<Corner, 3> corners; ///< of the face into which it was inserted
+    std::array<double, 3> weights; ///< barycentric coordinates
   };
 
   /// The tree, parents first.
   std::vector<Triangle> triangles;
+  /// Inserted vertices, each after those that it refers to.
+  std::vector<Combination> combinations;
   /// Corners i, j, k, m of the diamond.
   std::array<Corner, 4> corners;
 
@@ -63,10 +76,13 @@ struct Unfolded_diamond {
     return t;
   }
 
-  /// returns the number of the point in corner `c` of the diamond.
-  std::uint32_t point(std::size_t c) const {
-    return triangles[corners[c].triangle].point[corners[c].slot];
+  /// returns the number of a point.
+  std::uint32_t point(const Corner& c) const {
+    return c.is_combination() ? static_cast<std::uint32_t>(triangles.size()) + 2 + c.index
+                              : triangles[c.index].point[c.slot];
   }
+  /// returns the number of the point in corner `c` of the diamond.
+  std::uint32_t point(std::size_t c) const { return point(corners[c]); }
 
   /*!
   \brief evaluates the diamond by unfolding.
@@ -85,6 +101,15 @@ struct Unfolded_diamond {
       const FT r = FT(1) / (l + l);
       z.push_back(
           {a.x + (e.x * p - e.y * face.second) * r, a.y + (e.x * face.second + e.y * p) * r});
+    }
+    for (const Combination& c : combinations) {
+      Complex<FT> sum{FT(0), FT(0)};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Complex<FT>& corner = z[point(c.corners[k])];
+        const FT weight(c.weights[k]);
+        sum = {sum.x + weight * corner.x, sum.y + weight * corner.y};
+      }
+      z.push_back(sum);
     }
     const auto first = input(triangles.front().face);
     const FT& unit = first.first[0];
