@@ -36,8 +36,9 @@ using Rounded = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits
                                             IT::Integer_coordinates>;
 inline constexpr std::uint32_t none = IT::Gluing::none;
 
-inline IT::Intrinsic_input input(const meshes::Mesh& m) {
-  IT::Intrinsic_input i = m.input();
+inline IT::Intrinsic_input input(const meshes::Mesh& m,
+                                 IT::Mollification mollification = IT::Mollification::none) {
+  IT::Intrinsic_input i = m.input(mollification);
   i.may_renumber = false;
   return i;
 }

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace {
 
@@ -40,8 +41,13 @@ void expect_round_trips(T& t, const meshes::Mesh& mesh, double tolerance, const 
   const IT::Input_surface& s = t.correspondence().input();
   Mover<T> mover(t, 9);
   for (std::uint32_t f = 0; f < s.mesh().number_of_faces(); ++f)
-    for (int i = 0; i < 3; ++i) {
-      const IT::Surface_point p{s.halfedge_of_face(f), mover.weights(i == 0)};
+    for (int i = 0; i < 12; ++i) {
+      IT::Surface_point p{s.halfedge_of_face(f), mover.weights(i == 0)};
+      if (i >= 3) { // on a side
+        const auto k = static_cast<std::size_t>(i % 3);
+        p.weights[(k + 1) % 3] += p.weights[k];
+        p.weights[k] = 0;
+      }
       const std::optional<IT::Surface_point> q = IT::locate_on_intrinsic(t, t.correspondence(), p);
       ASSERT_TRUE(q) << name;
       const IT::Surface_point r =
@@ -69,6 +75,34 @@ TEST(Locate_on_intrinsic, Is_undone_by_locating_on_the_input) {
     for (int i = 0; i < 20; ++i) mover.move(true);
     expect_round_trips(exact, mesh, 1e-9 * size, name + std::string(", after moves"));
   }
+}
+
+TEST(Locate_on_intrinsic, Is_undone_on_degenerate_faces) {
+  for (const auto& [name, mesh] :
+       {std::pair{"cap", meshes::with_cap(meshes::box(2, 2, 1), 3)},
+        std::pair{"needle", meshes::with_needle(meshes::box(2, 2, 1), 3, 0)}}) {
+    Rounded t(subdivision_oracle::input(mesh, IT::Mollification::automatic));
+    IT::flip_to_delaunay(t);
+    expect_round_trips(t, mesh, 1e-9, name);
+  }
+}
+
+// tetrahedra that share a corner, the first one flat, so that it is flipped
+TEST(Locate_on_intrinsic, Finds_curves_in_all_fans_of_a_vertex) {
+  const meshes::Mesh mesh{
+      {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1.5, 1.5, 0.25}, {-4, 0, 0}, {0, -4, 0}, {0, 0, -1}},
+      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 5}, {0, 6, 4}, {0, 5, 6}, {4, 6, 5}}};
+  Exact t(subdivision_oracle::input(mesh));
+  EXPECT_GT(IT::flip_to_delaunay(t).flips, 0U);
+  const IT::Intrinsic_view<Exact> view(t);
+  const IT::Input_surface& s = t.correspondence().input();
+  for (std::uint32_t x = 0; x < s.number_of_halfedges(); ++x) {
+    const auto found = IT::find_curve(view, t.correspondence(), s.source(x), x);
+    ASSERT_TRUE(found) << x;
+    if (found->index < 0) continue;
+    EXPECT_EQ(IT::input_halfedge(t.correspondence(), *found), x);
+  }
+  expect_round_trips(t, mesh, 1e-14, "tetrahedra");
 }
 
 TEST(Locate_on_intrinsic, Finds_corners_and_points_on_sides_where_nothing_was_flipped) {

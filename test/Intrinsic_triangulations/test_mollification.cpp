@@ -78,8 +78,8 @@ TEST(Mollification, automatic_acts_where_it_must_and_reports_what_it_added) {
       EXPECT_EQ(t.report().mollification.kind, Mollification::squared_lengths);
       const double delta = t.report().mollification.delta;
       EXPECT_GT(delta, 0);
-      // 2^-48 in units in which edges are about 1
-      EXPECT_LT(delta, 0x1p-40 * unit * unit);
+      // 2^-72 in units in which edges are about 1
+      EXPECT_LT(delta, 0x1p-64 * unit * unit);
       double shortest = t.squared_length(*edges(t.mesh()).begin());
       for (const auto e : edges(t.mesh())) shortest = std::min(shortest, t.squared_length(e));
       EXPECT_GE(shortest, delta);

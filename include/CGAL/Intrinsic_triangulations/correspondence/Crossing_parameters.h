@@ -35,7 +35,6 @@ namespace internal {
 using Point = Plane_point<double>;
 
 inline double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-inline double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 
 /// Unfolds the input triangles along an intrinsic edge; keeps its memory from edge to edge.
 template <class Input>

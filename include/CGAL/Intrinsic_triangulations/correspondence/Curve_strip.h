@@ -36,6 +36,8 @@ struct Plane_point {
   friend Plane_point operator*(const Plane_point& a, const Plane_point& b) {
     return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
   }
+  /// inner product of vectors
+  friend FT dot(const Plane_point& a, const Plane_point& b) { return a.x * b.x + a.y * b.y; }
 };
 
 /*!

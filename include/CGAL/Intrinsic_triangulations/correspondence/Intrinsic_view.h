@@ -79,6 +79,13 @@ public:
   std::uint32_t outgoing_halfedge(std::uint32_t v) const {
     return number(internal::graph_halfedge(t_->numbers().vertex_at(v), t_->mesh())) ^ 1U;
   }
+  /// returns the first halfedge of which a predicate is true, or `Gluing::none`. \complexity linear
+  template <class Predicate>
+  std::uint32_t find_halfedge(const Predicate& predicate) const {
+    for (const auto h : halfedges(t_->mesh()))
+      if (predicate(number(h))) return number(h);
+    return Gluing::none;
+  }
   /// returns the squared length of edge `e`, in scaled units.
   double squared_length(std::uint32_t e) const {
     return t_->metric().approximate_squared_length(e);

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/weights_above_side.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -82,9 +83,7 @@ Surface_point point_beside_halfedge(const Input& input, std::uint32_t halfedge, 
   const double apex_x =
       (ij + input.squared_length(ki / 2) - input.squared_length(jk / 2)) / (2 * ij);
   const double apex_y = input.quadruple_area(input.face(halfedge)) / (2 * ij);
-  const double k = apex_y > 0 ? std::clamp(y / apex_y, 0.0, 1.0) : 0.0;
-  const double j = std::clamp(x - k * apex_x, 0.0, 1 - k);
-  return {halfedge, {1 - k - j, j, k}};
+  return {halfedge, weights_above_side({x, y}, {apex_x, apex_y})};
 }
 
 /*!

@@ -10,9 +10,11 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/follow_curve.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/locate_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/weights_above_side.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -26,21 +28,12 @@ From points of the input to points of the intrinsic triangulation, by integer co
 
 namespace CGAL::Intrinsic_triangulations {
 
-/*!
-\brief finds where a curve starts from a vertex.
-\param view the intrinsic triangulation
-\param coordinates its normal coordinates and roundabouts
-\param vertex the vertex
-\param x the input halfedge along which the curve runs
-\return the corner from which it starts and the number of curves from there before it, -1 if it is the
-first side itself; nothing if the vertex has several fans of faces and the curve is in another one than
-that of the halfedge of the vertex
-\complexity linear in the degree of the vertex
-*/
+namespace internal {
+
+// finds where a curve starts among the halfedges counterclockwise from `first`
 template <class View, class Coordinates>
-std::optional<Curve_end> find_curve(const View& view, const Coordinates& coordinates,
-                                    std::uint32_t vertex, std::uint32_t x) {
-  const std::uint32_t first = view.outgoing_halfedge(vertex);
+std::optional<Curve_end> find_curve_around(const View& view, const Coordinates& coordinates,
+                                           std::uint32_t first, std::uint32_t x) {
   for (std::uint32_t h = first;;) {
     const std::uint32_t slot = coordinates.roundabout(h);
     if (slot == Gluing::none) return std::nullopt;
@@ -53,6 +46,39 @@ std::optional<Curve_end> find_curve(const View& view, const Coordinates& coordin
     h = view.next(view.next(h)) ^ 1U;
     if (h == first) return std::nullopt;
   }
+}
+
+} // namespace internal
+
+/*!
+\brief finds where a curve starts from a vertex.
+\param view the intrinsic triangulation
+\param coordinates its normal coordinates and roundabouts
+\param vertex the vertex
+\param x the input halfedge along which the curve runs
+\return the corner from which it starts and the number of curves from there before it, -1 if it is the
+first side itself; nothing if no curve along `x` starts there
+\complexity linear in the degree of the vertex; where several fans of faces meet, linear
+*/
+template <class View, class Coordinates>
+std::optional<Curve_end> find_curve(const View& view, const Coordinates& coordinates,
+                                    std::uint32_t vertex, std::uint32_t x) {
+  const auto found =
+      internal::find_curve_around(view, coordinates, view.outgoing_halfedge(vertex), x);
+  if (found || coordinates.is_inserted(vertex)) return found;
+  const auto& fans = coordinates.fans();
+  const std::uint32_t in_fan = view.find_halfedge([&](std::uint32_t h) {
+    const std::uint32_t slot = coordinates.roundabout(h);
+    return slot != Gluing::none && view.source(h) == vertex &&
+           fans.distance(slot, fans.slot(x)) != Gluing::none;
+  });
+  if (in_fan == Gluing::none) return std::nullopt;
+  std::uint32_t first = in_fan; // or on the right border of the fan
+  while (!view.is_border(first ^ 1U)) {
+    first = view.next(first ^ 1U);
+    if (first == in_fan) break;
+  }
+  return internal::find_curve_around(view, coordinates, first, x);
 }
 
 namespace internal {
@@ -87,6 +113,9 @@ public:
   }
 
   /// walks straight from a point of a face to another point, and returns the latter's face.
+  ///
+  /// The walk never goes back over the side by which it came, and ends where the point is outside by no
+  /// more than rounding: else a point on an edge, or at a vertex, could be sent to and fro for ever.
   /// \return the point; where rounding leads over the border, the last point before it
   Surface_point walk(Placed_face f, const Point& from, const Point& to) const {
     for (std::size_t steps = 0; steps < maximal_steps; ++steps) {
@@ -94,11 +123,10 @@ public:
       const std::array<std::uint32_t, 3> sides = sides_of_face(view_, f.halfedge);
       unsigned exit = 3;
       double least = 0;
-      for (unsigned k = 0; k < 3; ++k) {
+      for (unsigned k = steps == 0 ? 0 : 1; k < 3; ++k) { // side 0 is that by which it came
         // crosses side k outwards, and leaves its start on the right and its end on the left
         const Point &a = p[k], &b = p[(k + 1) % 3];
-        const double outside = orientation(a, b, to);
-        if (outside >= 0) continue;
+        if (orientation(a, b, to) >= -rounding(a, b, to)) continue;
         const double through = std::min(orientation(from, to, b), -orientation(from, to, a));
         if (exit == 3 || through > least) {
           exit = k;
@@ -113,17 +141,22 @@ public:
 
   /// returns a point of a face, moved into it if rounding has put it outside.
   static Surface_point weights(const Placed_face& f, const Point& p) {
-    std::array<double, 3> w{std::max(orientation(f.target, f.apex, p), 0.0),
-                            std::max(orientation(f.apex, f.source, p), 0.0),
-                            std::max(orientation(f.source, f.target, p), 0.0)};
-    const double sum = w[0] + w[1] + w[2];
-    if (!(sum > 0)) return {f.halfedge, {1, 0, 0}};
-    for (double& x : w) x /= sum;
-    return {f.halfedge, w};
+    const Point side = f.target - f.source;
+    const double squared = dot(side, side);
+    if (!(squared > 0)) return {f.halfedge, {1, 0, 0}};
+    const Point inverse{side.x / squared, -side.y / squared};
+    return {f.halfedge,
+            weights_above_side((p - f.source) * inverse, (f.apex - f.source) * inverse)};
   }
 
 private:
   static constexpr std::size_t maximal_steps = std::size_t(1) << 24U;
+
+  // bounds the error of `orientation(a, b, c)` for points whose coordinates have some errors of one ulp
+  static double rounding(const Point& a, const Point& b, const Point& c) {
+    const auto size = [](const Point& x) { return std::abs(x.x) + std::abs(x.y); };
+    return 0x1p-50 * size(b - a) * (size(a) + size(c));
+  }
 
   const View& view_;
 };
@@ -188,8 +221,12 @@ private:
 
   Surface_point beside_edge(std::uint32_t h, const Point& p) const {
     const Placed_face f = walk_.place(h, {0, 0}, {1, 0});
-    return walk_.walk(f, {std::clamp(p.x, 0.0, 1.0), 0}, p);
+    return walk_.walk(f, {foot(p), 0}, p);
   }
+
+  // From where on the segment from 0 to 1 to walk to a point. At an end it would be open which way
+  // round the vertex to go.
+  static double foot(const Point& p) { return p.x >= 0 && p.x <= 1 ? p.x : 0.5; }
 
   // the curve from 0 to 1: first the face at the foot of the perpendicular, then up
   Surface_point beside_strip(const Curve_end& start, const Curve_strip& strip,
@@ -199,16 +236,15 @@ private:
     const double squared = d.x * d.x + d.y * d.y;
     const Point inverse{d.x / squared, -d.y / squared};
     for (Point& q : points) q = (q - u) * inverse;
-    const double foot = std::clamp(p.x, 0.0, 1.0);
-    std::uint32_t h = start.halfedge;
-    Placed_face f{h, points[0], points[1], points[2]};
+    const Point from{foot(p), 0};
+    Placed_face f{start.halfedge, points[0], points[1], points[2]};
     for (std::size_t n = 1; n < strip.triangles().size(); ++n) {
       const Curve_strip::Triangle& t = strip.triangles()[n];
       const Point &a = points[t.start], &b = points[t.end]; // the curve passes from right to left
-      if (orientation(a, b, {foot, 0}) < 0) break;
+      if (orientation(a, b, from) < 0) break;
       f = {t.entered, a, b, points[n + 2]};
     }
-    return walk_.walk(f, {foot, 0}, p);
+    return walk_.walk(f, from, p);
   }
 
   View view_;
@@ -223,7 +259,7 @@ private:
 \param t the triangulation
 \param coordinates its normal coordinates and roundabouts
 \param p a point of the input
-\return the point; nothing only if all corners of the input face are nonmanifold vertices
+\return the point; nothing only if the coordinates are not those of the triangulation
 \complexity linear in the number of intrinsic edges that cross the longest side of the input face, and
 of those between it and the point
 */

@@ -77,12 +77,13 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
 }
 
 /*!
-\brief returns the delta that is added to squared lengths by default, in scaled units: 2^-48.
+\brief returns the delta that is added to squared lengths by default, in scaled units: 2^-72.
 
-The mean edge is near 1 in these units. Areas of proper faces change by about 1e-14 of themselves, a
-zero length becomes 6e-8 of the mean edge.
+The mean edge is near 1 in these units. A zero length becomes 1.5e-11 of the mean edge, so that lengths
+agree with those in space to 1e-10. In proper faces doubles do not show the difference; a face without
+area gets one of about 1e-11, well above the rounding of squared lengths.
 */
-constexpr double default_squared_length_delta() { return 0x1p-48; }
+constexpr double default_squared_length_delta() { return 0x1p-72; }
 
 /*!
 \brief computes the epsilon of the course's Eq. 15: the smallest that, added to all lengths, makes
