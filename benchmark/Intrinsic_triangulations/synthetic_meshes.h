@@ -257,19 +257,22 @@ inline Triangle_soup random_edge_splits(Triangle_soup soup, std::size_t faces,
 \brief builds a torus of `rows` parallel circles around its axis with `columns` points each; column
 `j` of a row is joined to column `j + shift` of the next one.
 
-Major radius 1. A shift of `s` costs about `s` flips per vertex.
+Major radius 1. A shift of `s` costs about `s` flips per vertex. Without waves all quadrilaterals of
+the result are isosceles trapezoids, cocircular up to rounding.
+\param waves relative height of waves on the tube
 \pre `rows >= 3`, `columns >= 3`, `shift < columns`
 */
 inline Triangle_soup torus(std::uint32_t rows, std::uint32_t columns, double tube_radius,
-                           std::uint32_t shift) {
+                           std::uint32_t shift, double waves = 0) {
   Triangle_soup soup;
   soup.points.reserve(std::size_t{rows} * columns);
   soup.triangles.reserve(std::size_t{2} * rows * columns);
   for (std::uint32_t i = 0; i < rows; ++i) {
     for (std::uint32_t j = 0; j < columns; ++j) {
       const double u = 2 * std::numbers::pi * j / columns, v = 2 * std::numbers::pi * i / rows;
-      const double r = 1 + tube_radius * std::cos(v);
-      soup.points.push_back({r * std::cos(u), r * std::sin(u), tube_radius * std::sin(v)});
+      const double tube = tube_radius * (1 + waves * std::sin(2 * u + 3 * v));
+      const double r = 1 + tube * std::cos(v);
+      soup.points.push_back({r * std::cos(u), r * std::sin(u), tube * std::sin(v)});
       const std::uint32_t here = i * columns, there = (i + 1) % rows * columns;
       const std::uint32_t a = here + j, b = here + (j + 1) % columns;
       const std::uint32_t c = there + (j + 1 + shift) % columns, d = there + (j + shift) % columns;
@@ -286,11 +289,11 @@ inline Triangle_soup shear_torus() { return torus(200, 400, 0.35, 25); }
 
 /*!
 \brief builds a torus of about `faces` faces in good order whose flips per face do not depend on its
-size: twice as many columns as rows, tube radius 0.35, shift 2.
+size: twice as many columns as rows, tube radius 0.35 and waves of a tenth of it, shift 2.
 */
 inline Triangle_soup torus_of_size(std::size_t faces) {
   const auto rows = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(faces) / 4) + 0.5);
-  return torus(rows, 2 * rows, 0.35, 2);
+  return torus(rows, 2 * rows, 0.35, 2, 0.1);
 }
 
 /*!

@@ -19,6 +19,8 @@
 
 #include <CGAL/Interval_nt.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -163,7 +165,8 @@ public:
   \return the new values, always
   \pre the diamond is strictly convex
   */
-  std::optional<Flipped> compute_flip(const Diamond& d) const {
+  // inlined by force: passing what it returns takes a tenth of the time of a flip
+  BOOST_FORCEINLINE std::optional<Flipped> compute_flip(const Diamond& d) const {
     return Flipped{flipped_nonnegative(values(d)), flipped(approximations(d))};
   }
 
@@ -185,7 +188,7 @@ public:
   \param d the diamond
   \param n what `compute_flip()` returned for it
   */
-  void store_flip(const Diamond& d, const Flipped& n) {
+  BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) {
     const auto& [enclosure, approximation] = n;
     squared_length_[d.ij] = positive_part(enclosure.km);
     quadruple_area_[d.f] = positive_part(enclosure.area_f);
