@@ -118,15 +118,8 @@ public:
     Move_status flip_non_delaunay_edge(halfedge_descriptor h) { return t_.flip(h); }
     /// see `Intrinsic_triangulation::insert_vertex()`
     Insertion insert_vertex(halfedge_descriptor h, const std::array<double, 3>& weights) {
-      const std::optional<std::array<double, 3>> w = representable_weights(weights);
-      if (!w || face(h, t_.mesh_) == boost::graph_traits<Mesh>::null_face())
-        return {Move_status::weights};
-      std::array<double, 3> turned = *w;
-      while (turned[2] != 0 && (turned[0] == 0 || turned[1] == 0)) {
-        h = next(h, t_.mesh_);
-        turned = {turned[1], turned[2], turned[0]};
-      }
-      return turned[2] == 0 ? t_.insert_on_edge(h, turned) : t_.insert_in_face(h, turned);
+      const std::optional<Place> p = place(h, weights);
+      return p ? t_.insert(p->h, p->weights) : Insertion{Move_status::weights};
     }
     /// see `Intrinsic_triangulation::split_edge()`
     Insertion split_edge(halfedge_descriptor h, double parameter) {
@@ -143,11 +136,13 @@ public:
     Insertion reposition_vertex(vertex_descriptor v, halfedge_descriptor h,
                                 const std::array<double, 3>& weights) {
       if (!t_.is_inserted(v)) return {Move_status::not_inserted};
-      const Insertion n = insert_vertex(h, weights);
+      const std::optional<Place> p = place(h, weights);
+      if (!p) return {Move_status::weights};
+      const Insertion n = t_.insert(p->h, p->weights);
       if (n.status != Move_status::done) return n;
       const Move_status s = remove_vertex(v);
       if (s == Move_status::done) return n;
-      remove_vertex(n.vertex);
+      t_.undo_insertion(p->h, p->weights);
       return {s};
     }
     /*!
@@ -195,6 +190,21 @@ public:
     }
 
   private:
+    // where a vertex is inserted; on the edge of the halfedge if the last weight is zero
+    struct Place {
+      halfedge_descriptor h;
+      std::array<double, 3> weights;
+    };
+
+    std::optional<Place> place(halfedge_descriptor h, const std::array<double, 3>& weights) const {
+      const std::optional<std::array<double, 3>> w = representable_weights(weights);
+      if (!w || face(h, t_.mesh_) == boost::graph_traits<Mesh>::null_face()) return std::nullopt;
+      Place p{h, *w};
+      while (p.weights[2] != 0 && (p.weights[0] == 0 || p.weights[1] == 0))
+        p = {next(p.h, t_.mesh_), {p.weights[1], p.weights[2], p.weights[0]}};
+      return p;
+    }
+
     Intrinsic_triangulation& t_;
     [[no_unique_address]] typename Metric::Scope scope_;
   };
@@ -436,10 +446,30 @@ private:
     return {Move_status::done, v};
   }
 
+  bool is_on_border(halfedge_descriptor h) const {
+    return face(opposite(h, mesh_), mesh_) == boost::graph_traits<Mesh>::null_face();
+  }
+
+  Insertion insert(halfedge_descriptor h, const std::array<double, 3>& weights) {
+    return weights[2] == 0 ? insert_on_edge(h, weights) : insert_in_face(h, weights);
+  }
+
+  // takes back what `insert()` did last
+  void undo_insertion(halfedge_descriptor h, const std::array<double, 3>& weights) {
+    if (weights[2] == 0 && is_on_border(h)) {
+      remove_from_border(h);
+      return;
+    }
+    if (weights[2] == 0) // four flips are the identity; the vertex is a source, then a target
+      if (flip(h, true) != Move_status::done || flip(h) != Move_status::done ||
+          flip(opposite(h, mesh_), true) != Move_status::done)
+        return;
+    remove_from_face(h);
+  }
+
   // inside: a vertex in the face, at distance zero from the edge, which is flipped away
   Insertion insert_on_edge(halfedge_descriptor h, const std::array<double, 3>& weights) {
-    if (face(opposite(h, mesh_), mesh_) == boost::graph_traits<Mesh>::null_face())
-      return insert_on_border(h, weights[1]);
+    if (is_on_border(h)) return insert_on_border(h, weights[1]);
     const Insertion n = insert_in_face(h, weights);
     if (n.status != Move_status::done) return n;
     const Move_status s = flip(h);

@@ -156,7 +156,14 @@ private:
   // by one, its halfedges exchanged
   void undo() {
     for (auto u = undo_.rbegin(); u != undo_.rend(); ++u)
-      for (int i = 0; i < u->flips; ++i) session_.flip_non_delaunay_edge(u->edge);
+      for (int i = 0; i < u->flips; ++i) flip_back(u->edge);
+  }
+
+  // where rounding leaves a face no area, it gets zero
+  void flip_back(Halfedge h) {
+    if (session_.flip_non_delaunay_edge(h) == Move_status::done) return;
+    if (session_.flip_to_zero_area(h) == Move_status::done) return;
+    session_.flip_to_zero_area(opposite(h, mesh_));
   }
 
   // relative area that a face with a straight angle has by rounding after many moves
