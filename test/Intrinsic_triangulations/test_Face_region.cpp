@@ -3,6 +3,8 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Face_region.h>
 
+#include "curve_patterns.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,23 +14,10 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
+using curve_patterns::for_each_pattern;
 using IT::Corner_coordinates;
 using IT::Face_region;
 using Normals = std::array<IT::Normal_coordinate, 3>;
-
-template <class Function>
-void for_each_pattern(int n, Function f) {
-  for (int a = 0; a <= n; ++a)
-    for (int b = 0; b <= n; ++b)
-      for (int c = 0; c <= n; ++c) {
-        f(Corner_coordinates{{a, b, c}, {0, 0, 0}});
-        for (unsigned k = 0; k < 3; ++k) {
-          Corner_coordinates p{{a, b, c}, {0, 0, 0}};
-          if (p.cutting[k] != 0) continue;
-          for (p.emanating[k] = 1; p.emanating[k] <= n; ++p.emanating[k]) f(p);
-        }
-      }
-}
 
 /// A place in a face: behind `passed` of the curves about `corner`, or if that is the corner of the
 /// fan (or nobody's), left of `passed` of its curves; perhaps on the next curve.

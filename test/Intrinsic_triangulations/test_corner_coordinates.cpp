@@ -3,6 +3,8 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/corner_coordinates.h>
 
+#include "curve_patterns.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,24 +12,9 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
+using curve_patterns::for_each_pattern;
 using IT::Corner_coordinates;
 using Normals = std::array<IT::Normal_coordinate, 3>;
-
-/// All ways in which curves can run in a face, with up to `n` curves of each kind: about each corner,
-/// and from one corner if none is about that one.
-template <class Function>
-void for_each_pattern(int n, Function f) {
-  for (int a = 0; a <= n; ++a)
-    for (int b = 0; b <= n; ++b)
-      for (int c = 0; c <= n; ++c) {
-        f(Corner_coordinates{{a, b, c}, {0, 0, 0}});
-        for (unsigned k = 0; k < 3; ++k) {
-          Corner_coordinates p{{a, b, c}, {0, 0, 0}};
-          if (p.cutting[k] != 0) continue;
-          for (p.emanating[k] = 1; p.emanating[k] <= n; ++p.emanating[k]) f(p);
-        }
-      }
-}
 
 /// Each side is crossed by the curves about its ends and those from the corner opposite.
 Normals normals(const Corner_coordinates& p) {
