@@ -149,7 +149,7 @@ inline IT::Intrinsic_input torus(std::uint32_t n, double shear) {
   const double length[3] = {1, shear * shear + 1, (1 + shear) * (1 + shear) + 1};
   for (std::uint32_t f = 0; f < map.number_of_faces(); ++f) {
     IT::Gluing_map::Halfedge h = map.halfedge(IT::Gluing_map::Face{f});
-    for (const unsigned k : f % 2 == 0 ? std::array{0, 1, 2} : std::array{2, 0, 1}) {
+    for (const unsigned k : f % 2 == 0 ? std::array{0U, 1U, 2U} : std::array{2U, 0U, 1U}) {
       squared[h.index / 2] = length[k];
       h = map.next(h);
     }
@@ -185,11 +185,11 @@ Mesh mesh_of(const Shape& s) {
   IT::copy_gluing_map(s.gluing_map(), mesh);
   std::size_t i = 0;
   for (const typename boost::graph_traits<Mesh>::vertex_descriptor v : vertices(mesh)) {
-    const auto& [x, y, z] = s.points[i++];
-    if constexpr (requires { mesh.set_point(v, OpenMesh::Vec3d(x, y, z)); })
-      mesh.set_point(v, OpenMesh::Vec3d(x, y, z));
+    const std::array<double, 3>& p = s.points[i++];
+    if constexpr (requires { mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2])); })
+      mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2]));
     else
-      put(get(CGAL::vertex_point, mesh), v, Kernel::Point_3(x, y, z));
+      put(get(CGAL::vertex_point, mesh), v, Kernel::Point_3(p[0], p[1], p[2]));
   }
   return mesh;
 }

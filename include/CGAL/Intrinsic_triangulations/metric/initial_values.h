@@ -77,7 +77,7 @@ struct Embedded_area {
     const Input_metric::Sides& s = m.sides(f);
     const Input_metric::Point &p = m.points()[s[0]], &q = m.points()[s[1]], &r = m.points()[s[2]];
     FT u[3], v[3];
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
       u[k] = FT(q[k]) - FT(p[k]);
       v[k] = FT(r[k]) - FT(p[k]);
     }
