@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/concepts.h>
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/Delaunay_flipper.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -17,7 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <vector>
+#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -64,75 +65,40 @@ T& unwrapped(std::reference_wrapper<T>& reference) {
   return reference.get();
 }
 
+// Counts what a flipper does, and stops it.
 template <class Triangulation, class Constrained, class Visitor>
-class Delaunay_flipper {
-  using Mesh = typename Triangulation::Mesh;
-  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
-  using Edge = typename boost::graph_traits<Mesh>::edge_descriptor;
+class Flip_observer {
+  using Halfedge = typename Triangulation::halfedge_descriptor;
 
 public:
-  Delaunay_flipper(Triangulation& t, Constrained constrained, Visitor& visitor, std::uint64_t cap)
-      : t_(t), session_(t), constrained_(constrained), visitor_(visitor), cap_(cap),
-        is_waiting_(num_edges(t.mesh()), 0) {}
+  Flip_observer(const Triangulation& t, const typename Triangulation::Session& session,
+                Constrained constrained, Visitor& visitor, std::uint64_t cap)
+      : t_(t), session_(session), constrained_(constrained), visitor_(visitor), cap_(cap) {}
 
-  // Edges wait in the order in which they became suspect, each at most once: a sweep tests those that
-  // wait and collects those that its flips make suspect for the next. Starting edges come in the
-  // order of memory, and an edge that waits is tested once for all flips near it until then.
-  template <class EdgeRange>
-  Flip_to_delaunay_result run(const EdgeRange& range) {
-    for (const Edge e : range) push(halfedge(e, t_.mesh()));
-    std::vector<Halfedge> sweep;
-    while (!waiting_.empty()) {
-      sweep.swap(waiting_);
-      waiting_.clear();
-      for (const Halfedge h : sweep) {
-        is_waiting_[t_.index(edge(h, t_.mesh()))] = 0;
-        if (!process(h)) return result_;
-      }
-    }
-    return result_;
+  bool before_check() {
+    if ((++result.checks & 0xffffU) != 0 ||
+        session_.suspended([this] { return visitor_.progress(result); }))
+      return true;
+    result.status = Flip_to_delaunay_status::cancelled;
+    return false;
   }
+  bool is_constrained(Halfedge h) const { return get(constrained_, edge(h, t_.mesh())); }
+  bool before_flip() {
+    if (result.flips < cap_) return true;
+    result.status = Flip_to_delaunay_status::cap;
+    return false;
+  }
+  void after_flip(Halfedge) { ++result.flips; }
+  void refused(Halfedge) { ++result.refused_flips; }
+
+  Flip_to_delaunay_result result;
 
 private:
-  bool process(Halfedge h) {
-    if ((++result_.checks & 0xffffU) == 0 &&
-        !session_.suspended([this] { return visitor_.progress(result_); })) {
-      result_.status = Flip_to_delaunay_status::cancelled;
-      return false;
-    }
-    if (session_.is_locally_delaunay(h) || get(constrained_, edge(h, t_.mesh()))) return true;
-    if (result_.flips >= cap_) {
-      result_.status = Flip_to_delaunay_status::cap;
-      return false;
-    }
-    const Halfedge o = opposite(h, t_.mesh());
-    const Halfedge outer[4] = {next(h, t_.mesh()), next(next(h, t_.mesh()), t_.mesh()),
-                               next(o, t_.mesh()), next(next(o, t_.mesh()), t_.mesh())};
-    if (session_.flip_non_delaunay_edge(h) != decltype(session_.flip_status(h))::done) {
-      ++result_.refused_flips;
-      return true;
-    }
-    ++result_.flips;
-    for (const Halfedge x : outer) push(x);
-    return true;
-  }
-
-  void push(Halfedge h) {
-    const std::uint32_t e = t_.index(edge(h, t_.mesh()));
-    if (e >= is_waiting_.size()) is_waiting_.resize(e + std::size_t{1}, 0); // numbers may have gaps
-    if (is_waiting_[e]) return;
-    is_waiting_[e] = 1;
-    waiting_.push_back(h);
-  }
-
-  Triangulation& t_;
-  typename Triangulation::Session session_;
+  const Triangulation& t_;
+  const typename Triangulation::Session& session_;
   Constrained constrained_;
   Visitor& visitor_;
   std::uint64_t cap_;
-  Flip_to_delaunay_result result_;
-  std::vector<Halfedge> waiting_;
-  std::vector<char> is_waiting_;
 };
 
 } // namespace internal
@@ -180,10 +146,14 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
       get_parameter(np, internal_np::maximum_number),
       Triangulation::Metric::is_exact ? unlimited
                                       : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
-  internal::Delaunay_flipper<Triangulation, decltype(constrained),
-                             std::remove_reference_t<decltype(visitor)>>
-      flipper(t, constrained, visitor, cap);
-  return flipper.run(edges);
+  typename Triangulation::Session session(t);
+  internal::Flip_observer<Triangulation, decltype(constrained),
+                          std::remove_reference_t<decltype(visitor)>>
+      observer(t, session, constrained, visitor, cap);
+  internal::Delaunay_flipper<Triangulation> flipper(t, session);
+  for (const Edge e : edges) flipper.push(halfedge(e, t.mesh()));
+  flipper.run(observer);
+  return observer.result;
 }
 
 /*!

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_CONSTRAINED_SEGMENTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_CONSTRAINED_SEGMENTS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/geodesic_face.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief keeps the edges that refinement splits but never flips, and the vertices that it puts on them.
+
+Such edges are those of the border and those that are constrained. Where two of them make an angle of
+less than 60 degrees at a vertex, splitting one at its midpoint may ask to split the other, and so on
+without end. Hence edges at such a vertex are split at distances from it that are powers of two, so that
+both get vertices at the same distances (Ruppert, A Delaunay refinement algorithm for quality
+2-dimensional mesh generation, 1995, section 5), and a face whose shortest side joins two such vertices is
+left alone (Shewchuk, Mesh generation for domains with small angles, 2000).
+
+All elements are named by numbers, lengths are those of the numbered complex.
+*/
+class Constrained_segments {
+public:
+  /*!
+  \brief adds an edge; all must be added before `find_small_angles()`.
+  \tparam Complex a numbered complex
+  \param complex the surface
+  \param h a halfedge of the edge
+  \param is_constrained false for an edge of the border that is nothing else
+  */
+  template <class Complex>
+  void add(const Complex& complex, std::uint32_t h, bool is_constrained) {
+    set(h / 2, static_cast<std::uint32_t>(segments_.size()));
+    segments_.push_back({{complex.source(h), complex.target(h)},
+                         h,
+                         std::sqrt(complex.squared_length(h / 2)),
+                         is_constrained});
+  }
+
+  /// finds the vertices where two segments make a small angle. \complexity linear in their degrees
+  template <class Complex>
+  void find_small_angles(const Complex& complex) {
+    for (const Segment& s : segments_)
+      for (const std::uint32_t h : {s.halfedge, s.halfedge ^ 1U})
+        if (!complex.is_border(h) && makes_small_angle(complex, h))
+          has_small_angle_.insert(complex.source(h));
+  }
+
+  /// tells whether an edge is one, or a part of one.
+  bool is_segment(std::uint32_t edge) const {
+    return edge < segment_.size() && segment_[edge] != Gluing::none;
+  }
+  /// tells whether an edge is constrained, or a part of one that is.
+  bool is_constrained(std::uint32_t edge) const {
+    return is_segment(edge) && segments_[segment_[edge]].is_constrained;
+  }
+  /// tells whether there are none.
+  bool empty() const { return segments_.empty(); }
+  /// tells whether a vertex was put on a segment.
+  bool is_on_segment(std::uint32_t vertex) const { return place_.count(vertex) != 0; }
+
+  /*!
+  \brief returns where to split an edge: the weight of the target of `h`.
+  \pre the edge is a segment or a part of one
+  */
+  template <class Complex>
+  double split_parameter(const Complex& complex, std::uint32_t h) const {
+    const bool at_source = has_small_angle_.count(complex.source(h)) != 0;
+    const bool at_target = has_small_angle_.count(complex.target(h)) != 0;
+    if (at_source == at_target) return 0.5;
+    const double length = std::sqrt(complex.squared_length(h / 2));
+    // the power of two that is closest to half the length, by ratio: between 1/3 and 2/3 of it
+    const double shell = std::exp2(std::round(std::log2(length / 2)));
+    const double t = std::clamp(shell / length, 0.25, 0.75);
+    return at_source ? t : 1 - t;
+  }
+
+  /*!
+  \brief records a split.
+  \param whole the edge that was split
+  \param parts its two parts
+  \param ends its ends
+  \param vertex the new vertex
+  \param parameter weight of the second end
+  */
+  void split(std::uint32_t whole, const std::array<std::uint32_t, 2>& parts,
+             const std::array<std::uint32_t, 2>& ends, std::uint32_t vertex, double parameter) {
+    const std::uint32_t s = segment_[whole];
+    set(whole, Gluing::none);
+    for (const std::uint32_t part : parts) set(part, s);
+    Place p{s, {}};
+    for (std::size_t i = 0; i < 2; ++i)
+      p.distance[i] =
+          (1 - parameter) * distance(s, i, ends[0]) + parameter * distance(s, i, ends[1]);
+    place_[vertex] = p;
+  }
+
+  /*!
+  \brief tells whether two vertices were put at the same distance from a common end of two segments that
+  make a small angle there.
+  */
+  bool are_across_small_angle(std::uint32_t v, std::uint32_t w) const {
+    const auto p = place_.find(v), q = place_.find(w);
+    if (p == place_.end() || q == place_.end() || p->second.segment == q->second.segment)
+      return false;
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t j = 0; j < 2; ++j) {
+        const std::uint32_t end = segments_[p->second.segment].ends[i];
+        const double d = p->second.distance[i], e = q->second.distance[j];
+        if (end == segments_[q->second.segment].ends[j] && has_small_angle_.count(end) != 0 &&
+            std::abs(d - e) <= 0x1p-20 * d)
+          return true;
+      }
+    return false;
+  }
+
+private:
+  struct Segment {
+    std::array<std::uint32_t, 2> ends;
+    std::uint32_t halfedge; // before any split, from the first end
+    double length;
+    bool is_constrained;
+  };
+  struct Place {
+    std::uint32_t segment;
+    std::array<double, 2> distance; // from the ends of the segment
+  };
+
+  void set(std::uint32_t edge, std::uint32_t segment) {
+    if (edge >= segment_.size()) segment_.resize(edge + std::size_t{1}, Gluing::none);
+    segment_[edge] = segment;
+  }
+
+  // of a vertex of a segment from one of its ends, along it; unknown on loops
+  double distance(std::uint32_t s, std::size_t end, std::uint32_t vertex) const {
+    const Segment& segment = segments_[s];
+    if (segment.ends[0] == segment.ends[1]) return std::numeric_limits<double>::quiet_NaN();
+    if (vertex == segment.ends[end]) return 0;
+    const auto p = place_.find(vertex);
+    return p == place_.end() ? segment.length : p->second.distance[end];
+  }
+
+  // whether the next segment counterclockwise about the source is within 60 degrees
+  template <class Complex>
+  bool makes_small_angle(const Complex& complex, std::uint32_t h) const {
+    double angle = 0;
+    std::uint32_t g = h;
+    do {
+      if (complex.is_border(g)) return false;
+      angle += angle_at_source(complex, g);
+      g = next_around_source(complex, g);
+    } while (angle < limit && !is_segment(g / 2));
+    return angle < limit;
+  }
+
+  static constexpr double limit = std::numbers::pi / 3;
+
+  std::vector<std::uint32_t> segment_; // of an edge, or none
+  std::vector<Segment> segments_;
+  std::unordered_map<std::uint32_t, Place> place_; // of vertices put on segments
+  std::unordered_set<std::uint32_t> has_small_angle_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_CONSTRAINED_SEGMENTS_H
