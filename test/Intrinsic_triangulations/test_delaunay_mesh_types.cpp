@@ -33,11 +33,11 @@ Mesh mesh_of(const meshes::Mesh& m) {
   IT::copy_gluing_map(m.map(), mesh);
   std::size_t i = 0;
   for (const typename boost::graph_traits<Mesh>::vertex_descriptor v : vertices(mesh)) {
-    const auto& [x, y, z] = m.points[i++];
-    if constexpr (requires { mesh.set_point(v, OpenMesh::Vec3d(x, y, z)); })
-      mesh.set_point(v, OpenMesh::Vec3d(x, y, z));
+    const auto& p = m.points[i++];
+    if constexpr (requires { mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2])); })
+      mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2]));
     else
-      put(get(CGAL::vertex_point, mesh), v, Kernel::Point_3(x, y, z));
+      put(get(CGAL::vertex_point, mesh), v, Kernel::Point_3(p[0], p[1], p[2]));
   }
   return mesh;
 }

@@ -521,7 +521,7 @@ TEST_F(Read_triangle_soup, text_with_numbers_of_every_kind_agrees_with_the_reade
   const std::string path =
       file("c.off", "COFF\n5 4 8\n0 0 0 255 0 0 255\n1e3 0.25 -7 0 0 0 0\n"
                     ".5 5. 1E-3 1 1 1 1\n-1.7976931348623157e308 4.9e-324 3\n"
-                    "7 8 9 1 2 3 4\n3 0 1 2 0.1 0.2 0.3\n4 0 1 2 3\n3 3 2 4 7\n"
+                    "7 8 9 1 2 3 4\n3 0 1 2 0.1 0.2 0.3\n4 0 1 2 3\n3 3 2 4 1\n"
                     "3 4 1 0\n");
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
   std::vector<std::vector<std::size_t>> faces;

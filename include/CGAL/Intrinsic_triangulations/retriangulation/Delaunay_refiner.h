@@ -219,7 +219,7 @@ private:
     suspect_star(n.vertex);
     if (!flip()) return false;
     if (clears) remove_near(n.vertex, length);
-    return flip();
+    return is_going_on_;
   }
 
   // splits constrained edges that are not locally Delaunay, if that is asked for
@@ -264,8 +264,11 @@ private:
   bool is_free(std::uint32_t v) const { return v < is_free_.size() && is_free_[v] != 0; }
 
   void remove_near(Vertex v, double radius) {
-    for (const std::uint32_t w : dijkstra_ball(t_.index(v), radius))
-      if (is_free(w)) remove(t_.numbers().vertex_at(w));
+    for (const std::uint32_t w : dijkstra_ball(t_.index(v), radius)) {
+      if (!is_free(w)) continue;
+      remove(t_.numbers().vertex_at(w));
+      if (!flip()) return; // now: edges that wait may be removed next
+    }
   }
 
   // the vertices within a distance along edges
