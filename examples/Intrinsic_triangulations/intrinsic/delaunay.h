@@ -8,6 +8,7 @@
 #include "options.h"
 #include "output_files.h"
 #include "progress.h"
+#include "refine.h"
 #include "report.h"
 #include "statistics.h"
 #include "view.h"
@@ -17,6 +18,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/matrix_market.h>
 
 #include <cmath>
 #include <cstdint>
@@ -75,10 +78,12 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
   if (!options.view.empty()) write_view(files.open(options.view), s, points, options, json);
 }
 
-/// flips to Delaunay and writes what is asked for
+/// flips to Delaunay, refines if that is asked for, and writes what is asked for
 template <class Triangulation>
 void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
-  Json json = flip_and_measure(loaded, true, options, progress);
+  Json json = flip_and_measure(loaded, true, options, progress, [&](Json& j) {
+    if (options.refines) refine(loaded.triangulation, options, j, progress);
+  });
   if (const Json& count = json["delaunay"]["non_delaunay_edges"]; count != 0)
     std::cerr << options.input << ": " << count
               << " edges are not Delaunay as far as double arithmetic can tell; --arithmetic exact "
@@ -92,6 +97,11 @@ void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& p
     progress.show("writing");
     IT::write_intrinsic_triangulation(files.open(options.output), loaded.triangulation);
   }
+  if (!options.laplacian.empty())
+    IT::write_matrix_market(files.open(options.laplacian),
+                            IT::cotangent_laplacian(loaded.triangulation),
+                            "cotangent Laplacian, positive semidefinite; rows of the input's "
+                            "vertices in their order, then of those inserted");
   finish(json, options, files, watch);
   print_summary_on_terminal(json);
 }

@@ -75,10 +75,8 @@ void add_common_options(CLI::App& command, Options& options) {
       ->type_name("FILE");
 }
 
-void add_delaunay(CLI::App& app, Options& options, Command& chosen) {
-  CLI::App& command =
-      *app.add_subcommand("delaunay", "flip to the intrinsic Delaunay triangulation");
-  add_common_options(command, options);
+// where edges run on the input, and what is written of it
+void add_correspondence_options(CLI::App& command, Options& options) {
   command
       .add_option("--correspondence", options.correspondence,
                   "what is kept of where edges run on the input: integer (coordinates, default), "
@@ -91,7 +89,48 @@ void add_delaunay(CLI::App& app, Options& options, Command& chosen) {
       ->check(triangulation_or_mesh());
   command.add_option("--view", options.view, "write a page that shows the triangulation")
       ->type_name("FILE");
+}
+
+void add_delaunay(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command =
+      *app.add_subcommand("delaunay", "flip to the intrinsic Delaunay triangulation");
+  add_common_options(command, options);
+  add_correspondence_options(command, options);
   command.callback([&chosen] { chosen = program::run_delaunay; });
+}
+
+void add_refine(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "refine", "insert vertices until all faces are well shaped, keeping the Delaunay property");
+  add_common_options(command, options);
+  add_correspondence_options(command, options);
+  IT::Refinement_options& r = options.refinement;
+  command.add_option("--min-angle", r.minimum_angle, "least angle in degrees; default 30")
+      ->check(CLI::Range(0.0, 59.0));
+  command.add_option("--max-circumradius", r.maximum_circumradius, "largest circumradius of faces")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--max-edge-length", r.maximum_edge_length, "largest length of edges")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--max-insertions", r.maximum_insertions,
+                     "cap on the number of insertions; default a million and ten per face");
+  command
+      .add_option_function<std::string>(
+          "--order",
+          [&r](const std::string& word) {
+            r.order = word == "worst"   ? IT::Refinement_order::worst_first
+                      : word == "first" ? IT::Refinement_order::first_come
+                                        : IT::Refinement_order::largest_first;
+          },
+          "which face comes next: largest (default), worst or first")
+      ->check(CLI::IsMember({"largest", "worst", "first"}));
+  command
+      .add_option("--laplacian", options.laplacian,
+                  "write the Laplacian of the refined triangulation in Matrix Market format")
+      ->check(extension(".mtx", "matrices in Matrix Market format"));
+  command.callback([&options, &chosen] {
+    options.refines = true;
+    chosen = program::run_refine;
+  });
 }
 
 void add_laplacian(CLI::App& app, Options& options, Command& chosen) {
@@ -117,7 +156,7 @@ void add_info(CLI::App& app, Options& options, Command& chosen) {
 
 bool names_a_file_twice(const Options& o) {
   std::vector<std::string> names;
-  for (const std::string& name : {o.output, o.mass, o.stats, o.view})
+  for (const std::string& name : {o.output, o.mass, o.laplacian, o.stats, o.view})
     if (!name.empty()) names.push_back(name);
   std::sort(names.begin(), names.end());
   return std::adjacent_find(names.begin(), names.end()) != names.end();
@@ -135,6 +174,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.get_formatter()->column_width(32);
   add_delaunay(app, options, chosen);
+  add_refine(app, options, chosen);
   add_laplacian(app, options, chosen);
   add_info(app, options, chosen);
   try {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/metric/mollification.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/Refinement_options.h>
 
 #include <filesystem>
 #include <string>
@@ -24,7 +25,10 @@ struct Options {
   std::string mass;                        ///< empty: none
   std::string mass_kind = "lumped";        ///< `lumped` or `galerkin`
   std::string stats;                       ///< empty: none; `-`: standard output
+  std::string laplacian;                   ///< of the refined triangulation; empty: none
   bool no_flip = false;
+  bool refines = false;
+  CGAL::Intrinsic_triangulations::Refinement_options refinement{.minimum_angle = 30};
   bool is_arithmetic_given = false;
   bool is_mollification_given = false;
 };

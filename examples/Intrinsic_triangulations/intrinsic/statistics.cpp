@@ -87,10 +87,15 @@ std::string certificate(bool is_exact, std::uint64_t probable_zero, const Delaun
   return probable_zero + check.probable_zero > 0 ? "interval" : "exact";
 }
 
-Json quality_json(const Quality& quality) {
-  return {{"min_angle_deg", quality.min_angle},
-          {"max_angle_deg", quality.max_angle},
-          {"min_cotan_weight", quality.min_cotan_weight}};
+Json quality_json(const IT::Quality& quality) {
+  return {{"min_angle_deg", quality.minimum_angle},
+          {"max_angle_deg", quality.maximum_angle},
+          {"angle_histogram", quality.angles},
+          {"mean_aspect_ratio", quality.mean_aspect_ratio},
+          {"max_aspect_ratio", quality.maximum_aspect_ratio},
+          {"min_cotan_weight", quality.minimum_weight},
+          {"max_cotan_weight", quality.maximum_weight},
+          {"cotan_weight_histogram", quality.weights}};
 }
 
 void add_integrals(Json& json, const Integrals& integrals, double input_area, bool has_points) {
@@ -134,6 +139,13 @@ void print_summary(std::ostream& stream, const Json& json) {
                   << delaunay["cocircular_edges"] << " are ties; " << delaunay["flips"]
                   << " flips; certificate: " << json["certificate"].get<std::string>() << " ("
                   << json["arithmetic"].get<std::string>() << " arithmetic)\n";
+  if (json.contains("refine")) {
+    const Json& refine = json["refine"];
+    row("refinement") << refine["insertions"] << " vertices more, angles from "
+                      << refine["min_angle_deg"] << " degrees except in "
+                      << refine["unsatisfied_faces"] << " faces; "
+                      << refine["status"].get<std::string>() << '\n';
+  }
   const Json& quality = json["quality"];
   row("angles") << quality["min_angle_deg"] << " to " << quality["max_angle_deg"] << " degrees\n";
   row("cotan weights") << "from " << quality["min_cotan_weight"] << ", trace of the Laplacian "

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/measure_quality.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <nlohmann/json.hpp>
@@ -21,7 +22,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -38,13 +38,6 @@ struct Delaunay_check {
   std::vector<char> is_tie;        ///< per edge, by number
 };
 
-/// What depends on the shape of the faces; angles in degrees.
-struct Quality {
-  double min_angle = 180, max_angle = 0;
-  /// of the edges between two faces; border edges have one cotangent, of any sign
-  double min_cotan_weight = std::numeric_limits<double>::infinity();
-};
-
 /// Integrals over the surface in the units of the input.
 struct Integrals {
   double area = 0;
@@ -59,7 +52,7 @@ Delaunay_check check(Triangulation& t) {
   const auto report = IT::check_delaunay(t);
   Delaunay_check result{report.non_delaunay_edges, report.cocircular_edges.size(),
                         t.metric().statistics().probable_zero - before,
-                        std::vector<char>(num_edges(t.mesh()), 0)};
+                        std::vector<char>(t.numbers().edge_capacity(t.mesh()), 0)};
   for (const typename Triangulation::edge_descriptor e : report.cocircular_edges)
     result.is_tie[t.index(e)] = 1;
   return result;
@@ -72,32 +65,10 @@ double weight_of(typename Triangulation::Session& session, const Triangulation& 
   return check.is_tie[t.index(e)] != 0 ? 0 : session.cotangent_weight(e);
 }
 
-/// measures the faces: cot = q / a, with q = L_ij + L_ik - L_jk and a = 4A, see Diamond.h.
+/// measures the shapes of faces.
 template <class Triangulation>
-Quality quality_of(Triangulation& t, const Delaunay_check& check) {
-  Quality result;
-  const auto& mesh = t.mesh();
-  const auto squared_length = [&](auto h) {
-    return t.metric().approximate_squared_length(t.index(edge(h, mesh)));
-  };
-  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
-    const double area = t.metric().approximate_quadruple_area(t.index(f));
-    const auto h = halfedge(f, mesh), n = next(h, mesh);
-    const double a = squared_length(h), b = squared_length(n), c = squared_length(next(n, mesh));
-    for (const double q : {a + b - c, b + c - a, c + a - b}) {
-      const double angle = std::atan2(area, q) * (180 / std::numbers::pi);
-      result.min_angle = std::min(result.min_angle, angle);
-      result.max_angle = std::max(result.max_angle, angle);
-    }
-  }
-  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
-  typename Triangulation::Session session(t);
-  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
-    const auto h = halfedge(e, mesh);
-    if (face(h, mesh) != null && face(opposite(h, mesh), mesh) != null)
-      result.min_cotan_weight = std::min(result.min_cotan_weight, weight_of(session, t, e, check));
-  }
-  return result;
+IT::Quality quality_of(Triangulation& t, const Delaunay_check& check) {
+  return IT::measure_quality(t, [&](auto e) { return check.is_tie[t.index(e)] != 0; });
 }
 
 /// integrates over the surface; x^T L x is summed over edges as w (x_i - x_j)^2, without
@@ -168,7 +139,7 @@ Json delaunay_json(const IT::Flip_to_delaunay_result& flips,
 /// returns the certificate: `exact`, `interval` or `none`.
 std::string certificate(bool is_exact, std::uint64_t probable_zero, const Delaunay_check& check);
 /// returns what depends on the shape of faces.
-Json quality_json(const Quality& quality);
+Json quality_json(const IT::Quality& quality);
 /// adds integrals.
 void add_integrals(Json& json, const Integrals& integrals, double input_area, bool has_points);
 /// returns the peak of resident memory so far, in MiB.
@@ -180,17 +151,17 @@ double peak_rss_mib();
 \param flip whether to flip to Delaunay
 \param options the options
 \param progress where to show progress
+\param improve called with the statistics after flipping, before anything is measured
 \throws std::runtime_error if flipping does not end, which happens in inexact arithmetic only
 \return the statistics so far
 */
-template <class Triangulation>
+template <class Triangulation, class Improve>
 Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& options,
-                      Progress& progress) {
+                      Progress& progress, const Improve& improve) {
   constexpr bool is_exact = Triangulation::Metric::is_exact;
   Triangulation& t = loaded.triangulation;
   Json json = input_json(options, is_exact ? "exact" : "double",
                          Triangulation::Correspondence::name, loaded.facts, t.report());
-  const bool has_points = !loaded.scaled_points().empty();
   const double area = input_area(loaded);
   Stopwatch watch;
   IT::Flip_to_delaunay_result result;
@@ -203,18 +174,31 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
     throw std::runtime_error(options.input + ": flipping did not end after " +
                              std::to_string(result.flips) +
                              " flips in double arithmetic; use --arithmetic exact");
+  json["seconds"] = {{"read", loaded.seconds.read},
+                     {"build", loaded.seconds.build},
+                     {"delaunay", delaunay_seconds}};
+  improve(json);
+  watch.lap();
   const IT::Predicate_statistics statistics = t.metric().statistics();
   progress.show("verifying");
   const Delaunay_check checked = check(t);
   json["delaunay"] = delaunay_json(result, statistics, checked);
   json["certificate"] = certificate(is_exact, statistics.probable_zero, checked);
   json["quality"] = quality_json(quality_of(t, checked));
-  add_integrals(json, integrals_of(t, loaded.scaled_points(), checked), area, has_points);
-  json["seconds"] = {{"read", loaded.seconds.read},
-                     {"build", loaded.seconds.build},
-                     {"delaunay", delaunay_seconds},
-                     {"verify", watch.lap()}};
+  // coordinates of inserted vertices are not known to the metric
+  const std::vector<Point> none;
+  const bool has_points = num_vertices(t.mesh()) == loaded.scaled_points().size();
+  add_integrals(json, integrals_of(t, has_points ? loaded.scaled_points() : none, checked), area,
+                has_points);
+  json["seconds"]["verify"] = watch.lap();
   return json;
+}
+
+/// loads, flips unless told not to, and measures.
+template <class Triangulation>
+Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& options,
+                      Progress& progress) {
+  return flip_and_measure(loaded, flip, options, progress, [](Json&) {});
 }
 
 /// prints statistics for people.

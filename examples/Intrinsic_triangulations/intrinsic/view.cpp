@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/write_html_view.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -14,6 +16,17 @@
 namespace program {
 
 namespace {
+
+// a histogram as a row of blocks
+std::string bars(const Json& histogram) {
+  static const char* const block[] = {"\u2581", "\u2582", "\u2583", "\u2584",
+                                      "\u2585", "\u2586", "\u2587", "\u2588"};
+  std::size_t most = 1;
+  for (const Json& n : histogram) most = std::max(most, n.get<std::size_t>());
+  std::string row;
+  for (const Json& n : histogram) row += n == 0 ? "_" : block[n.get<std::size_t>() * 7 / most];
+  return row;
+}
 
 std::string description(const Json& json) {
   std::ostringstream text;
@@ -25,6 +38,12 @@ std::string description(const Json& json) {
        << json["quality"]["max_angle_deg"].get<double>() << " degrees\n"
        << json["arithmetic"].get<std::string>()
        << " arithmetic, certificate: " << json["certificate"].get<std::string>();
+  if (json.contains("refine"))
+    text << "\n"
+         << json["refine"]["insertions"] << " vertices inserted, "
+         << json["refine"]["unsatisfied_faces"] << " faces left below the bound\nangles before "
+         << bars(json["quality_before"]["angle_histogram"]);
+  text << "\nangles " << bars(json["quality"]["angle_histogram"]) << " (0 to 180 degrees)";
   return text.str();
 }
 

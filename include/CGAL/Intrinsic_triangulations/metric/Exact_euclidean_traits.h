@@ -142,7 +142,7 @@ public:
 
   /*!
   \brief makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-40 of the
-  value, except for areas of thin faces, which get as accurate as 1024 bits allow.
+  value, except for areas of thin faces, which get as accurate as 2048 bits allow.
   \complexity constant per face if they are narrow, else linear in the number of moves that made them
   */
   void sharpen(std::span<const Indexed_face> faces) {
@@ -150,7 +150,7 @@ public:
       return std::all_of(faces.begin(), faces.end(),
                          [this](const Indexed_face& f) { return is_narrow(enclosure(f)); });
     };
-    for (unsigned bits = 128; bits <= 1024 && !are_narrow(); bits *= 2)
+    for (unsigned bits = 512; bits <= 2048 && !are_narrow(); bits *= 2)
       refine(faces, evaluation_.enclosures(*input_, history_, sides(faces), bits));
   }
 

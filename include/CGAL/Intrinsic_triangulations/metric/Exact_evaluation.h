@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -47,7 +48,7 @@ private:
 \brief decides signs that floating point intervals leave open.
 
 Most of these values are zero, which a `Zero_test` tells. If not, values are recomputed from the
-input in intervals of 128 bits, and the precision is doubled until the sign shows, which must
+input in intervals of 128 bits, of 512 if vertices have been inserted there, and the precision is doubled until the sign shows, which must
 happen if the value is proven not to be zero. One that is only probably zero counts as zero at 1024
 bits.
 */
@@ -79,7 +80,7 @@ public:
       ++statistics.certified_zero;
       return ZERO;
     }
-    for (unsigned bits = 128; !gives_up(answer, bits); bits *= 2) {
+    for (unsigned bits = first_bits(); !gives_up(answer, bits); bits *= 2) {
       const Gmpfi_precision precision(bits);
       const Diamond_values<Gmpfi> d = values(input, history, left, right);
       better = intervals(d);
@@ -96,7 +97,7 @@ public:
   /*!
   \brief returns the sign of an expression in the values of faces, each from a side on.
 
-  Here values are computed in 128 bits first, and tested for zero if the sign does not show.
+  Here values are computed in 512 bits first, and tested for zero if the sign does not show.
   \param input the input
   \param history the moves since
   \param sides the first side of each face
@@ -107,9 +108,9 @@ public:
   template <class Expression>
   Sign sign(const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides,
             const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
-            Predicate_statistics& statistics) const {
+            Predicate_statistics& statistics) {
     Zero_answer answer = Zero_answer::not_zero;
-    for (unsigned bits = 128; !gives_up(answer, bits); bits *= 2) {
+    for (unsigned bits = history_bits; !gives_up(answer, bits); bits *= 2) {
       const Gmpfi_precision precision(bits);
       const std::vector<Face_values<Gmpfi>> faces = values(input, history, sides);
       better = intervals(faces);
@@ -118,7 +119,7 @@ public:
         ++statistics.escalations[bits];
         return get_certain(s);
       }
-      if (bits > 128) continue;
+      if (bits > history_bits) continue;
       answer = History_zero_test(input, history, sides).for_faces(expression);
       if (answer == Zero_answer::zero) {
         ++statistics.certified_zero;
@@ -139,7 +140,7 @@ public:
   std::vector<Face_values<Interval_nt<false>>> enclosures(const Input_metric& input,
                                                           const Flip_history& history,
                                                           const std::vector<Side>& sides,
-                                                          unsigned bits) const {
+                                                          unsigned bits) {
     const Gmpfi_precision precision(bits);
     return intervals(values(input, history, sides));
   }
@@ -150,14 +151,24 @@ public:
   */
   Diamond_values<Interval_nt<false>> enclosure(const Input_metric& input,
                                                const Flip_history& history, Side left, Side right) {
-    const Gmpfi_precision precision(256);
     is_zero_.unfold(input, history, left, right);
+    const Gmpfi_precision precision(2 * first_bits());
     return intervals(values(input, history, left, right));
   }
 
 private:
+  // Without inserted vertices values are computed anew, by unfolding; with them by the moves, whose values
+  // are remembered, so that every move is evaluated once, as a rule. Errors grow with the moves.
+  static constexpr unsigned history_bits = 512;
+  bool is_unfolded() const {
+    return is_zero_.diamond() && is_zero_.diamond()->combinations.empty();
+  }
+  unsigned first_bits() const { return is_unfolded() ? 128 : history_bits; }
+
   // precision at which a value that is probably zero is taken for zero
   static constexpr unsigned maximal_bits = 1024;
+  // entries that are kept between calls, about a kilobyte each
+  static constexpr std::size_t maximal_memory = 100000;
 
   // whether a value that may be zero is taken for zero instead of computing it in so many bits
   static bool gives_up(Zero_answer answer, unsigned bits) {
@@ -177,18 +188,18 @@ private:
     };
   }
 
-  // by unfolding, where the error does not grow with the number of flips, or by repeating the moves
   Diamond_values<Gmpfi> values(const Input_metric& input, const Flip_history& history, Side left,
-                               Side right) const {
-    if (is_zero_.diamond()) return is_zero_.diamond()->values<Gmpfi>(input_values(input));
+                               Side right) {
+    if (is_unfolded()) return is_zero_.diamond()->values<Gmpfi>(input_values(input));
     const auto faces = values(input, history, {left, right});
     return diamond_values(faces[0], faces[1]);
   }
 
-  static std::vector<Face_values<Gmpfi>>
-  values(const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides) {
+  std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,
+                                         const std::vector<Side>& sides) {
     const auto face = input_values(input);
-    History_values<Gmpfi> memory;
+    History_values<Gmpfi>& memory = memory_[Gmpfi::get_default_precision()];
+    if (memory.size() > maximal_memory) memory = {};
     return History_evaluator<Gmpfi, decltype(face)>(history, face, memory).faces(sides);
   }
 
@@ -213,6 +224,8 @@ private:
   }
 
   Zero_test is_zero_;
+  // values of each precision so far: faces made next have them as ancestors
+  std::map<Gmpfi::Precision_type, History_values<Gmpfi>> memory_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -23,7 +23,7 @@ namespace CGAL::Intrinsic_triangulations {
 With the side ij and the corner k, cot k = (L_jk + L_ki - L_ij) / a, which falls as the angle grows.
 */
 struct Small_angle_expression {
-  std::size_t side;  ///< the side opposite the corner: 0, 1 or 2
+  std::size_t side; ///< the side opposite the corner: 0, 1 or 2
   double cotangent; ///< cotangent of the bound
   /// evaluates the expression
   template <class FT>
@@ -52,7 +52,7 @@ struct Large_circumradius_expression {
 \brief evaluates to a value that is positive iff a side of a face is longer than a bound.
 */
 struct Long_side_expression {
-  std::size_t side;       ///< the side: 0, 1 or 2
+  std::size_t side;      ///< the side: 0, 1 or 2
   double squared_length; ///< square of the bound
   /// evaluates the expression
   template <class FT>

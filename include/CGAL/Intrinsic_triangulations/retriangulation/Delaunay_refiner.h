@@ -55,7 +55,8 @@ public:
   Delaunay_refiner(Triangulation& t, const Refinement_options& options, Visitor& visitor)
       : t_(t), mesh_(t.mesh()), session_(t), view_(t), options_(options),
         test_(options, t.metric().scale_exponent()), visitor_(visitor), flipper_(t, session_),
-        cap_(options.maximum_insertions.value_or(1000000 + 10 * std::uint64_t{num_faces(t.mesh())})) {}
+        cap_(options.maximum_insertions.value_or(1000000 +
+                                                 10 * std::uint64_t{num_faces(t.mesh())})) {}
 
   /// refines; `constrained` tells which edges are kept.
   template <class Constrained>
@@ -117,8 +118,7 @@ private:
 
   Indexed_face indexed(Face f) const {
     const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_);
-    return {t_.index(f),
-            {number(h) / 2, number(n) / 2, number(next(n, mesh_)) / 2}};
+    return {t_.index(f), {number(h) / 2, number(n) / 2, number(next(n, mesh_)) / 2}};
   }
 
   Face_state state(Face f) {
@@ -211,8 +211,8 @@ private:
     }
     ++result_.counts.segment_splits;
     // on the border h is the first half; inside it was flipped, and runs from the vertex
-    const Halfedge other = on_border ? next(opposite(next(h, mesh_), mesh_), mesh_)
-                                     : next(opposite(h, mesh_), mesh_);
+    const Halfedge other =
+        on_border ? next(opposite(next(h, mesh_), mesh_), mesh_) : next(opposite(h, mesh_), mesh_);
     const Halfedge one = on_border ? h : next(next(h, mesh_), mesh_);
     segments_.split(e, {number(one) / 2, number(other) / 2}, ends, t_.index(n.vertex), parameter);
     set_free(t_.index(n.vertex), false);
@@ -246,7 +246,8 @@ private:
   // the halfedges that start at a vertex, all of one fan
   template <class Function>
   void for_each_outgoing(Vertex v, Function f) const {
-    const Halfedge first = opposite(halfedge(v, mesh_), mesh_); // no face on its right on the border
+    const Halfedge first =
+        opposite(halfedge(v, mesh_), mesh_); // no face on its right on the border
     Halfedge h = first;
     do {
       f(h);
@@ -311,9 +312,12 @@ private:
     }
     ++result_.counts.removals;
     set_free(number_of_v, false);
-    touched_.erase(std::remove_if(touched_.begin(), touched_.end(), [&](Face f) {
-      return std::find(old.begin(), old.end(), t_.index(f)) != old.end();
-    }), touched_.end());
+    touched_.erase(std::remove_if(touched_.begin(), touched_.end(),
+                                  [&](Face f) {
+                                    return std::find(old.begin(), old.end(), t_.index(f)) !=
+                                           old.end();
+                                  }),
+                   touched_.end());
     for (const std::uint32_t f : old) queue_.remove(f);
     suspect_inside(rim);
   }

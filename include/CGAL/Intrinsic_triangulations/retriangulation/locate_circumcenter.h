@@ -102,8 +102,7 @@ Located_circumcenter locate_circumcenter(const Complex& complex, std::uint32_t h
                                                 complex.squared_length(face.side[1] / 2),
                                                 complex.squared_length(face.side[2] / 2)},
                                                area);
-  if (w[0] >= 0 && w[1] >= 0 && w[2] >= 0)
-    return internal::arrived({h, w}, face, is_segment);
+  if (w[0] >= 0 && w[1] >= 0 && w[2] >= 0) return internal::arrived({h, w}, face, is_segment);
   // from the barycenter, which is at a third of the sum of the vectors to the corners
   const double third = 1.0 / 3, x = w[1] - third, y = w[2] - third;
   const Planar_vector<double> v{x * face.edge[0][0] - y * face.edge[2][0],
@@ -116,7 +115,8 @@ Located_circumcenter locate_circumcenter(const Complex& complex, std::uint32_t h
     const double remaining = std::max(0.0, length - walk.travelled());
     if (remaining <= e.distance)
       return internal::arrived(walk.point(e, remaining), walk.face(), is_segment);
-    if (is_segment(walk.halfedge(e))) return {Kind::segment, walk.point(e, e.distance), walk.halfedge(e)};
+    if (is_segment(walk.halfedge(e)))
+      return {Kind::segment, walk.point(e, e.distance), walk.halfedge(e)};
     walk.advance(e);
     walk.cross(e);
   }

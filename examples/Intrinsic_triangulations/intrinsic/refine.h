@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_REFINE_H
+#define INTRINSIC_REFINE_H
+
+#include "load.h"
+#include "options.h"
+#include "progress.h"
+#include "statistics.h"
+
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay_refine.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace program {
+
+/// Shows progress.
+struct Refinement_progress : IT::Refinement_visitor {
+  /// where to show it
+  Progress* line = nullptr;
+  /// is called while refining
+  bool progress(const IT::Refinement_counts& counts) {
+    line->show("refining: " + std::to_string(counts.inserted_vertices()) + " vertices inserted");
+    return true;
+  }
+};
+
+/// returns the least angle of the faces that are not in a list, in degrees.
+template <class Triangulation>
+double minimum_angle_without(
+    const Triangulation& t,
+    const std::vector<IT::Unsatisfied_face<typename Triangulation::face_descriptor>>& list) {
+  const auto& mesh = t.mesh();
+  std::vector<char> is_listed(t.numbers().face_capacity(mesh), 0);
+  for (const auto& u : list) is_listed[t.index(u.face)] = 1;
+  const auto squared_length = [&](auto h) {
+    return t.metric().approximate_squared_length(t.index(edge(h, mesh)));
+  };
+  double least = 180;
+  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
+    if (is_listed[t.index(f)] != 0) continue;
+    const auto h = halfedge(f, mesh), n = next(h, mesh);
+    const double a = squared_length(h), b = squared_length(n), c = squared_length(next(n, mesh));
+    const double cotangent_numerator = a + b + c - 2 * std::min({a, b, c});
+    least = std::min(
+        least, std::atan2(t.metric().approximate_quadruple_area(t.index(f)), cotangent_numerator) *
+                   (180 / std::numbers::pi));
+  }
+  return least;
+}
+
+/// refines the triangulation and reports it.
+template <class Triangulation>
+void refine(Triangulation& t, const Options& options, Json& json, Progress& progress) {
+  json["quality_before"] = quality_json(quality_of(t, check(t)));
+  Stopwatch watch;
+  Refinement_progress visitor;
+  visitor.line = &progress;
+  const auto result =
+      IT::delaunay_refine(t, options.refinement, CGAL::parameters::visitor(std::ref(visitor)));
+  json["seconds"]["refine"] = watch.lap();
+  const IT::Refinement_counts& counts = result.counts;
+  std::array<std::size_t, 4> reasons{};
+  for (const auto& u : result.unsatisfied) ++reasons[static_cast<std::size_t>(u.reason)];
+  json["refine"] = {{"status", result.status == IT::Refinement_status::done ? "done" : "cap"},
+                    {"asked_angle_deg", options.refinement.minimum_angle},
+                    {"insertions", counts.inserted_vertices()},
+                    {"circumcenters", counts.circumcenters},
+                    {"segment_splits", counts.segment_splits},
+                    {"removals", counts.removals},
+                    {"flips", counts.flips},
+                    {"refused", counts.refused},
+                    {"min_angle_deg", minimum_angle_without(t, result.unsatisfied)},
+                    {"unsatisfied_faces", result.unsatisfied.size()},
+                    {"unsatisfied",
+                     {{"needle", reasons[0]},
+                      {"small_angle", reasons[1]},
+                      {"refused", reasons[2]},
+                      {"stopped", reasons[3]}}}};
+}
+
+} // namespace program
+
+#endif // INTRINSIC_REFINE_H
