@@ -51,7 +51,10 @@ class Options(Cli_test):
     def test_wrong_usage(self):
         self.assert_misused()
         self.assert_misused("delaunay")
-        self.assert_misused("refine", self.mesh)
+        self.assert_misused("refine")
+        self.assert_misused("refine", self.mesh, "--min-angle", "60")
+        self.assert_misused("refine", self.mesh, "--max-circumradius", "0")
+        self.assert_misused("refine", self.mesh, "--laplacian", "l.txt")
         self.assert_misused("delaunay", self.mesh, "--arithmetic", "float")
         self.assert_misused("delaunay", self.mesh, "--mollification", "some")
         self.assert_misused("delaunay", self.mesh, "--mass", "m.mtx")

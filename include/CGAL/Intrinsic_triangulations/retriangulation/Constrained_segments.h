@@ -13,7 +13,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -28,7 +30,8 @@ less than 60 degrees at a vertex, splitting one at its midpoint may ask to split
 without end. Hence edges at such a vertex are split at distances from it that are powers of two, so that
 both get vertices at the same distances (Ruppert, A Delaunay refinement algorithm for quality
 2-dimensional mesh generation, 1995, section 5), and a face whose shortest side joins two such vertices is
-left alone (Shewchuk, Mesh generation for domains with small angles, 2000).
+left alone (Shewchuk, Mesh generation for domains with small angles, 2000). Between segments whose angle is
+below the bound for angles no face can be expected to meet it, whatever the distances.
 
 All elements are named by numbers, lengths are those of the numbered complex.
 */
@@ -50,13 +53,14 @@ public:
                          is_constrained});
   }
 
-  /// finds the vertices where two segments make a small angle. \complexity linear in their degrees
+  /// finds where two segments make a small angle. \complexity linear in the degrees of their ends
   template <class Complex>
   void find_small_angles(const Complex& complex) {
-    for (const Segment& s : segments_)
-      for (const std::uint32_t h : {s.halfedge, s.halfedge ^ 1U})
-        if (!complex.is_border(h) && makes_small_angle(complex, h))
-          has_small_angle_.insert(complex.source(h));
+    for (std::uint32_t s = 0; s < segments_.size(); ++s) {
+      for (const std::uint32_t end : segments_[s].ends) at_[end].push_back(s);
+      for (const std::uint32_t h : {segments_[s].halfedge, segments_[s].halfedge ^ 1U})
+        if (!complex.is_border(h)) find_small_angle(complex, h);
+    }
   }
 
   /// tells whether an edge is one, or a part of one.
@@ -109,21 +113,24 @@ public:
   }
 
   /*!
-  \brief tells whether two vertices were put at the same distance from a common end of two segments that
-  make a small angle there.
+  \brief tells whether two vertices are on the two sides of a small angle, neither at its corner: a line
+  between them is as short as the angle makes it.
+  \param v a vertex
+  \param w another
+  \param bound for angles below it, in radians, it is enough that they are on both sides; for others both
+  must be at the same distance from the corner
   */
-  bool are_across_small_angle(std::uint32_t v, std::uint32_t w) const {
-    const auto p = place_.find(v), q = place_.find(w);
-    if (p == place_.end() || q == place_.end() || p->second.segment == q->second.segment)
-      return false;
-    for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t j = 0; j < 2; ++j) {
-        const std::uint32_t end = segments_[p->second.segment].ends[i];
-        const double d = p->second.distance[i], e = q->second.distance[j];
-        if (end == segments_[q->second.segment].ends[j] && has_small_angle_.count(end) != 0 &&
-            std::abs(d - e) <= 0x1p-20 * d)
-          return true;
-      }
+  bool are_across_small_angle(std::uint32_t v, std::uint32_t w, double bound) const {
+    for (const std::uint32_t s : segments_of(v))
+      for (const std::uint32_t t : segments_of(w))
+        for (std::size_t i = 0; i < 2 && s != t; ++i) {
+          const std::uint32_t corner = segments_[s].ends[i];
+          const auto angle = small_angle_.find({corner, std::min(s, t), std::max(s, t)});
+          if (angle == small_angle_.end() || corner == v || corner == w) continue;
+          const std::size_t j = segments_[t].ends[0] == corner ? 0 : 1;
+          const double d = distance(s, i, v), e = distance(t, j, w);
+          if (angle->second < bound || std::abs(d - e) <= 0x1p-20 * d) return true;
+        }
     return false;
   }
 
@@ -153,17 +160,30 @@ private:
     return p == place_.end() ? segment.length : p->second.distance[end];
   }
 
-  // whether the next segment counterclockwise about the source is within 60 degrees
+  // the segments that a vertex is on
+  std::span<const std::uint32_t> segments_of(std::uint32_t vertex) const {
+    if (const auto p = place_.find(vertex); p != place_.end())
+      return std::span(&p->second.segment, 1);
+    const auto a = at_.find(vertex);
+    return a == at_.end() ? std::span<const std::uint32_t>() : std::span(a->second);
+  }
+
+  // the angle to the next segment counterclockwise about the source, if it is below 60 degrees
   template <class Complex>
-  bool makes_small_angle(const Complex& complex, std::uint32_t h) const {
+  void find_small_angle(const Complex& complex, std::uint32_t h) {
     double angle = 0;
     std::uint32_t g = h;
     do {
-      if (complex.is_border(g)) return false;
+      if (complex.is_border(g)) return;
       angle += angle_at_source(complex, g);
       g = next_around_source(complex, g);
     } while (angle < limit && !is_segment(g / 2));
-    return angle < limit;
+    if (!(angle < limit)) return;
+    const std::uint32_t corner = complex.source(h), s = segment_[h / 2], t = segment_[g / 2];
+    has_small_angle_.insert(corner);
+    const auto [known, is_new] =
+        small_angle_.insert({{corner, std::min(s, t), std::max(s, t)}, angle});
+    known->second = std::min(known->second, angle);
   }
 
   static constexpr double limit = std::numbers::pi / 3;
@@ -171,7 +191,10 @@ private:
   std::vector<std::uint32_t> segment_; // of an edge, or none
   std::vector<Segment> segments_;
   std::unordered_map<std::uint32_t, Place> place_; // of vertices put on segments
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>>
+      at_; // segments that end at a vertex
   std::unordered_set<std::uint32_t> has_small_angle_;
+  std::map<std::array<std::uint32_t, 3>, double> small_angle_; // by corner and two segments
 };
 
 } // namespace CGAL::Intrinsic_triangulations

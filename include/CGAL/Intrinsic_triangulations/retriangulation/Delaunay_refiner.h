@@ -168,9 +168,12 @@ private:
     const auto is_segment = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
     const Located_circumcenter c = locate_circumcenter(view_, h, is_segment);
     if (c.kind == Located_circumcenter::Kind::segment)
-      split(descriptor(c.segment), true);
-    else if (c.kind == Located_circumcenter::Kind::none || !insert(c.point))
+      split(descriptor(c.segment));
+    else if (c.kind == Located_circumcenter::Kind::none ||
+             !insert(c.point, least_distance(t_.numbers().face_at(f)))) {
       ++result_.counts.refused;
+      give_up();
+    }
     if (split_encroached()) check_touched();
   }
 
@@ -187,17 +190,48 @@ private:
     return is_going_on_;
   }
 
-  bool insert(const Surface_point& p) {
+  // inserts a vertex if it keeps its distance, squared, from others
+  bool insert(const Surface_point& p, double distance) {
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Status::done) return false;
     ++result_.counts.circumcenters;
     set_free(t_.index(n.vertex), true);
     suspect_star(n.vertex);
-    return flip();
+    if (!flip() || keeps_distance(n.vertex, distance)) return true;
+    remove(n.vertex);
+    flip();
+    return false;
   }
 
-  // splits a segment; `clears` says whether vertices near it are to be removed
-  bool split(Halfedge h, bool clears) {
+  // The circumcenter of a face of a Delaunay triangulation is a circumradius from all vertices, which for
+  // bounds up to 30 degrees is not below the shortest side: were rounding to break that, refinement might
+  // go on for ever. Squared, and a little less.
+  double least_distance(Face f) const {
+    const Indexed_face i = indexed(f);
+    const auto& m = t_.metric();
+    std::array<double, 3> l{};
+    for (std::size_t k = 0; k < 3; ++k) l[k] = m.approximate_squared_length(i.edges[k]);
+    const double a = m.approximate_quadruple_area(i.face);
+    return (1 - 0x1p-10) * std::min({l[0], l[1], l[2], l[0] / a * l[1] * (l[2] / a)});
+  }
+
+  // edges from the vertex to itself may be shorter, about vertices of small angle
+  bool keeps_distance(Vertex v, double squared) const {
+    bool keeps = true;
+    for_each_outgoing(v, [&](Halfedge h) {
+      keeps = keeps && (target(h, mesh_) == v || view_.squared_length(number(h) / 2) >= squared);
+    });
+    return keeps;
+  }
+
+  // leaves the faces alone that wait to be looked at, until they change again
+  void give_up() {
+    for (const Face f : touched_) queue_.remove(t_.index(f));
+    touched_.clear();
+  }
+
+  // splits a segment, and removes vertices near it
+  bool split(Halfedge h) {
     if (is_border(h)) h = opposite(h, mesh_);
     const std::uint32_t e = number(h) / 2;
     const double parameter = segments_.split_parameter(view_, number(h));
@@ -218,7 +252,7 @@ private:
     set_free(t_.index(n.vertex), false);
     suspect_star(n.vertex);
     if (!flip()) return false;
-    if (clears) remove_near(n.vertex, length);
+    remove_near(n.vertex, length);
     return is_going_on_;
   }
 
@@ -227,7 +261,7 @@ private:
     while (is_going_on_ && !encroached_.empty()) {
       const Halfedge h = encroached_.back();
       encroached_.pop_back();
-      if (is_segment(h) && !session_.is_locally_delaunay(h) && may_insert()) split(h, false);
+      if (is_segment(h) && !session_.is_locally_delaunay(h) && may_insert()) split(h);
     }
     return is_going_on_;
   }
@@ -301,7 +335,8 @@ private:
     std::vector<Halfedge> rim;
     std::vector<std::uint32_t> old;
     for_each_outgoing(v, [&](Halfedge h) {
-      rim.push_back(next(h, mesh_));
+      const Halfedge opposite_side = next(h, mesh_); // unless there is a loop, which goes
+      if (target(h, mesh_) != v && target(opposite_side, mesh_) != v) rim.push_back(opposite_side);
       old.push_back(t_.index(face(h, mesh_)));
     });
     const std::uint32_t number_of_v = t_.index(v);
@@ -319,7 +354,7 @@ private:
                                   }),
                    touched_.end());
     for (const std::uint32_t f : old) queue_.remove(f);
-    suspect_inside(rim);
+    if (!rim.empty()) suspect_inside(rim, old.size());
   }
 
   void suspect_face(Halfedge h) {
@@ -327,11 +362,11 @@ private:
     for (int k = 0; k < 3; ++k, h = next(h, mesh_)) flipper_.push(h);
   }
 
-  // all faces of a polygon that was a star: two less than sides
-  void suspect_inside(const std::vector<Halfedge>& rim) {
+  // all faces of a polygon that was a star: two less than the star had
+  void suspect_inside(const std::vector<Halfedge>& rim, std::size_t star) {
     std::vector<Halfedge> stack{rim.front()};
     std::vector<std::uint32_t> seen;
-    while (!stack.empty() && seen.size() + 2 < rim.size()) {
+    while (!stack.empty() && seen.size() + 2 < star) {
       const Halfedge h = stack.back();
       stack.pop_back();
       const std::uint32_t f = t_.index(face(h, mesh_));

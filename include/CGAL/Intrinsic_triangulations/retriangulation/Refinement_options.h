@@ -50,8 +50,8 @@ enum class Refinement_status {
 enum class Unsatisfied_reason {
   needle,      ///< it wraps around a vertex of degree one, whose total angle is below the bound
   small_angle, ///< it lies between constrained or border edges that make a small angle
-  refused,     ///< no vertex could be inserted or the way to the circumcenter was lost, by rounding
-  stopped      ///< refinement was stopped before
+  refused, ///< an insertion was refused, would have come too close to a vertex, or was lost, by rounding
+  stopped ///< refinement was stopped before
 };
 
 /*!

@@ -92,13 +92,14 @@ private:
   }
 
   // why the angle opposite side k is small
-  static Face_state why_small(const std::array<std::uint32_t, 3>& edges,
-                              const std::array<std::uint32_t, 3>& corners, std::size_t k,
-                              const Constrained_segments& segments) {
+  Face_state why_small(const std::array<std::uint32_t, 3>& edges,
+                       const std::array<std::uint32_t, 3>& corners, std::size_t k,
+                       const Constrained_segments& segments) const {
     const std::uint32_t e = edges[(k + 1) % 3], f = edges[(k + 2) % 3];
     if (e == f) return Face_state::needle;
     if (segments.is_segment(e) && segments.is_segment(f)) return Face_state::small_angle;
-    if (segments.are_across_small_angle(corners[k], corners[(k + 1) % 3]))
+    if (segments.are_across_small_angle(corners[k], corners[(k + 1) % 3],
+                                        std::atan(1 / cotangent_)))
       return Face_state::small_angle;
     return Face_state::bad;
   }
