@@ -220,7 +220,7 @@ TEST(Exact_vertex_moves, values_are_those_of_the_plane_after_random_moves) {
 
 // both in 512 bits: the widths of stored intervals are those of doubles
 void expect_stored_contains_history(const Exact& t) {
-  const IT::Exact_evaluation evaluation;
+  IT::Exact_evaluation evaluation;
   const CGAL::Protect_FPU_rounding<true> upwards;
   const auto null = boost::graph_traits<Gluing_map>::null_face();
   for (const Halfedge h : halfedges(t.mesh())) {
