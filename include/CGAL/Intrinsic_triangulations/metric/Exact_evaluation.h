@@ -48,7 +48,8 @@ private:
 \brief decides signs that floating point intervals leave open.
 
 Most of these values are zero, which a `Zero_test` tells. If not, values are recomputed from the
-input in intervals of 128 bits, of 512 if vertices have been inserted there, and the precision is doubled until the sign shows, which must
+input in intervals of 128 bits, of 512 if vertices have been inserted there, and the precision is
+doubled until the sign shows, which must
 happen if the value is proven not to be zero. One that is only probably zero counts as zero at 1024
 bits.
 */

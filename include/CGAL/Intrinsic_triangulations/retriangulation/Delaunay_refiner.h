@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Face_queue.h>
@@ -137,14 +138,24 @@ private:
       return session_.suspended([&] { return visitor_.is_bad(t_, f); });
   }
 
-  double priority(Face f) const {
-    if (options_.order == Refinement_order::first_come) return 0;
+  Face_values<double> approximation(Face f) const {
     const Indexed_face i = indexed(f);
     const auto& m = t_.metric();
-    std::array<double, 3> l{};
-    for (std::size_t k = 0; k < 3; ++k) l[k] = m.approximate_squared_length(i.edges[k]);
-    const double a = m.approximate_quadruple_area(i.face);
-    if (options_.order == Refinement_order::largest_first) return l[0] / a * l[1] * (l[2] / a);
+    return {{m.approximate_squared_length(i.edges[0]), m.approximate_squared_length(i.edges[1]),
+             m.approximate_squared_length(i.edges[2])},
+            m.approximate_quadruple_area(i.face)};
+  }
+
+  static double squared_circumradius(const Face_values<double>& v) {
+    const auto& [l, a] = v;
+    return l[0] / a * l[1] * (l[2] / a);
+  }
+
+  double priority(Face f) const {
+    if (options_.order == Refinement_order::first_come) return 0;
+    const Face_values<double> v = approximation(f);
+    if (options_.order == Refinement_order::largest_first) return squared_circumradius(v);
+    const auto& [l, a] = v;
     return (l[0] + l[1] + l[2] - 2 * std::min({l[0], l[1], l[2]})) / a;
   }
 
@@ -207,12 +218,9 @@ private:
   // bounds up to 30 degrees is not below the shortest side: were rounding to break that, refinement might
   // go on for ever. Squared, and a little less.
   double least_distance(Face f) const {
-    const Indexed_face i = indexed(f);
-    const auto& m = t_.metric();
-    std::array<double, 3> l{};
-    for (std::size_t k = 0; k < 3; ++k) l[k] = m.approximate_squared_length(i.edges[k]);
-    const double a = m.approximate_quadruple_area(i.face);
-    return (1 - 0x1p-10) * std::min({l[0], l[1], l[2], l[0] / a * l[1] * (l[2] / a)});
+    const Face_values<double> v = approximation(f);
+    const auto& l = v.squared_lengths;
+    return (1 - 0x1p-10) * std::min({l[0], l[1], l[2], squared_circumradius(v)});
   }
 
   // edges from the vertex to itself may be shorter, about vertices of small angle

@@ -22,17 +22,14 @@ public:
   /// pushes a face, whether it waits or not. \complexity logarithmic
   void push(std::uint32_t face, double priority) {
     resize(face);
+    if (ticket_[face] == 0) ++waiting_;
     ticket_[face] = ++tickets_;
     heap_.push({priority, tickets_, face});
-    ++waiting_;
-    if (is_waiting_[face]) --waiting_;
-    is_waiting_[face] = 1;
   }
 
   /// removes a face, if it waits.
   void remove(std::uint32_t face) {
-    if (face >= ticket_.size() || !is_waiting_[face]) return;
-    is_waiting_[face] = 0;
+    if (face >= ticket_.size() || ticket_[face] == 0) return;
     --waiting_;
     ticket_[face] = 0;
   }
@@ -72,13 +69,12 @@ private:
   void resize(std::uint32_t face) {
     if (face < ticket_.size()) return;
     ticket_.resize(face + std::size_t{1}, 0);
-    is_waiting_.resize(face + std::size_t{1}, 0);
     is_marked_.resize(face + std::size_t{1}, 0);
   }
 
   std::priority_queue<Entry> heap_;
-  std::vector<std::uint64_t> ticket_; // of the entry that is valid
-  std::vector<char> is_waiting_, is_marked_;
+  std::vector<std::uint64_t> ticket_; // of the entry that is valid; 0: the face does not wait
+  std::vector<char> is_marked_;
   std::uint64_t tickets_ = 0;
   std::size_t waiting_ = 0;
 };
