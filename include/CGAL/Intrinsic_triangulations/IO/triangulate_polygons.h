@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_TRIANGULATE_POLYGONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_TRIANGULATE_POLYGONS_H
 
-#include <CGAL/Intrinsic_triangulations/IO/Polygon_triangulator.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Polygon_triangulator.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Triangle_soup.h>
 
 #include <algorithm>

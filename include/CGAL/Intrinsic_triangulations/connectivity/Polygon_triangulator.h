@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_POLYGON_TRIANGULATOR_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_POLYGON_TRIANGULATOR_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_POLYGON_TRIANGULATOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_POLYGON_TRIANGULATOR_H
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -206,4 +206,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_POLYGON_TRIANGULATOR_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_POLYGON_TRIANGULATOR_H
