@@ -8,10 +8,12 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/scale_metric.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -334,11 +336,22 @@ TEST(Scale_metric, of_a_triangulation_scales_its_edges_as_they_are) {
   EXPECT_EQ(properties::connectivity(again), properties::connectivity(t));
 }
 
+TEST(Scale_metric, of_a_triangulation_takes_faces_without_area) {
+  meshes::Mesh m = meshes::with_cap(meshes::box(2, 1, 1), 3);
+  for (Vector& p : m.points) p = {p[0] / 3, p[1] / 7, p[2]}; // a cap up to rounding
+  const Exact t(m.input());
+  const IT::Metric_scaling_options repair{Triangle_inequality::repair, 1e-12};
+  // heights of the cap are near the root of rounding errors and of the margin
+  expect_near(IT::scale_by_norm(t, euclidean, repair).input.squared_lengths, squared_lengths(m),
+              1e-11);
+}
+
 // ---- the triangle inequality
 
-// corners (0, 0), (1, 0), (0, 1); an isolated vertex comes first, and a second triangle
+// corners (0, 0), (1, 0), (0, 1) in face 1; an isolated vertex comes first, face 0 is far away
 meshes::Mesh steep_mesh() {
-  return {{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{2, 4, 3}, {1, 2, 3}}};
+  return {{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {7, 7, 0}, {9, 7, 0}, {8, 9, 0}},
+          {{4, 5, 6}, {1, 2, 3}}};
 }
 const auto steep = [](Gluing_map::Vertex v) { return v.index == 1 || v.index == 2 ? 4.0 : 0.0; };
 
@@ -464,9 +477,12 @@ TEST(Scale_metric, keeps_edges_of_length_zero_without_asking_for_their_norm) {
     return 2 * l;
   };
   const std::vector<double> before = squared_lengths(m);
-  for (const IT::Scaled_metric& s :
-       {IT::scale_by_norm(m.input(), norm), IT::scale_by_norm_in_space(m.input(), norm),
-        IT::scale_conformally(m.input(), [](auto) { return std::log(2.0); })})
+  const auto twice = [](auto) { return std::log(2.0); };
+  // the two other sides of a face with a side of length zero are equal but for rounding
+  const IT::Metric_scaling_options repair{Triangle_inequality::repair};
+  for (const IT::Scaled_metric& s : {IT::scale_by_norm(m.input(), norm, repair),
+                                     IT::scale_by_norm_in_space(m.input(), norm, repair),
+                                     IT::scale_conformally(m.input(), twice, repair)})
     for (std::size_t e = 0; e < before.size(); ++e)
       EXPECT_NEAR(s.input.squared_lengths[e], 4 * before[e], 1e-14 * before[e]);
 }

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_triangulations/metric/local_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/metric/side_vectors.h>
 
 #include "slivers.h"
@@ -87,6 +88,11 @@ TEST(Side_vectors, of_a_face_whose_first_side_has_no_length_lie_on_the_x_axis) {
   EXPECT_EQ(IT::planar_sides(0, 4, 4), (IT::Side_vectors<2>{{{0, 0}, {2, 0}, {-2, 0}}}));
   EXPECT_EQ(IT::planar_sides({{{0, 0, 0}, {0, 2, 0}, {0, -2, 0}}}),
             (IT::Side_vectors<2>{{{0, 0}, {2, 0}, {-2, 0}}}));
+}
+
+TEST(Side_vectors, of_lengths_that_violate_the_triangle_inequality_have_no_height) {
+  for (const IT::Side_vectors<2>& v : {IT::planar_sides(1, 1, 9), IT::planar_sides(9, 1, 1)})
+    for (const auto& side : v) EXPECT_EQ(side[1], 0);
 }
 
 } // namespace

@@ -8,12 +8,12 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/scaling.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -19,7 +19,8 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// What is done where new lengths violate the triangle inequality (§4.8 of the course).
+/// What is done where new lengths violate the triangle inequality (§4.8 of the course). Faces without area
+/// may do so by rounding already: meshes that have some need `repair`.
 enum class Triangle_inequality {
   refuse, ///< an exception names the first face
   repair, ///< edges are shortened, see `shorten_edges()`

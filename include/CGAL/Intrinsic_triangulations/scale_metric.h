@@ -30,14 +30,15 @@
 New lengths for the edges of a surface: metric scaling (§4.8 of the course).
 
 The input is a mesh in space (any that `Intrinsic_input` takes), an `Intrinsic_input` (for gluings
-with squared lengths, and triangle soups), or an `Intrinsic_triangulation`, whose current edges count.
-The result is an abstract metric on the same triangles: vertices, edges and faces keep their order, so that
-element number n of the result is the n-th in the order of iteration of the mesh.
+with squared lengths, triangle soups, and other point maps), or an `Intrinsic_triangulation`, whose
+current edges count. The result is an abstract metric on the same triangles: element number n of the
+result, of reports and of errors is the n-th vertex, edge or face in the order of iteration of the mesh
+(of `mesh()`, if a triangulation is given).
 
-The new surface is *not* the old one: it has other areas, distances and cone angles. A triangulation that is
-built from it is its own input, and its correspondence is with the triangles of that; no
-point of it has coordinates in space. Points are taken to the old surface by barycentric coordinates in
-the faces of the new input, which are those of the mesh.
+The new surface is *not* the old one: it has other areas, distances and cone angles. A triangulation
+that is built from it is its own input, and its correspondence is with the triangles of that; no point
+of it has coordinates in space. What both surfaces share are the triangles of the mesh: a point of the
+new input, as a face and barycentric coordinates, names one of the old surface.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -99,8 +100,8 @@ Scaled_metric scale_conformally(Metric_source<Mesh>&& s, const Factors& factors,
   return finish_scaling(scaled_input(std::move(s), std::move(squared_lengths)), options);
 }
 
-// The mean over the sides of each edge of what `norm(face, vector)` says, squared; `sides(face number)` are
-// the vectors.
+// The mean over the sides of each edge of what `norm(face, vector)` says, squared. `sides(face number)`
+// are the vectors; it may refer to `s`, which is left as it is until the last line.
 template <class Mesh, class Sides, class Norm>
 Scaled_metric scale_by_norm(Metric_source<Mesh>&& s, const Sides& sides, const Norm& norm,
                             const Metric_scaling_options& options) {
@@ -135,8 +136,8 @@ Side_vectors<2> planar_sides_of_face(const Metric_source<Mesh>& s, std::uint32_t
   const std::array<std::uint32_t, 3> e = edges_of_face(s.map, f);
   const double a = s.squared_lengths[e[0]], b = s.squared_lengths[e[1]],
                c = s.squared_lengths[e[2]];
-  // a violation within rounding is zero area, as of faces without area that have been measured
-  if (squared_quadruple_area(a, b, c) < -0x1p-50 * (a + b + c) * (a + b + c))
+  // the lengths of a triangulation are rounded: those of a face without area may not be exact
+  if (std::is_same_v<Mesh, Intrinsic_input> && !squares_satisfy_triangle_inequality(a, b, c))
     throw Invalid_input(Element_kind::face, f,
                         "face " + std::to_string(f) +
                             " violates the triangle inequality before it is scaled; correct the "
@@ -154,7 +155,7 @@ Side_vectors<3> sides_of_face_in_space(const Metric_source<Mesh>& s, std::uint32
 template <class Mesh>
 Metric_source<Mesh> read_triangles(const Mesh& mesh) {
   Metric_source<Mesh> s = read_metric(mesh);
-  if constexpr (!std::is_same_v<Mesh, Intrinsic_input>)
+  if constexpr (std::is_same_v<typename Named_mesh<Mesh>::type, Mesh>)
     if (s.triangulated_polygons > 0) gluing_map_from_face_graph(mesh); // throws, and names one
   return s;
 }
@@ -162,11 +163,11 @@ Metric_source<Mesh> read_triangles(const Mesh& mesh) {
 } // namespace internal
 
 /*!
-\brief scales the metric of a surface by a conformal factor per vertex, l'_ij = exp((u_i + u_j) / 2) l_ij
-(§4.8 of the course).
+\brief scales the metric of a surface by a factor e^u_i per vertex, l'_ij = exp((u_i + u_j) / 2) l_ij.
 
-A constant u multiplies lengths by e^u and areas by e^2u. With u_i = -2 log |x_i| the result has the lengths
-between the points x_i inverted in the unit sphere, as |x_i / |x_i|^2 - x_j / |x_j|^2| = |x_i - x_j| / (|x_i| |x_j|).
+A constant u multiplies lengths by e^u and areas by e^2u. With u_i = -2 log |x_i| the result has the
+lengths between the points x_i inverted in the unit sphere: their distances are
+|x_i - x_j| / (|x_i| |x_j|).
 
 Polygonal faces are triangulated first, as `Intrinsic_input` does.
 \tparam Mesh see the file's description
@@ -176,8 +177,8 @@ Polygonal faces are triangulated first, as `Intrinsic_input` does.
 \param u the logarithmic factors
 \param options what is done about the triangle inequality
 \return the new metric and a report
-\throws Invalid_input naming a vertex with a factor that is not finite, an edge whose new squared length is
-  no normal `double`, or a face that violates the triangle inequality if the options say so
+\throws Invalid_input naming a vertex with a factor that is not finite, an edge whose new squared
+  length is no normal `double`, or a face that violates the triangle inequality if the options say so
 \complexity linear, and that of `shorten_edges()`
 */
 template <class Mesh, class Factors>
@@ -187,17 +188,17 @@ Scaled_metric scale_conformally(const Mesh& mesh, const Factors& u,
 }
 
 /*!
-\brief scales the metric of a surface by a norm per face, which may depend on the direction: the new length
-of an edge is that of its vector, averaged over the faces at the edge (§4.8 of the course).
+\brief scales the metric of a surface by a norm per face, which may depend on the direction: the new
+length of an edge is that of its vector, averaged over the faces at the edge (§4.8 of the course).
 
-The frame of a face: i, j are source and target of `halfedge(face, mesh)`, k is the third corner; the
-origin is at i, the x-axis runs along i -> j, and the y-axis is 90 degrees counterclockwise from
-it, so that k has y > 0 (that of `planar_layout()`). If i and j are in the same place, j -> k is on the x-axis.
+The frame of a face is that of `planar_layout()`: i and j are source and target of
+`halfedge(face, mesh)`, k is the third corner; i is the origin, j lies on the positive x-axis, k above
+it. If i and j are in the same place, k lies on the x-axis.
 
-The norm is asked once per side of each face that has a length, for its vector in the direction in which the
-face has it on its left: i -> j, j -> k, k -> i. On the border, one face counts; where both sides of an edge
-are in one face, the norms of two vectors of that face are averaged. `Tensor_norm` makes norms
-from tensors and from stretches.
+The norm is asked once for each side of each face that has a length, for the vector that runs along
+the side with the face on its left: i -> j, j -> k, k -> i. On the border one face counts; where both
+sides of an edge are in one face, the norms of two vectors of that face are averaged. `Tensor_norm`
+makes norms from tensors and from stretches.
 \tparam Mesh see the file's description; faces must be triangles
 \tparam Norm a functor: `norm(face_descriptor, Planar_vector<double>)` is a length, positive and
   homogeneous in the vector; descriptors as for `scale_conformally()`

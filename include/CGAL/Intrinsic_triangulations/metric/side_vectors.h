@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_SIDE_VECTORS_H
 
 #include <CGAL/Intrinsic_triangulations/metric/corner_angles.h>
-#include <CGAL/Intrinsic_triangulations/metric/local_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/metric/triangle_formulas.h>
 
 #include <array>
@@ -28,14 +27,15 @@ using Side_vectors = std::array<std::array<double, n>, 3>;
 /*!
 \brief computes the sides of a triangle from its squared lengths.
 
-Where `ij` has length zero, `jk` lies on the x-axis.
-\pre the triangle inequality, up to rounding
+Where `ij` has length zero, `jk` lies on the x-axis. Lengths that violate the triangle inequality give a
+triangle without area.
 \return the vectors; each coordinate has an error of a few u times the length of its side
 */
 inline Side_vectors<2> planar_sides(double L_ij, double L_jk, double L_ki) {
   if (L_ij == 0) return {{{0, 0}, {std::sqrt(L_jk), 0}, {-std::sqrt(L_ki), 0}}};
   const double l = std::sqrt(L_ij), two_l = l + l;
-  const double height = quadruple_area_from_squared_lengths(L_ij, L_jk, L_ki) / two_l;
+  const double squared_area = squared_quadruple_area(L_ij, L_jk, L_ki);
+  const double height = squared_area > 0 ? std::sqrt(squared_area) / two_l : 0;
   return {{{l, 0},
            {-twice_inner_product(L_ij, L_ki, L_jk) / two_l, height},
            {-twice_inner_product(L_ij, L_jk, L_ki) / two_l, -height}}};
