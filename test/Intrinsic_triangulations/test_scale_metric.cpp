@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "gallery.h"
-#include "mesh_types.h"
 #include "meshes.h"
 #include "properties.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
@@ -35,23 +37,10 @@ using Double = IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<doub
 using Long_double = IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<long double>>;
 using Vector = std::array<double, 3>;
 using Planar = IT::Planar_vector<double>;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
-
-template <class Mesh>
-Mesh mesh_of(const meshes::Mesh& m) {
-  Mesh mesh;
-  IT::copy_gluing_map(m.map(), mesh);
-  std::size_t i = 0;
-  for (const typename boost::graph_traits<Mesh>::vertex_descriptor v : vertices(mesh)) {
-    const Vector& p = m.points[i++];
-    if constexpr (requires { mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2])); })
-      mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2]));
-    else
-      put(get(CGAL::vertex_point, mesh), v, Kernel::Point_3(p[0], p[1], p[2]));
-  }
-  return mesh;
-}
 
 std::vector<double> squared_lengths(const meshes::Mesh& m) {
   const Gluing_map map = m.map();
@@ -87,6 +76,8 @@ const auto euclidean = [](auto, const auto& v) {
   for (const double x : v) sum += x * x;
   return std::sqrt(sum);
 };
+
+const auto smooth = [](const Vector& p) { return std::sin(p[0] + 2 * p[1]) + 0.3 * p[2]; };
 
 // ---- conformal factors
 
@@ -136,12 +127,19 @@ TEST(Scale_conformally, works_where_squared_lengths_alone_would_leave_the_range_
 }
 
 TEST(Scale_conformally, takes_property_maps) {
-  Surface_mesh mesh = mesh_of<Surface_mesh>(meshes::grid(3, 3));
+  Surface_mesh mesh;
+  const meshes::Mesh m = meshes::grid(3, 3);
+  for (const auto& p : m.points) mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+  using V = Surface_mesh::Vertex_index;
+  for (const auto& [a, b, c] : m.triangles) mesh.add_face(V(a), V(b), V(c));
   auto u = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:u", 0.5).first;
   const IT::Scaled_metric s = IT::scale_conformally(mesh, u);
-  for (std::size_t e = 0; e < s.input.squared_lengths.size(); ++e)
-    EXPECT_NEAR(s.input.squared_lengths[e], std::exp(1.0) * squared_lengths(meshes::grid(3, 3))[e],
-                1e-14);
+  std::size_t e = 0;
+  for (const Surface_mesh::Edge_index i : mesh.edges()) {
+    const auto h = mesh.halfedge(i);
+    const double d = CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+    EXPECT_NEAR(s.input.squared_lengths[e++], std::exp(1.0) * d, 1e-14);
+  }
 }
 
 TEST(Scale_conformally, triangulates_polygons_and_reports_them) {
@@ -277,53 +275,7 @@ TEST(Scale_by_norm, and_conformally_work_on_every_surface_of_the_gallery) {
   }
 }
 
-// ---- types of mesh
-
-template <class Mesh>
-class Scale_metric_of : public ::testing::Test {};
-TYPED_TEST_SUITE(Scale_metric_of, All_meshes);
-
-const auto smooth = [](const Vector& p) { return std::sin(p[0] + 2 * p[1]) + 0.3 * p[2]; };
-
-TYPED_TEST(Scale_metric_of, this_type_of_mesh_is_the_same_as_of_a_gluing_with_points) {
-  const meshes::Mesh m = meshes::potato(2, 6);
-  const auto point = [&m](Gluing_map::Vertex v) { return m.points[v.index]; };
-  const Tensor_norm g = Tensor_norm::from_stretches({1, 3}, 1.25, 1);
-  const auto spatial = [](auto, const Vector& v) { return length({1.5 * v[0], v[1], v[2]}); };
-  const IT::Metric_scaling_options repair{Triangle_inequality::repair, 1e-3};
-  const auto conformal = IT::scale_conformally(
-      m.input(), [&](auto v) { return smooth(point(v)); }, repair);
-  const auto planar = IT::scale_by_norm(
-      m.input(), [&](auto, const Planar& v) { return g(v); }, repair);
-  const auto space = IT::scale_by_norm_in_space(m.input(), spatial, repair);
-  if constexpr (!std::is_same_v<TypeParam, Gluing_map>) {
-    const TypeParam mesh = mesh_of<TypeParam>(m);
-    using Vertex = typename boost::graph_traits<TypeParam>::vertex_descriptor;
-    using Face = typename boost::graph_traits<TypeParam>::face_descriptor;
-    using Adaptor = IT::Mesh_adaptor<TypeParam>;
-    const auto u = [&](Vertex v) {
-      return smooth(Adaptor::coordinates(get(Adaptor::point_map(mesh), v)));
-    };
-    EXPECT_EQ(IT::scale_conformally(mesh, u, repair).input.squared_lengths,
-              conformal.input.squared_lengths);
-    EXPECT_EQ(IT::scale_by_norm(
-                  mesh, [&](Face, const Planar& v) { return g(v); }, repair)
-                  .input.squared_lengths,
-              planar.input.squared_lengths);
-    EXPECT_EQ(IT::scale_by_norm_in_space(mesh, spatial, repair).input.squared_lengths,
-              space.input.squared_lengths);
-  }
-  // triangulations on this type of mesh: from lengths that are rounded
-  const IT::Intrinsic_triangulation<TypeParam> t(m.input());
-  using Vertex = typename IT::Intrinsic_triangulation<TypeParam>::vertex_descriptor;
-  const auto u = [&](Vertex v) { return smooth(m.points[t.input_vertex(v)]); };
-  expect_near(IT::scale_conformally(t, u, repair).input.squared_lengths,
-              conformal.input.squared_lengths, 1e-13);
-  expect_near(IT::scale_by_norm(
-                  t, [&](auto, const Planar& v) { return g(v); }, repair)
-                  .input.squared_lengths,
-              planar.input.squared_lengths, 1e-13);
-}
+// ---- triangulations
 
 TEST(Scale_metric, of_a_triangulation_scales_its_edges_as_they_are) {
   Exact t(meshes::sheared_grid(5, 5, 3).input());
