@@ -408,6 +408,13 @@ TEST(Scale_metric, names_edges_whose_new_squared_length_is_no_double) {
       Element_kind::edge, 0, {"edge 0"});
 }
 
+TEST(Scale_metric, names_edges_whose_length_is_lost_against_the_mean_edge) {
+  meshes::Mesh m = meshes::grid(1, 1);
+  m.points[1] = {1e-170, 0, 0};
+  expect_invalid([&] { IT::scale_conformally(m.input(), [](auto) { return 0.0; }); },
+                 Element_kind::edge, 0, {"edge 0", "2^500"});
+}
+
 TEST(Scale_metric, needs_points_for_norms_in_space_and_lengths_that_form_triangles) {
   const IT::Intrinsic_input in(Gluing_map(gallery::triangle().gluing),
                                std::vector<double>{1, 1, 1});

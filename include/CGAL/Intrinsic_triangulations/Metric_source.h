@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -83,9 +84,18 @@ struct Metric_source {
     points = std::move(in.points);
     scale_exponent = scale_points(map, points);
     squared_lengths.reserve(map.number_of_edges());
-    for (std::uint32_t e = 0; e < map.number_of_edges(); ++e)
-      squared_lengths.push_back(Input_metric::squared_distance<double>(
-          points[map.source({2 * e}).index], points[map.target({2 * e}).index]));
+    for (std::uint32_t e = 0; e < map.number_of_edges(); ++e) measure_edge(e);
+  }
+
+  void measure_edge(std::uint32_t e) {
+    const std::array<double, 3>&p = points[map.source({2 * e}).index],
+                             &q = points[map.target({2 * e}).index];
+    squared_lengths.push_back(Input_metric::squared_distance<double>(p, q));
+    if (squared_lengths.back() < std::numeric_limits<double>::min() && p != q)
+      throw Invalid_input(Element_kind::edge, e,
+                          "edge " + std::to_string(e) +
+                              " is more than 2^500 times shorter than the mean edge; move its "
+                              "vertices to the same place, or apart");
   }
 
   // from the source of a halfedge to its target, scaled

@@ -57,7 +57,7 @@ struct Scaled_metric {
 
 namespace internal {
 
-inline std::string shortest_text(double x) {
+inline std::string text_of_length(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", x);
   return text;
@@ -71,7 +71,7 @@ inline std::string shortest_text(double x) {
   for (std::size_t k = 0; k < 3; ++k, h = in.mesh.next(h)) {
     const char* separator = k == 0 ? "" : k == 1 ? ", " : " and ";
     vertices += separator + std::to_string(in.mesh.source(h).index);
-    lengths += separator + shortest_text(std::sqrt(in.squared_lengths[e[k]]));
+    lengths += separator + text_of_length(std::sqrt(in.squared_lengths[e[k]]));
   }
   throw Invalid_input(Element_kind::face, f,
                       "face " + std::to_string(f) +

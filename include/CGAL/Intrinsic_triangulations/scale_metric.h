@@ -119,7 +119,7 @@ Scaled_metric scale_by_norm(Metric_source<Mesh>&& s, const Sides& sides, const N
       if (!std::isfinite(length) || !(length > 0))
         throw Invalid_input(Element_kind::face, f,
                             "face " + std::to_string(f) + " has a norm that gives its side " +
-                                std::to_string(k) + " the length " + shortest_text(length) +
+                                std::to_string(k) + " the length " + text_of_length(length) +
                                 "; give one that is positive and finite");
       sum[e[k]] += length;
     }
