@@ -24,6 +24,8 @@ All of the package that needs neither Eigen nor OpenMesh. Operators are in
 #include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/measure_quality.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/odt_energy.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/odt_optimize.h>
 #include <CGAL/Intrinsic_triangulations/scale_metric.h>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_H

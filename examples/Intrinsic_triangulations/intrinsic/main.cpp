@@ -124,6 +124,12 @@ void add_refine(CLI::App& app, Options& options, Command& chosen) {
           "which face comes next: largest (default), worst or first")
       ->check(CLI::IsMember({"largest", "worst", "first"}));
   command
+      .add_option(
+          "--odt", options.odt_length,
+          "then move inserted vertices to an optimal Delaunay triangulation, and split edges "
+          "longer than this")
+      ->check(CLI::PositiveNumber);
+  command
       .add_option("--laplacian", options.laplacian,
                   "write the Laplacian of the refined triangulation in Matrix Market format")
       ->check(extension(".mtx", "matrices in Matrix Market format"));

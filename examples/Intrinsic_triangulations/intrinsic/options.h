@@ -26,6 +26,7 @@ struct Options {
   std::string mass_kind = "lumped";        ///< `lumped` or `galerkin`
   std::string stats;                       ///< empty: none; `-`: standard output
   std::string laplacian;                   ///< of the refined triangulation; empty: none
+  double odt_length = 0; ///< target of `odt_optimize()` after refinement; 0: it is not called
   bool no_flip = false;
   bool refines = false;
   CGAL::Intrinsic_triangulations::Refinement_options refinement{.minimum_angle = 30};

@@ -10,6 +10,7 @@
 #include "statistics.h"
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay_refine.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/odt_optimize.h>
 
 #include <algorithm>
 #include <array>
@@ -32,6 +33,35 @@ struct Refinement_progress : IT::Refinement_visitor {
     return true;
   }
 };
+
+/// Shows progress.
+struct Odt_progress {
+  /// where to show it
+  Progress* line = nullptr;
+  /// is called while vertices are moved
+  bool progress(const IT::Odt_result& r) {
+    line->show("moving vertices: iteration " + std::to_string(r.iterations));
+    return true;
+  }
+};
+
+/// moves inserted vertices, and reports it.
+template <class Triangulation>
+void optimize(Triangulation& t, const Options& options, Json& json, Progress& progress) {
+  Stopwatch watch;
+  Odt_progress visitor{&progress};
+  const auto result = IT::odt_optimize(t, {.target_length = options.odt_length},
+                                       CGAL::parameters::visitor(std::ref(visitor)));
+  json["seconds"]["odt"] = watch.lap();
+  json["odt"] = {{"status", result.status == IT::Odt_status::converged ? "converged" : "cap"},
+                 {"target_length", options.odt_length},
+                 {"iterations", result.iterations},
+                 {"splits", result.splits},
+                 {"moves", result.moves},
+                 {"refused", result.refused},
+                 {"energy_before", result.energy_before},
+                 {"energy_after", result.energy_after}};
+}
 
 /// returns the least angle of the faces that are not in a list, in degrees.
 template <class Triangulation>
@@ -85,6 +115,7 @@ void refine(Triangulation& t, const Options& options, Json& json, Progress& prog
                       {"small_angle", reasons[1]},
                       {"refused", reasons[2]},
                       {"stopped", reasons[3]}}}};
+  if (options.odt_length > 0) optimize(t, options, json, progress);
 }
 
 } // namespace program

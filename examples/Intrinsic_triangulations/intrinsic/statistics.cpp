@@ -146,6 +146,11 @@ void print_summary(std::ostream& stream, const Json& json) {
                       << refine["unsatisfied_faces"] << " faces; "
                       << refine["status"].get<std::string>() << '\n';
   }
+  if (json.contains("odt"))
+    row("optimal Delaunay") << json["odt"]["splits"] << " splits, " << json["odt"]["moves"]
+                            << " moves, energy from " << json["odt"]["energy_before"] << " to "
+                            << json["odt"]["energy_after"] << "; "
+                            << json["odt"]["status"].get<std::string>() << '\n';
   const Json& quality = json["quality"];
   row("angles") << quality["min_angle_deg"] << " to " << quality["max_angle_deg"] << " degrees\n";
   row("cotan weights") << "from " << quality["min_cotan_weight"] << ", trace of the Laplacian "

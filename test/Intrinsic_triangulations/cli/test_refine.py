@@ -70,6 +70,15 @@ class Refine(Cli_test):
         faces_now = sum(stats["quality"]["angle_histogram"]) / 3
         self.assertGreaterEqual(faces_now * largest, stats["area"]["input"])
 
+    def test_optimal_delaunay_triangulation_follows(self):
+        stats = self.stats("refine", self.mesh, "--arithmetic", "double", "--odt", "0.2")
+        odt = stats["odt"]
+        self.assertEqual(odt["status"], "converged")
+        self.assertGreater(odt["moves"], 0)
+        self.assertLess(odt["energy_after"], odt["energy_before"])
+        self.assertEqual(stats["delaunay"]["non_delaunay_edges"], 0)
+        self.assert_close(stats["area"]["intrinsic"], stats["area"]["input"], 1e-12)
+
     def test_cap_is_reported(self):
         stats = self.stats("refine", self.mesh, "--max-insertions", "3")
         self.assertEqual(stats["refine"]["status"], "cap")
