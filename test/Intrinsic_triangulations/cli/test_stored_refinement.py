@@ -68,7 +68,7 @@ class Replay:
             t = sides[0] + sides[2] - sides[1]
             self.version.append((sides, (4 * sides[0] * sides[2] - t * t).sqrt()))
         for words in stored.moves:
-            self.move(words[0], words[1:])
+            getattr(self, words[0])(words[1:])
 
     def face(self, words):
         """Squared lengths from a side on, and the area."""
@@ -76,9 +76,6 @@ class Replay:
         lengths, area = self.version[version]
         self.version[version] = None  # consumed
         return [*(lengths[slot:] + lengths[:slot]), area]
-
-    def move(self, kind, words):
-        getattr(self, kind)(words)
 
     def flip(self, words):
         ij, jk, ki, f = self.face(words)
@@ -245,12 +242,11 @@ class Stored_refinement(Cli_test):
 
     def entries(self, name):
         """The entries of a matrix, without empty rows, which numbers with gaps leave."""
-        rows = [line.split() for line in open(self.path(name), encoding="ascii")
-                if line[0] != "%"][1:]
+        with open(self.path(name), encoding="ascii") as file:
+            rows = [line.split() for line in file if line[0] != "%"][1:]
         used = sorted({int(i) for i, j, x in rows if float(x) != 0})
         rank = {i: n for n, i in enumerate(used)}
-        return {(rank[int(i)], rank[int(j)]): float.fromhex(x) if "x" in x else float(x)
-                for i, j, x in rows if int(i) in rank}
+        return {(rank[int(i)], rank[int(j)]): float(x) for i, j, x in rows if int(i) in rank}
 
     def test_a_file_does_not_know_the_mesh(self):
         points, faces = icosphere(1)
