@@ -8,6 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/IO/read_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/write_intrinsic_triangulation.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -39,10 +41,12 @@ Triangulation from_text(const std::string& s) {
 /// The signs of all inner edges, in their order.
 template <class Triangulation>
 std::vector<CGAL::Sign> delaunay_signs(Triangulation& t) {
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
   std::vector<CGAL::Sign> signs;
   for (const auto e : edges(t.mesh())) {
     const auto h = halfedge(e, t.mesh());
-    if (t.flip_status(h) != IT::Move_status::border) signs.push_back(t.delaunay_sign(h));
+    if (face(h, t.mesh()) != null && face(opposite(h, t.mesh()), t.mesh()) != null)
+      signs.push_back(t.delaunay_sign(h));
   }
   return signs;
 }

@@ -400,6 +400,11 @@ TEST(Stored_vertex_moves_in_a_file, are_refused_where_counts_or_values_do_not_fi
     for (const std::size_t other : {number - 1, number + 1, std::size_t(4000000000U)})
       expect_refused(s.substr(0, at) + std::to_string(other) + s.substr(s.find('\n', at)), "");
   }
+  // an abstract metric does not say how many vertices the input has, but the moves do
+  Exact torus(input_of(gallery::one_vertex_torus()));
+  torus.insert_vertex(halfedge(*faces(torus.mesh()).begin(), torus.mesh()), {0.25, 0.25, 0.5});
+  ASSERT_EQ(message_of(text(torus)), "");
+  expect_refused(replaced(text(torus), "\n- ", "\n1 "), "there are 0");
   // a coordinate of the input that changes the values
   const std::size_t points = s.find("points 9\n") + 9;
   const std::size_t end = s.find(' ', points);

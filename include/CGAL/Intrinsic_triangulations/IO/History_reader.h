@@ -52,8 +52,13 @@ public:
     }
   }
 
-  void read_versions(const std::vector<FT>& squared_lengths, const std::vector<FT>& areas) {
+  // `inserted` is the number of vertices that are not of the input
+  void read_versions(std::uint32_t inserted, const std::vector<FT>& squared_lengths,
+                     const std::vector<FT>& areas) {
     const std::uint32_t faces = mesh_.number_of_faces();
+    if (inserted_ != std::int64_t{inserted})
+      in_.fail("the moves leave " + std::to_string(inserted_) +
+               " inserted vertices, but there are " + std::to_string(inserted));
     if (read_count(in_, "versions", faces) != faces) in_.fail("every face needs its version");
     if (replay_.number_of_current_versions() != faces)
       in_.fail("the moves leave " + std::to_string(replay_.number_of_current_versions()) +
@@ -96,6 +101,7 @@ private:
       in_.fail("the weights are no multiples of 2^-52 that sum to 1, or all but one vanish");
     check(replay_.vertex_move(name->kind, parents, weights));
     history.record_vertex_move(name->kind, parents, weights);
+    inserted_ += name->weights > 0 ? 1 : -1;
   }
 
   void check(const std::string& error) const {
@@ -150,6 +156,7 @@ private:
   Text_reader& in_;
   const Gluing_map& mesh_;
   History_replay replay_;
+  std::int64_t inserted_ = 0;
   std::vector<std::uint32_t> edge_; // what the history calls each edge of the mesh
 };
 

@@ -178,7 +178,8 @@ private:
           read_input(in_, connectivity_.mesh, input_vertices, scale_exponent));
       History_reader history(in_, connectivity_.mesh, *input);
       history.read_moves(format_version_);
-      history.read_versions(squared_lengths_, areas_);
+      history.read_versions(connectivity_.mesh.number_of_vertices() - input_vertices,
+                            squared_lengths_, areas_);
       return Metric(std::move(input), std::move(history.history), std::move(history.versions),
                     std::move(squared_lengths_), std::move(areas_), std::move(near_lengths_),
                     std::move(near_areas_));
