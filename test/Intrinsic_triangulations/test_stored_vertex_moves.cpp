@@ -400,6 +400,21 @@ TEST(Stored_vertex_moves_in_a_file, are_refused_where_counts_or_values_do_not_fi
     for (const std::size_t other : {number - 1, number + 1, std::size_t(4000000000U)})
       expect_refused(s.substr(0, at) + std::to_string(other) + s.substr(s.find('\n', at)), "");
   }
+  // halfedges of vertices, from which walks around them start
+  const std::size_t vertex = s.find("\n0 ") + 3;
+  expect_refused(s.substr(0, vertex) + "-" + s.substr(s.find('\n', vertex)), "needs a halfedge");
+  const auto inner = [] { // of the first vertex, which is on the border
+    const Exact t(meshes::rough_grid(2, 3).input());
+    for (const auto h : halfedges(t.mesh()))
+      if (target(h, t.mesh()).index == 0 && face(h, t.mesh()).index != IT::Gluing::none)
+        return h.index;
+    return IT::Gluing::none;
+  }();
+  const std::string plain = text(Exact(meshes::rough_grid(2, 3).input()));
+  const std::size_t first = plain.find("\n0 ") + 3;
+  expect_refused(plain.substr(0, first) + std::to_string(inner) +
+                     plain.substr(plain.find('\n', first)),
+                 "not on the border");
   // an abstract metric does not say how many vertices the input has, but the moves do
   Exact torus(input_of(gallery::one_vertex_torus()));
   torus.insert_vertex(halfedge(*faces(torus.mesh()).begin(), torus.mesh()), {0.25, 0.25, 0.5});

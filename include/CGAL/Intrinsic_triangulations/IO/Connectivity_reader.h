@@ -146,6 +146,18 @@ private:
         in_.fail("the halfedge of vertex " + std::to_string(v) + " does not end there");
       mesh.set_halfedge(Gluing_map::Vertex{v}, {h});
     }
+    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h) check_halfedge_of_target(h);
+  }
+
+  // walks around vertices start from their halfedges, and end on the border
+  void check_halfedge_of_target(std::uint32_t h) const {
+    const Gluing_map::Vertex v = mesh.target({h});
+    const Gluing_map::Halfedge first = mesh.halfedge(v);
+    if (first.index == Gluing::none)
+      in_.fail("vertex " + std::to_string(v.index) + " has faces and needs a halfedge");
+    if (mesh.face({h}).index == Gluing::none && mesh.face(first).index != Gluing::none)
+      in_.fail("the halfedge of vertex " + std::to_string(v.index) +
+               " is not on the border, but the vertex is");
   }
 
   Text_reader& in_;

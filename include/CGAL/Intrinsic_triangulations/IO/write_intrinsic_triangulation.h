@@ -34,7 +34,9 @@ class Intrinsic_triangulation_writer {
 
 public:
   Intrinsic_triangulation_writer(std::ostream& out, const Triangulation& t)
-      : out_(out), t_(t), numbers_(t), mesh_(numbered_copy(t.mesh(), numbers_)) {}
+      : out_(out), t_(t), numbers_(t), mesh_(numbered_copy(t.mesh(), numbers_)) {
+    prefer_border_halfedges();
+  }
 
   void run() {
     write_header();
@@ -53,6 +55,16 @@ public:
   }
 
 private:
+  // the format asks for this at vertices, whatever a mesh does
+  void prefer_border_halfedges() {
+    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h) {
+      const Gluing_map::Vertex v = mesh_.target({h});
+      if (mesh_.face({h}).index == Gluing::none &&
+          mesh_.face(mesh_.halfedge(v)).index != Gluing::none)
+        mesh_.set_halfedge(v, {h});
+    }
+  }
+
   void write_header() {
     const Input_report& report = t_.report();
     const auto kind =
