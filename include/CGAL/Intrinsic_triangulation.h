@@ -240,13 +240,23 @@ public:
   \param metric values for its edges and faces
   \param renumbering the way back to the numbers of the input
   \param report what was done to the input
+  \param input_vertices how many vertices are those of the input, which come first; the others were
+  inserted
+  \pre there is no correspondence, or no vertex was inserted
   */
   Intrinsic_triangulation(Gluing_map map, Metric metric, Renumbering renumbering,
-                          const Input_report& report)
+                          const Input_report& report, std::uint32_t input_vertices)
       : mesh_(make_mesh(std::move(map))), number_(mesh_), metric_(std::move(metric)),
-        renumbering_(std::move(renumbering)), report_(report) {
-    input_vertices_ = static_cast<std::uint32_t>(num_vertices(mesh_));
+        renumbering_(std::move(renumbering)), report_(report), input_vertices_(input_vertices) {
     correspondence_.start(*this);
+  }
+
+  /// restores a triangulation in which no vertex was inserted, see above.
+  Intrinsic_triangulation(Gluing_map map, Metric metric, Renumbering renumbering,
+                          const Input_report& report)
+      : Intrinsic_triangulation(std::move(map), std::move(metric), std::move(renumbering), report,
+                                0) {
+    input_vertices_ = static_cast<std::uint32_t>(num_vertices(mesh_));
   }
 
   /// copies everything; elements keep their numbers.
@@ -298,6 +308,8 @@ public:
   std::uint32_t index(vertex_descriptor v) const { return number_.vertex(v); }
   /// tells whether a vertex was inserted: it is not one of the input.
   bool is_inserted(vertex_descriptor v) const { return index(v) >= input_vertices_; }
+  /// returns the number of vertices of the input, which come before inserted ones.
+  std::uint32_t number_of_input_vertices() const { return input_vertices_; }
   /// returns the number of an edge: from 0, dense, unchanged by flips.
   std::uint32_t index(edge_descriptor e) const { return number_.halfedge(halfedge(e, mesh_)) / 2; }
   /// returns the number of a face: from 0, dense, unchanged by flips.

@@ -6,7 +6,6 @@
 #include "properties.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/IO/write_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/History_zero_test.h>
@@ -25,7 +24,6 @@
 #include <map>
 #include <random>
 #include <span>
-#include <sstream>
 #include <vector>
 
 // Insertions and removals of vertices with exact traits.
@@ -417,16 +415,6 @@ TEST(Exact_vertex_moves, vague_intervals_of_faces_are_sharpened) {
   }
   EXPECT_GT(widest, 0x1p-40); // there was something to do
   expect_stored_contains_history(t);
-}
-
-TEST(Exact_vertex_moves, a_history_with_vertices_is_not_written_by_halves) {
-  Exact t(meshes::grid(2, 2).input());
-  const auto n = t.insert_vertex(halfedges_with_face(t).front(), {0.25, 0.25, 0.5});
-  std::ostringstream out;
-  EXPECT_THROW(IT::write_intrinsic_triangulation(out, t), IT::Invalid_input);
-  ASSERT_EQ(t.remove_vertex(n.vertex), Move_status::done);
-  EXPECT_THROW(IT::write_intrinsic_triangulation(out, t), IT::Invalid_input);
-  EXPECT_TRUE(out.str().empty());
 }
 
 } // namespace

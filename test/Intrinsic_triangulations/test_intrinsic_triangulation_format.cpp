@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "gallery.h"
+#include "stored_triangulations.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/read_intrinsic_triangulation.h>
@@ -27,8 +28,13 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits>;
-using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
+using stored::delaunay_signs;
+using stored::Double;
+using stored::Exact;
+using stored::from_text;
+using stored::message_of;
+using stored::replaced;
+using stored::text;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 using Points = std::vector<std::array<double, 3>>;
 
@@ -60,19 +66,6 @@ IT::Intrinsic_input terrain(std::uint32_t n, bool integer) {
 }
 
 template <class Triangulation>
-std::string text(const Triangulation& t) {
-  std::ostringstream out;
-  IT::write_intrinsic_triangulation(out, t);
-  return out.str();
-}
-
-template <class Triangulation>
-Triangulation from_text(const std::string& s) {
-  std::istringstream in(s);
-  return IT::read_intrinsic_triangulation<Triangulation>(in, "file.idt");
-}
-
-template <class Triangulation>
 unsigned flip_at_random(Triangulation& t, unsigned attempts, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_int_distribution<std::uint32_t> side(0, std::uint32_t(num_halfedges(t.mesh())) - 1);
@@ -83,31 +76,6 @@ unsigned flip_at_random(Triangulation& t, unsigned attempts, unsigned seed) {
                  ? 1
                  : 0;
   return flips;
-}
-
-template <class Triangulation>
-std::vector<CGAL::Sign> delaunay_signs(Triangulation& t) {
-  std::vector<CGAL::Sign> signs;
-  for (const auto e : edges(t.mesh())) {
-    const auto h = halfedge(e, t.mesh());
-    if (t.flip_status(h) != IT::Move_status::border) signs.push_back(t.delaunay_sign(h));
-  }
-  return signs;
-}
-
-std::string message_of(const std::string& file) {
-  try {
-    from_text<Exact>(file);
-  } catch (const IT::Invalid_input& e) {
-    return e.what();
-  }
-  return "";
-}
-
-std::string replaced(std::string s, const std::string& from, const std::string& to) {
-  const std::size_t i = s.find(from);
-  EXPECT_NE(i, std::string::npos) << from;
-  return s.replace(i, from.size(), to);
 }
 
 } // namespace
@@ -234,14 +202,14 @@ TEST(Intrinsic_triangulation_format, every_truncation_is_noticed) {
 TEST(Intrinsic_triangulation_format, damage_is_reported_with_file_and_line) {
   const std::string s = text(Exact(terrain(1, false)));
   ASSERT_EQ(message_of(s), "");
-  EXPECT_EQ(message_of(replaced(s, "IDT 1", "OFF")).rfind("file.idt:1: ", 0), 0U);
-  EXPECT_NE(message_of(replaced(s, "IDT 1", "IDT 9")).find("version 9"), std::string::npos);
+  EXPECT_EQ(message_of(replaced(s, "IDT 2", "OFF")).rfind("file.idt:1: ", 0), 0U);
+  EXPECT_NE(message_of(replaced(s, "IDT 2", "IDT 9")).find("version 9"), std::string::npos);
   EXPECT_NE(message_of(replaced(s, "exact", "rational")).find("rational"), std::string::npos);
   EXPECT_NE(message_of(replaced(s, "exact", "double")).find("double arithmetic"),
             std::string::npos);
   EXPECT_EQ(message_of(replaced(s, "vertices 5", "vertices 4")).rfind("file.idt:", 0), 0U);
   EXPECT_NE(message_of(replaced(s, "faces 2", "faces 4000000000")), "");
-  EXPECT_NE(message_of(replaced(s, "flips 0", "flips 400000000")), "");
+  EXPECT_NE(message_of(replaced(s, "moves 0", "moves 400000000")), "");
   EXPECT_NE(message_of(replaced(s, "points 5", "points 6")).find("must be 5"), std::string::npos);
   EXPECT_NE(message_of(replaced(s, "delta 0x0p+0", "delta -0x1p-3")).find("negative"),
             std::string::npos);
@@ -271,4 +239,112 @@ TEST(Intrinsic_triangulation_format, no_single_changed_digit_crashes_the_reader)
 TEST(Intrinsic_triangulation_format, other_arithmetic_is_refused) {
   const std::string s = text(Double(terrain(1, false)));
   EXPECT_NE(message_of(s).find("stored in double arithmetic"), std::string::npos);
+}
+
+// A strip of three faces and an isolated vertex after one flip, as version 1 of the format was written.
+namespace {
+
+const char* const exact_of_version_1 = R"(IDT 1 exact
+scale -1
+degenerate_faces 0
+mollification none 0x0p+0
+renumbered 0
+vertices 6
+0 1
+1 7
+2 5
+3 11
+4 13
+5 -
+edges 7
+0x1p+2 0x1p+2 0x1p+2
+0x1.4p-2 0x1.4p-2 0x1.4p-2
+0x1.a8p+1 0x1.a8p+1 0x1.a8p+1
+0x1.bp+1 0x1.bp+1 0x1.bp+1
+0x1.c892b54cf5d08p+1 0x1.c892b54cf5d27p+1 0x1.c892b54cf5d1ap+1
+0x1.08p-1 0x1.08p-1 0x1.08p-1
+0x1.bap+1 0x1.bap+1 0x1.bap+1
+faces 3
+0 2 4 0 1 2 0 0x1.ffffffffffffp+0 0x1.0000000000008p+1 0x1p+1
+8 12 3 1 4 2 1 0x1.08b6c4fa052e7p+1 0x1.08b6c4fa052fdp+1 0x1.08b6c4fa052f4p+1
+9 6 10 4 1 3 2 0x1.4f28cd25e7a2p+1 0x1.4f28cd25e7a3fp+1 0x1.4f28cd25e7a31p+1
+border 5
+1 5
+5 13
+7 1
+11 7
+13 11
+points 6
+0x0p+0 0x0p+0 0x0p+0
+0x1p+1 0x0p+0 0x0p+0
+0x1.cp+0 0x1p-1 0x0p+0
+0x1.ep+1 0x1p-1 0x1p-2
+0x1.cp+1 0x1.2p+0 0x0p+0
+0x0p+0 0x0p+0 0x1.4p+1
+delta 0x0p+0
+sides 3
+0 1 2
+1 3 2
+2 3 4
+flips 1
+1 1 2 0
+versions 3
+0 0
+3 4
+4 4
+end
+)";
+
+const char* const double_of_version_1 = R"(IDT 1 double
+scale -1
+degenerate_faces 0
+mollification none 0x0p+0
+renumbered 0
+vertices 6
+0 1
+1 7
+2 5
+3 11
+4 13
+5 -
+edges 7
+0x1p+2
+0x1.4p-2
+0x1.a8p+1
+0x1.bp+1
+0x1.c892b54cf5d18p+1
+0x1.08p-1
+0x1.bap+1
+faces 3
+0 2 4 0 1 2 0 0x1p+1
+8 12 3 1 4 2 1 0x1.08b6c4fa052f1p+1
+9 6 10 4 1 3 2 0x1.4f28cd25e7a3p+1
+border 5
+1 5
+5 13
+7 1
+11 7
+13 11
+end
+)";
+
+} // namespace
+
+TEST(Intrinsic_triangulation_format, version_1_is_read) {
+  Exact exact = from_text<Exact>(exact_of_version_1);
+  Double inexact = from_text<Double>(double_of_version_1);
+  EXPECT_EQ(exact.number_of_input_vertices(), 6U);
+  EXPECT_EQ(exact.metric().history().number_of_flips(), 1U);
+  EXPECT_EQ(text(from_text<Exact>(text(exact))), text(exact));
+  EXPECT_EQ(text(from_text<Double>(text(inexact))), text(inexact));
+  // what the program says today about the mesh that was written then
+  IT::Intrinsic_input input(
+      IT::Gluing_map(IT::gluing_from_triangles(6, Triangles{{0, 1, 2}, {1, 3, 2}, {2, 3, 4}})),
+      Points{{0, 0, 0}, {4, 0, 0}, {3.5, 1, 0}, {7.5, 1, 0.5}, {7, 2.25, 0}, {0, 0, 5}});
+  Exact again(input);
+  IT::flip_to_delaunay(again);
+  EXPECT_EQ(text(exact), text(again));
+  EXPECT_EQ(delaunay_signs(exact), delaunay_signs(again));
+  EXPECT_NE(message_of(replaced(exact_of_version_1, "1 1 2 0\n", "1 1 2 1\n")), "");
+  EXPECT_NE(message_of(replaced(exact_of_version_1, "5 -\n", "- -\n")), "");
 }

@@ -8,10 +8,8 @@
 
 namespace program {
 
-/// flips to Delaunay and writes the intrinsic triangulation.
+/// flips to Delaunay, refines if that is asked for, and writes the intrinsic triangulation.
 void run_delaunay(const Options& options);
-/// flips to Delaunay, refines, and writes the refined triangulation.
-void run_refine(const Options& options);
 /// flips to Delaunay unless told not to and writes Laplacian and mass matrix.
 void run_laplacian(const Options& options);
 /// describes a mesh or an intrinsic triangulation, as it is.

@@ -31,11 +31,4 @@ void run_delaunay(const Options& options) {
     run_delaunay_with<IT::Integer_coordinates>(options);
 }
 
-void run_refine(const Options& options) {
-  if (is_triangulation_file(options.input))
-    throw std::runtime_error(options.input + ": a stored triangulation is not refined; start from "
-                                             "the mesh");
-  run_delaunay(options);
-}
-
 } // namespace program

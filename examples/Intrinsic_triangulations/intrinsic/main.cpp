@@ -135,7 +135,7 @@ void add_refine(CLI::App& app, Options& options, Command& chosen) {
       ->check(extension(".mtx", "matrices in Matrix Market format"));
   command.callback([&options, &chosen] {
     options.refines = true;
-    chosen = program::run_refine;
+    chosen = program::run_delaunay;
   });
 }
 

@@ -113,7 +113,7 @@ def read_idt(path):
     """Edges, as pairs of vertices with a sum of cotangents, and the area, from an .idt file."""
     with open(path) as file:
         lines = file.read().split("\n")
-    exact = lines[0] == "IDT 1 exact"
+    exact = lines[0] == "IDT 2 exact"
     number = (lambda words: (float.fromhex(words[0]) + float.fromhex(words[-1])) / 2) if exact else \
         (lambda words: float.fromhex(words[0]))
     scale = int(lines[1].split()[1])
@@ -127,7 +127,7 @@ def read_idt(path):
     input_vertex = [int(words[0]) for words in section("vertices")]
     cotangents, ends, area = [0.0] * len(squared), [None] * len(squared), 0.0
     for words in section("faces"):
-        h, v, a = [int(w) for w in words[:3]], [int(w) for w in words[3:6]], number(words[7:])
+        h, v, a = [int(w) for w in words[:3]], [int(w) for w in words[3:6]], number(words[6:])
         area += a / 4
         for k in range(3):
             ij, jk, ki = (h[(k + i) % 3] // 2 for i in range(3))

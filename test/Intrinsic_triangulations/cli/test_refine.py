@@ -84,10 +84,6 @@ class Refine(Cli_test):
         self.assertEqual(stats["refine"]["status"], "cap")
         self.assertGreater(stats["refine"]["unsatisfied"]["stopped"], 0)
 
-    def test_inserted_vertices_cannot_be_stored_yet(self):
-        self.assert_fails(self.run_program("refine", self.mesh, "-o", self.path("r.idt")),
-                          "vertices have been inserted", "subdivision")
-
 
 if __name__ == "__main__":
     main()

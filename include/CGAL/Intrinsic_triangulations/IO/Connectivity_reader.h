@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/Text_reader.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -27,27 +28,34 @@ inline std::uint32_t read_count(Text_reader& in, std::string_view keyword, std::
 // Reads the connectivity. Memory follows what has been read, never a count in the file.
 class Connectivity_reader {
 public:
-  explicit Connectivity_reader(Text_reader& in) : in_(in) {}
+  Connectivity_reader(Text_reader& in, int format_version)
+      : in_(in), format_version_(format_version) {}
 
+  // numbers in the input; vertices beyond were inserted
   std::vector<std::uint32_t> input_vertex, input_face;
   Gluing_map mesh;
+
+  std::size_t number_of_vertices() const { return halfedge_.size(); }
 
   void read_vertices() {
     const std::uint32_t count = read_count(in_, "vertices", Gluing::none - 1);
     for (std::uint32_t v = 0; v < count; ++v) {
       in_.next_line();
-      input_vertex.push_back(in_.index(count, "input vertex"));
+      read_input_vertex(v, count);
       const std::string_view h = in_.word();
       halfedge_.push_back(Gluing::none);
       if (h != "-" && !parse_number(h, halfedge_.back())) in_.fail("the halfedge is not a number");
       in_.finish_line();
     }
+    for (const std::uint32_t i : input_vertex)
+      if (i >= input_vertex.size())
+        in_.fail("input vertex " + std::to_string(i) + " does not exist");
   }
 
   void start_faces(std::uint32_t edges) {
     // every edge was read, and has at most two of the three sides of a face
     const auto most = static_cast<std::uint32_t>(2 * std::uint64_t{edges} / 3);
-    mesh = Gluing_map(static_cast<std::uint32_t>(input_vertex.size()), edges,
+    mesh = Gluing_map(static_cast<std::uint32_t>(halfedge_.size()), edges,
                       read_count(in_, "faces", most));
   }
 
@@ -64,7 +72,7 @@ public:
     }
     mesh.set_halfedge(Gluing_map::Face{f}, {h[0]});
     for (unsigned k = 0; k < 3; ++k) check_ends(h[k], v[k]);
-    input_face.push_back(in_.index(mesh.number_of_faces(), "input face"));
+    if (format_version_ == 1) input_face.push_back(in_.index(mesh.number_of_faces(), "input face"));
   }
 
   void read_border() {
@@ -93,7 +101,30 @@ public:
     set_halfedges_of_vertices();
   }
 
+  // The numbers of faces in the input, none if they are the same.
+  void read_input_faces(bool renumbered) {
+    if (format_version_ == 1) return; // they came with the faces
+    const std::uint32_t count =
+        read_count(in_, "input_faces", renumbered ? mesh.number_of_faces() : 0);
+    for (std::uint32_t f = 0; f < count; ++f) {
+      in_.next_line();
+      input_face.push_back(in_.index(count, "input face"));
+      in_.finish_line();
+    }
+  }
+
 private:
+  // Inserted vertices have no number in the input and come last.
+  void read_input_vertex(std::uint32_t v, std::uint32_t count) {
+    std::uint32_t i = 0;
+    const std::string_view word = in_.word();
+    if (format_version_ > 1 && word == "-") return;
+    if (!parse_number(word, i) || i >= count)
+      in_.fail("\"" + std::string(word.substr(0, 40)) + "\" is no valid input vertex");
+    if (input_vertex.size() != v) in_.fail("a vertex of the input comes after inserted ones");
+    input_vertex.push_back(i);
+  }
+
   // the vertex that a side of a face starts from
   Gluing_map::Vertex source_of_side(std::uint32_t h) const {
     return mesh.target(mesh.next(mesh.next({h})));
@@ -115,9 +146,22 @@ private:
         in_.fail("the halfedge of vertex " + std::to_string(v) + " does not end there");
       mesh.set_halfedge(Gluing_map::Vertex{v}, {h});
     }
+    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h) check_halfedge_of_target(h);
+  }
+
+  // walks around vertices start from their halfedges, and end on the border
+  void check_halfedge_of_target(std::uint32_t h) const {
+    const Gluing_map::Vertex v = mesh.target({h});
+    const Gluing_map::Halfedge first = mesh.halfedge(v);
+    if (first.index == Gluing::none)
+      in_.fail("vertex " + std::to_string(v.index) + " has faces and needs a halfedge");
+    if (mesh.face({h}).index == Gluing::none && mesh.face(first).index != Gluing::none)
+      in_.fail("the halfedge of vertex " + std::to_string(v.index) +
+               " is not on the border, but the vertex is");
   }
 
   Text_reader& in_;
+  int format_version_;
   std::vector<std::uint32_t> halfedge_; // of each vertex
 };
 

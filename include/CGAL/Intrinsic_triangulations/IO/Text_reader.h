@@ -93,9 +93,13 @@ public:
   }
 
   [[noreturn]] void fail(const std::string& what) const {
+    refuse(what + "; the file is damaged: write it again");
+  }
+
+  // The same with a remedy of its own.
+  [[noreturn]] void refuse(const std::string& what) const {
     throw Invalid_input(Element_kind::none, 0,
-                        file_ + ":" + std::to_string(in_.line_number()) + ": " + what +
-                            "; the file is damaged: write it again");
+                        file_ + ":" + std::to_string(in_.line_number()) + ": " + what);
   }
 
 private:

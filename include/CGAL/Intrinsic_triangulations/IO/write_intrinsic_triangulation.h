@@ -4,12 +4,12 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_WRITE_INTRINSIC_TRIANGULATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_WRITE_INTRINSIC_TRIANGULATION_H
 
+#include <CGAL/Intrinsic_triangulations/IO/Compact_numbers.h>
 #include <CGAL/Intrinsic_triangulations/IO/Replacing_file.h>
 #include <CGAL/Intrinsic_triangulations/IO/Text_writer.h>
 #include <CGAL/Intrinsic_triangulations/IO/intrinsic_triangulation_format.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 
 #include <algorithm>
@@ -33,41 +33,36 @@ class Intrinsic_triangulation_writer {
   using Halfedge = Gluing_map::Halfedge;
 
 public:
-  Intrinsic_triangulation_writer(std::ostream& out, const Triangulation& t) : out_(out), t_(t) {}
+  Intrinsic_triangulation_writer(std::ostream& out, const Triangulation& t)
+      : out_(out), t_(t), numbers_(t), mesh_(numbered_copy(t.mesh(), numbers_)) {
+    prefer_border_halfedges();
+  }
 
   void run() {
-    check();
-    const As_gluing_map read(t_.mesh()); // elements have the numbers of the triangulation
-    const Gluing_map& mesh = *read;
     write_header();
-    write_vertices(mesh);
-    write_edges(mesh);
-    write_faces(mesh);
-    write_border(mesh);
+    write_vertices();
+    write_edges();
+    write_faces();
+    write_border();
+    write_input_faces();
     if constexpr (Metric::is_exact) {
       write_input(t_.metric().input());
       write_history(t_.metric().history());
+      write_versions();
     }
     out_.line("end");
     out_.flush();
   }
 
 private:
-  // vertices of the triangulation have to be those of the input, and the history to be flips
-  void check() const {
-    bool only_flips = true;
-    for (const auto v : vertices(t_.mesh())) only_flips = only_flips && !t_.is_inserted(v);
-    if constexpr (Metric::is_exact)
-      only_flips = only_flips && t_.metric().history().number_of_vertex_moves() == 0;
-    std::uint32_t next_edge = 0, next_face = 0; // gaps, or another order, come from removals
-    for (const auto e : edges(t_.mesh())) only_flips = only_flips && t_.index(e) == next_edge++;
-    for (const auto f : faces(t_.mesh())) only_flips = only_flips && t_.index(f) == next_face++;
-    if (!only_flips)
-      throw Invalid_input(
-          Element_kind::none, 0,
-          "vertices have been inserted, which the file format of intrinsic "
-          "triangulations does not hold; write it before inserting vertices, or write "
-          "the common subdivision");
+  // the format asks for this at vertices, whatever a mesh does
+  void prefer_border_halfedges() {
+    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h) {
+      const Gluing_map::Vertex v = mesh_.target({h});
+      if (mesh_.face({h}).index == Gluing::none &&
+          mesh_.face(mesh_.halfedge(v)).index != Gluing::none)
+        mesh_.set_halfedge(v, {h});
+    }
   }
 
   void write_header() {
@@ -86,33 +81,39 @@ private:
     return map.empty() ? i : map[i];
   }
 
-  void write_vertices(const Gluing_map& mesh) {
-    out_.line("vertices", mesh.number_of_vertices());
-    for (std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v) {
-      const std::uint32_t input = input_number(t_.renumbering().input_vertex, v);
-      const Halfedge h = mesh.halfedge(Gluing_map::Vertex{v});
-      if (h.index == Gluing::none)
-        out_.line(input, "-");
+  void write_vertices() {
+    out_.line("vertices", mesh_.number_of_vertices());
+    for (std::uint32_t v = 0; v < mesh_.number_of_vertices(); ++v) {
+      if (v < t_.number_of_input_vertices())
+        out_.words(input_number(t_.renumbering().input_vertex, v));
       else
-        out_.line(input, h.index);
+        out_.words("-");
+      const Halfedge h = mesh_.halfedge(Gluing_map::Vertex{v});
+      if (h.index == Gluing::none)
+        out_.line("-");
+      else
+        out_.line(h.index);
     }
   }
 
-  void write_edges(const Gluing_map& mesh) {
-    out_.line("edges", mesh.number_of_edges());
-    for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
+  void write_edges() {
+    out_.line("edges", mesh_.number_of_edges());
+    for (std::uint32_t i = 0; i < mesh_.number_of_edges(); ++i) {
+      const std::uint32_t e = numbers_.edge_ranks().number(i);
       if constexpr (Metric::is_exact)
         out_.line(t_.metric().squared_length(e), t_.metric().approximate_squared_length(e));
       else
         out_.line(t_.metric().squared_length(e));
+    }
   }
 
-  void write_faces(const Gluing_map& mesh) {
-    out_.line("faces", mesh.number_of_faces());
-    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const Halfedge a = mesh.halfedge(Gluing_map::Face{f}), b = mesh.next(a), c = mesh.next(b);
-      out_.words(a.index, b.index, c.index, mesh.target(c).index, mesh.target(a).index,
-                 mesh.target(b).index, input_number(t_.renumbering().input_face, f));
+  void write_faces() {
+    out_.line("faces", mesh_.number_of_faces());
+    for (std::uint32_t i = 0; i < mesh_.number_of_faces(); ++i) {
+      const Halfedge a = mesh_.halfedge(Gluing_map::Face{i}), b = mesh_.next(a), c = mesh_.next(b);
+      out_.words(a.index, b.index, c.index, mesh_.target(c).index, mesh_.target(a).index,
+                 mesh_.target(b).index);
+      const std::uint32_t f = numbers_.face_ranks().number(i);
       if constexpr (Metric::is_exact)
         out_.line(t_.metric().quadruple_area(f), t_.metric().approximate_quadruple_area(f));
       else
@@ -120,13 +121,20 @@ private:
     }
   }
 
-  void write_border(const Gluing_map& mesh) {
+  void write_border() {
     std::uint32_t count = 0;
-    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
-      count += mesh.face({h}).index == Gluing::none ? 1 : 0;
+    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h)
+      count += mesh_.face({h}).index == Gluing::none ? 1 : 0;
     out_.line("border", count);
-    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
-      if (mesh.face({h}).index == Gluing::none) out_.line(h, mesh.next({h}).index);
+    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if (mesh_.face({h}).index == Gluing::none) out_.line(h, mesh_.next({h}).index);
+  }
+
+  // nothing if faces were not renumbered
+  void write_input_faces() {
+    const std::vector<std::uint32_t>& faces = t_.renumbering().input_face;
+    out_.line("input_faces", faces.size());
+    for (const std::uint32_t f : faces) out_.line(f);
   }
 
   void write_input(const Input_metric& input) {
@@ -146,20 +154,43 @@ private:
   }
 
   void write_history(const Flip_history& history) {
-    out_.line("flips", history.number_of_flips());
-    for (std::uint32_t n = 0; n < history.number_of_flips(); ++n) {
-      const Flip_history::Side left = history.left_parent(n), right = history.right_parent(n);
-      out_.line(left.version, left.slot, right.version, right.slot);
+    out_.line("moves", history.number_of_flips() + history.number_of_vertex_moves());
+    for (std::uint32_t n = 0; n < history.number_of_nodes(); ++n) {
+      if (history.is_flip(n)) {
+        out_.words(flip_name);
+        write_side(history.left_parent(n));
+        write_side(history.right_parent(n));
+        out_.line();
+      } else if (history.vertex_move(n).node == n) // the first of its nodes
+        write_vertex_move(history.vertex_move(n));
     }
-    out_.line("versions", history.number_of_input_faces());
-    for (std::uint32_t f = 0; f < history.number_of_input_faces(); ++f) {
-      const auto [version, edge] = t_.metric().version(f);
-      out_.line(version, edge);
+  }
+
+  void write_vertex_move(const Flip_history::Vertex_move& m) {
+    const Vertex_move_name& name =
+        *std::find_if(vertex_move_names.begin(), vertex_move_names.end(),
+                      [&](const Vertex_move_name& n) { return n.kind == m.kind; });
+    out_.words(name.name);
+    for (std::size_t k = 0; k < Flip_history::number_of_parents(m.kind); ++k)
+      write_side(m.parents[k]);
+    for (std::size_t k = 0; k < name.weights; ++k) out_.words(m.weights[k]);
+    out_.line();
+  }
+
+  void write_side(const Flip_history::Side& s) { out_.words(s.version, s.slot); }
+
+  void write_versions() {
+    out_.line("versions", mesh_.number_of_faces());
+    for (std::uint32_t i = 0; i < mesh_.number_of_faces(); ++i) {
+      const auto [version, edge] = t_.metric().version(numbers_.face_ranks().number(i));
+      out_.line(version, numbers_.edge_ranks().rank(edge));
     }
   }
 
   Text_writer out_;
   const Triangulation& t_;
+  Compact_numbers<Triangulation> numbers_;
+  Gluing_map mesh_; // with these numbers
 };
 
 } // namespace internal
@@ -168,13 +199,13 @@ private:
 \brief writes an intrinsic triangulation in the format of `intrinsic_triangulation_format.h`, without
 loss.
 
+Elements keep their order; those after removed ones move up to smaller numbers.
 \tparam Triangulation an `Intrinsic_triangulation` with `Exact_euclidean_traits` or
   `Euclidean_traits<double>`, and any mesh
 \param out the stream
 \param t the triangulation
 \throws std::runtime_error if the stream fails
-\throws Invalid_input if vertices have been inserted: the format holds flips only
-\complexity linear in the mesh and, with exact traits, in the number of flips done
+\complexity linear in the mesh and, with exact traits, in the number of moves done
 */
 template <class Triangulation>
 void write_intrinsic_triangulation(std::ostream& out, const Triangulation& t) {
@@ -193,7 +224,6 @@ Whatever fails, the file is complete or what it was before: see `Replacing_file`
 \param path the file
 \param t the triangulation
 \throws std::runtime_error naming the file if it cannot be written
-\throws Invalid_input if vertices have been inserted; the file is what it was then
 \complexity see above
 */
 template <class Triangulation>
@@ -201,8 +231,6 @@ void write_intrinsic_triangulation(const std::filesystem::path& path, const Tria
   Replacing_file file(path);
   try {
     write_intrinsic_triangulation(file.stream(), t);
-  } catch (const Invalid_input& e) {
-    throw Invalid_input(e.kind(), e.index(), path.string() + ": " + e.what());
   } catch (const std::runtime_error&) {
     throw std::runtime_error(path.string() +
                              ": the file cannot be written completely; is the disk full?");

@@ -9,6 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -70,6 +72,28 @@ private:
   Gluing_map copy_;
   const Gluing_map* map_ = &copy_;
 };
+
+// The connectivity of any mesh as a gluing map with given numbers, which are those from 0 to the
+// capacities: a `Mesh_adaptor` of a mesh without removed elements, or the like.
+template <class Mesh, class Numbers>
+Gluing_map numbered_copy(const Mesh& mesh, const Numbers& number) {
+  using Traits = boost::graph_traits<Mesh>;
+  Gluing_map copy(number.vertex_capacity(mesh), number.edge_capacity(mesh),
+                  number.face_capacity(mesh));
+  for (const typename Traits::halfedge_descriptor h : halfedges(mesh)) {
+    const Gluing_map::Halfedge c{number.halfedge(h)};
+    copy.set_next(c, {number.halfedge(next(h, mesh))});
+    copy.set_target(c, {number.vertex(target(h, mesh))});
+    const typename Traits::face_descriptor f = face(h, mesh);
+    if (f != Traits::null_face()) copy.set_face(c, {number.face(f)});
+  }
+  for (const typename Traits::vertex_descriptor v : vertices(mesh))
+    if (halfedge(v, mesh) != Traits::null_halfedge())
+      copy.set_halfedge(Gluing_map::Vertex{number.vertex(v)}, {number.halfedge(halfedge(v, mesh))});
+  for (const typename Traits::face_descriptor f : faces(mesh))
+    copy.set_halfedge(Gluing_map::Face{number.face(f)}, {number.halfedge(halfedge(f, mesh))});
+  return copy;
+}
 
 } // namespace internal
 

@@ -5,41 +5,14 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_INPUT_SURFACE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <cstdint>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// Copies a mesh; outside of the class, whose members would hide BGL's functions.
-template <class Mesh, class Numbers>
-Gluing_map numbered_copy(const Mesh& mesh, const Numbers& number) {
-  using Traits = boost::graph_traits<Mesh>;
-  Gluing_map copy(static_cast<std::uint32_t>(num_vertices(mesh)),
-                  static_cast<std::uint32_t>(num_edges(mesh)),
-                  static_cast<std::uint32_t>(num_faces(mesh)));
-  for (const typename Traits::halfedge_descriptor h : halfedges(mesh)) {
-    const Gluing_map::Halfedge c{number.halfedge(h)};
-    copy.set_next(c, {number.halfedge(next(h, mesh))});
-    copy.set_target(c, {number.vertex(target(h, mesh))});
-    const typename Traits::face_descriptor f = face(h, mesh);
-    if (f != Traits::null_face()) copy.set_face(c, {number.face(f)});
-  }
-  for (const typename Traits::vertex_descriptor v : vertices(mesh))
-    if (halfedge(v, mesh) != Traits::null_halfedge())
-      copy.set_halfedge(Gluing_map::Vertex{number.vertex(v)}, {number.halfedge(halfedge(v, mesh))});
-  for (const typename Traits::face_descriptor f : faces(mesh))
-    copy.set_halfedge(Gluing_map::Face{number.face(f)}, {number.halfedge(halfedge(f, mesh))});
-  return copy;
-}
-
-} // namespace internal
 
 /*!
 \brief keeps the triangulation that the intrinsic one started from: connectivity, squared lengths and

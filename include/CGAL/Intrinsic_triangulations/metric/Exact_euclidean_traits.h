@@ -464,7 +464,9 @@ private:
   }
 
   static void refine(FT& stored, double& approximation, const FT& better) {
-    stored = FT(std::max(stored.inf(), better.inf()), std::min(stored.sup(), better.sup()));
+    const double inf = std::max(stored.inf(), better.inf());
+    const double sup = std::min(stored.sup(), better.sup());
+    stored = inf > sup ? better : FT(inf, sup); // apart only if a file had wrong digits
     approximation = nearest(approximation, stored);
   }
 

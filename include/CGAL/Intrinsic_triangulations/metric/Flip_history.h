@@ -83,6 +83,17 @@ public:
   /// returns the insertion or removal of a node. \pre `!is_flip(n)`
   const Vertex_move& vertex_move(std::uint32_t n) const { return moves_[nodes_[n].second >> 2]; }
 
+  /// returns how many sides an insertion or a removal consumes.
+  static std::size_t number_of_parents(Vertex_move::Kind kind) {
+    if (kind == Vertex_move::Kind::remove_from_face) return 3;
+    return kind == Vertex_move::Kind::remove_from_border_edge ? 2 : 1;
+  }
+  /// returns how many versions an insertion or a removal makes.
+  static std::uint32_t number_of_versions(Vertex_move::Kind kind) {
+    if (kind == Vertex_move::Kind::insert_in_face) return 3;
+    return kind == Vertex_move::Kind::insert_in_border_edge ? 2 : 1;
+  }
+
   /*!
   \brief records a flip of the edge between two sides.
   \return the version of the left face; that of the right face is the next number
@@ -218,11 +229,6 @@ private:
     if (version >= (1U << 30) - 4)
       throw std::length_error("the history of flips is full; rebuild from the input");
     return version;
-  }
-
-  static std::size_t number_of_parents(Vertex_move::Kind kind) {
-    if (kind == Vertex_move::Kind::remove_from_face) return 3;
-    return kind == Vertex_move::Kind::remove_from_border_edge ? 2 : 1;
   }
 
   std::uint32_t faces_;

@@ -25,7 +25,8 @@ template <class Triangulation>
 [[noreturn]] void throw_degenerate_face(const Triangulation& t,
                                         typename Triangulation::face_descriptor f) {
   const std::uint32_t i = t.index(f);
-  const std::size_t input = t.renumbering().input_face.empty() ? i : t.renumbering().input_face[i];
+  const std::vector<std::uint32_t>& map = t.renumbering().input_face;
+  const std::size_t input = i < map.size() ? map[i] : i; // insertions make more faces
   throw Invalid_input(
       Element_kind::face, input,
       "face " + std::to_string(input) +
