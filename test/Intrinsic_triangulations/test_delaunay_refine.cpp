@@ -27,6 +27,7 @@
 #include <numbers>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -254,6 +255,96 @@ TYPED_TEST(Delaunay_refine, Keeps_constrained_edges_as_unions_of_edges) {
       const bool may_fail = !conforming && get(constrained, e);
       EXPECT_TRUE(may_fail || session.is_locally_delaunay(halfedge(e, t.mesh())));
     }
+  }
+}
+
+/// A column: a polygon with many sides, its walls as slivers.
+meshes::Mesh column(std::uint32_t sides, double height) {
+  std::vector<std::array<double, 2>> polygon;
+  for (std::uint32_t k = 0; k < sides; ++k) {
+    const double angle = 2 * std::numbers::pi * k / sides;
+    polygon.push_back({std::cos(angle), std::sin(angle)});
+  }
+  meshes::Mesh m = meshes::prism(polygon, 1);
+  for (meshes::Point& p : m.points) p[2] *= height;
+  return m;
+}
+
+/// Constrained edges by the unordered pair of their ends, each with the sum of lengths of its parts: every
+/// chain of parts through inserted vertices, from one vertex of the input to the next.
+template <class T>
+std::multimap<std::set<std::uint32_t>, double> chains(const T& t, const Constraints<T>& m) {
+  std::multimap<std::set<std::uint32_t>, double> result;
+  const auto next_part = [&](auto h) { // the only other one at the target of h
+    for (auto g = opposite(next(h, t.mesh()), t.mesh());; g = opposite(next(g, t.mesh()), t.mesh()))
+      if (g == h || get(m, edge(g, t.mesh()))) return opposite(g, t.mesh());
+  };
+  for (const auto first : halfedges(t.mesh())) {
+    if (!get(m, edge(first, t.mesh())) || t.is_inserted(source(first, t.mesh()))) continue;
+    auto h = first;
+    double length = std::sqrt(t.squared_length(edge(h, t.mesh())));
+    while (t.is_inserted(target(h, t.mesh()))) {
+      h = next_part(h);
+      length += std::sqrt(t.squared_length(edge(h, t.mesh())));
+    }
+    // found from both ends
+    const auto a = t.index(source(first, t.mesh())), b = t.index(target(h, t.mesh()));
+    if (a <= b) result.insert({{a, b}, length});
+  }
+  return result;
+}
+
+TEST(Delaunay_refine_constraints, Among_slivers_refinement_ends_and_keeps_every_edge) {
+  for (const std::uint32_t sides : {40U, 90U})
+    for (const double angle : {25., 30.})
+      for (const std::size_t n : {std::size_t{7}, std::size_t{41}, std::size_t{3} * sides}) {
+        SCOPED_TRACE(testing::Message()
+                     << sides << " sides, " << angle << " degrees, " << n << " constraints");
+        Rounded t(input(column(sides, 5)));
+        Edge_map is_constrained;
+        Constraints<Rounded> constrained{&t, &is_constrained};
+        constrain(t, n, constrained);
+        const auto before = chains(t, constrained);
+        const auto result = IT::delaunay_refine(
+            t, {.minimum_angle = angle, .maximum_insertions = std::uint64_t{100000}},
+            CGAL::parameters::edge_is_constrained_map(constrained));
+        EXPECT_EQ(result.status, Refinement_status::done);
+        EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle));
+        EXPECT_GE(least_angle_elsewhere(t, result), angle - 1e-9);
+        const auto after = chains(t, constrained);
+        ASSERT_EQ(after.size(), before.size());
+        for (auto b = before.begin(), a = after.begin(); b != before.end(); ++a, ++b) {
+          EXPECT_EQ(a->first, b->first);
+          // slivers of ratio r: their splits lose a factor of r^4, here at most 72^4, of u
+          EXPECT_NEAR(a->second, b->second, 1e-8 * b->second);
+        }
+      }
+}
+
+TYPED_TEST(Delaunay_refine, Ends_where_a_constrained_edge_sees_itself_around_a_sharp_tip) {
+  for (const double height : {1.2, 2., 5., 40.}) {
+    SCOPED_TRACE(height);
+    meshes::Mesh m;
+    m.points = {{1, 0, 0}, {-0.5, 0.75, 0}, {-0.5, -0.75, 0}, {0, 0, height}};
+    m.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    IT::Intrinsic_input i = input(m);
+    i.may_renumber = false;
+    TypeParam t(std::move(i));
+    Edge_map is_constrained;
+    Constraints<TypeParam> constrained{&t, &is_constrained};
+    for (const auto e : edges(t.mesh())) {
+      const auto h = halfedge(e, t.mesh());
+      const auto a = t.index(source(h, t.mesh())), b = t.index(target(h, t.mesh()));
+      put(constrained, e, std::max(a, b) == 3 && std::min(a, b) == 0);
+    }
+    const double length = total_length(t, constrained);
+    const auto result = IT::delaunay_refine(t, {.minimum_angle = 30},
+                                            CGAL::parameters::edge_is_constrained_map(constrained));
+    EXPECT_EQ(result.status, Refinement_status::done);
+    EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle) +
+                                             count(result, Unsatisfied_reason::needle));
+    EXPECT_GE(least_angle_elsewhere(t, result), 30 - rounding);
+    EXPECT_NEAR(total_length(t, constrained), length, 1e-12 * length);
   }
 }
 

@@ -16,8 +16,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
+#include <numbers>
+#include <random>
 #include <vector>
 
 namespace {
@@ -134,6 +137,57 @@ TEST(Vertex_moves, Keep_area_and_valid_connectivity_on_the_gallery) {
     EXPECT_EQ(count(edges(t.mesh())), e) << s;
     EXPECT_EQ(count(faces(t.mesh())), f) << s;
     EXPECT_EQ(defect(t), "") << s;
+  }
+}
+
+/// Largest difference of squared lengths and quadruple areas from those of the points, in the plane.
+double error(const Rounded& t, const std::vector<meshes::Point>& points) {
+  double worst = 0;
+  const auto point = [&](auto v) { return points[t.input_vertex(v)]; };
+  for (const auto e : edges(t.mesh())) {
+    const auto p = point(source(halfedge(e, t.mesh()), t.mesh()));
+    const auto q = point(target(halfedge(e, t.mesh()), t.mesh()));
+    const double x = p[0] - q[0], y = p[1] - q[1];
+    worst = std::max(worst, std::abs(t.squared_length(e) - (x * x + y * y)));
+  }
+  for (const auto f : faces(t.mesh())) {
+    const auto h = halfedge(f, t.mesh());
+    const auto p = point(source(h, t.mesh())), q = point(target(h, t.mesh()));
+    const auto r = point(target(next(h, t.mesh()), t.mesh()));
+    const double a = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    worst = std::max(worst, std::abs(4 * t.area(f) - 2 * a));
+  }
+  return worst;
+}
+
+TEST(Vertex_moves, Removal_at_a_high_degree_does_not_multiply_rounding) {
+  // nearly a circle of radius 1: an inserted vertex has edges to nearly all others
+  constexpr std::uint32_t n = 150;
+  std::mt19937 random(5);
+  meshes::Mesh m;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const double angle = 2 * std::numbers::pi * k / n;
+    const double radius = 1 + 1e-3 * static_cast<double>(random() % 1000) / 1000;
+    m.points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+    if (k > 1) m.triangles.push_back({0, k - 1, k});
+  }
+  Rounded t(input(m));
+  IT::flip_to_delaunay(t);
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    const auto widest =
+        *std::max_element(faces(t.mesh()).begin(), faces(t.mesh()).end(),
+                          [&](const auto f, const auto g) { return t.area(f) < t.area(g); });
+    const auto v = t.insert_vertex(halfedge(widest, t.mesh()), {0.25, 0.25, 0.5});
+    ASSERT_EQ(v.status, Move_status::done);
+    IT::flip_to_delaunay(t);
+    const auto all = halfedges(t.mesh());
+    ASSERT_GT(std::count_if(all.begin(), all.end(),
+                            [&](const auto h) { return target(h, t.mesh()) == v.vertex; }),
+              n / 2);
+    ASSERT_EQ(t.remove_vertex(v.vertex), Move_status::done);
+    IT::flip_to_delaunay(t);
+    // a move adds some roundings of values up to 8; they add up over the star, and over the repetitions
+    EXPECT_LE(error(t, m.points), (repeat + 1) * n * 8 * 0x1p-52);
   }
 }
 

@@ -15,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <unordered_set>
@@ -119,17 +120,20 @@ public:
   \param w another
   \param bound for angles below it, in radians, it is enough that they are on both sides; for others both
   must be at the same distance from the corner
+  \param may_be_one_segment whether the two sides may be one segment, which ends at a vertex whose total
+  angle is small: not if the line is a part of it
   */
-  bool are_across_small_angle(std::uint32_t v, std::uint32_t w, double bound) const {
+  bool are_across_small_angle(std::uint32_t v, std::uint32_t w, double bound,
+                              bool may_be_one_segment = true) const {
     for (const std::uint32_t s : segments_of(v))
       for (const std::uint32_t t : segments_of(w))
-        for (std::size_t i = 0; i < 2 && s != t; ++i) {
+        for (std::size_t i = 0; i < 2 && (s != t || may_be_one_segment); ++i) {
           const std::uint32_t corner = segments_[s].ends[i];
-          const auto angle = small_angle_.find({corner, std::min(s, t), std::max(s, t)});
-          if (angle == small_angle_.end() || corner == v || corner == w) continue;
+          const std::optional<double> angle = small_angle(corner, s, t);
+          if (!angle || corner == v || corner == w) continue;
           const std::size_t j = segments_[t].ends[0] == corner ? 0 : 1;
           const double d = distance(s, i, v), e = distance(t, j, w);
-          if (angle->second < bound || std::abs(d - e) <= 0x1p-20 * d) return true;
+          if (*angle < bound || std::abs(d - e) <= same * d) return true;
         }
     return false;
   }
@@ -186,7 +190,15 @@ private:
     known->second = std::min(known->second, angle);
   }
 
+  // between two segments at a corner, if it is small; between a segment and itself around its end, if
+  // that has no other and a small total angle
+  std::optional<double> small_angle(std::uint32_t corner, std::uint32_t s, std::uint32_t t) const {
+    const auto angle = small_angle_.find({corner, std::min(s, t), std::max(s, t)});
+    return angle == small_angle_.end() ? std::nullopt : std::optional(angle->second);
+  }
+
   static constexpr double limit = std::numbers::pi / 3;
+  static constexpr double same = 0x1p-20; // relative difference of distances taken for rounding
 
   std::vector<std::uint32_t> segment_; // of an edge, or none
   std::vector<Segment> segments_;

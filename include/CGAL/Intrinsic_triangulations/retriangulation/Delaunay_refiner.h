@@ -178,14 +178,32 @@ private:
     const std::uint32_t h = number(halfedge(t_.numbers().face_at(f), mesh_));
     const auto is_segment = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
     const Located_circumcenter c = locate_circumcenter(view_, h, is_segment);
+    const Face face_of_h = t_.numbers().face_at(f);
     if (c.kind == Located_circumcenter::Kind::segment)
-      split(descriptor(c.segment));
+      split_between(face_of_h, descriptor(c.segment));
     else if (c.kind == Located_circumcenter::Kind::none ||
-             !insert(c.point, least_distance(t_.numbers().face_at(f)))) {
+             !insert(c.point, least_distance(face_of_h))) {
       ++result_.counts.refused;
       give_up();
     }
     if (split_encroached()) check_touched();
+  }
+
+  // Splits a segment between a face and its circumcenter. The segment cuts off less than half of the
+  // face's circle, and the face is inside: the part of the segment in the circle, whose ends are vertices
+  // outside, is at least as long as the longest side of the face. Rounding alone can show a shorter one:
+  // splitting that might go on for ever. Where the new vertex is outside the circle, too, the face stays
+  // and waits again; as each split halves the segment, up to the shells, that ends.
+  void split_between(Face f, Halfedge segment) {
+    const Face_values<double> v = approximation(f);
+    const double longest = *std::max_element(v.squared_lengths.begin(), v.squared_lengths.end());
+    if (view_.squared_length(number(segment) / 2) < (1 - 0x1p-10) * longest) {
+      ++result_.counts.refused;
+      return;
+    }
+    const std::uint32_t i = t_.index(f);
+    queue_.push(i, priority(f)); // before: what changes is checked again, and removed if it goes
+    if (!split(segment)) queue_.remove(i);
   }
 
   bool may_insert() {
@@ -238,7 +256,7 @@ private:
     touched_.clear();
   }
 
-  // splits a segment, and removes vertices near it
+  // splits a segment, and removes vertices near it; false if the triangulation refuses
   bool split(Halfedge h) {
     if (is_border(h)) h = opposite(h, mesh_);
     const std::uint32_t e = number(h) / 2;
@@ -259,9 +277,8 @@ private:
     segments_.split(e, {number(one) / 2, number(other) / 2}, ends, t_.index(n.vertex), parameter);
     set_free(t_.index(n.vertex), false);
     suspect_star(n.vertex);
-    if (!flip()) return false;
-    remove_near(n.vertex, length);
-    return is_going_on_;
+    if (flip()) remove_near(n.vertex, length);
+    return true;
   }
 
   // splits constrained edges that are not locally Delaunay, if that is asked for
@@ -269,9 +286,24 @@ private:
     while (is_going_on_ && !encroached_.empty()) {
       const Halfedge h = encroached_.back();
       encroached_.pop_back();
-      if (is_segment(h) && !session_.is_locally_delaunay(h) && may_insert()) split(h);
+      if (is_segment(h) && !session_.is_locally_delaunay(h) && !is_between_shells(h) &&
+          may_insert())
+        split(h);
     }
     return is_going_on_;
+  }
+
+  // Whether on both sides of a segment a vertex is opposite that is across a small angle, at the same
+  // distance from its corner as an end of the segment: opposite angles are acute then, whatever rounding
+  // makes of slivers.
+  bool is_between_shells(Halfedge h) const {
+    const std::uint32_t a = t_.index(source(h, mesh_)), b = t_.index(target(h, mesh_));
+    for (const Halfedge side : {h, opposite(h, mesh_)}) {
+      const std::uint32_t k = t_.index(target(next(side, mesh_), mesh_));
+      if (!segments_.are_across_small_angle(a, k, 0) && !segments_.are_across_small_angle(b, k, 0))
+        return false;
+    }
+    return true;
   }
 
   bool flip() { return flipper_.run(*this); }

@@ -98,8 +98,8 @@ private:
     const std::uint32_t e = edges[(k + 1) % 3], f = edges[(k + 2) % 3];
     if (e == f) return Face_state::needle;
     if (segments.is_segment(e) && segments.is_segment(f)) return Face_state::small_angle;
-    if (segments.are_across_small_angle(corners[k], corners[(k + 1) % 3],
-                                        std::atan(1 / cotangent_)))
+    if (segments.are_across_small_angle(corners[k], corners[(k + 1) % 3], std::atan(1 / cotangent_),
+                                        !segments.is_segment(edges[k])))
       return Face_state::small_angle;
     return Face_state::bad;
   }

@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How long does Delaunay refinement take, compared with CGAL's intrinsic Delaunay triangulation of the heat
+// method, and does its time grow linearly with the vertices inserted?
+// Usage: refinement [DIRECTORY [REPETITIONS [MAXIMUM_INSERTIONS]]] > result.json
+
+#include "benchmark_support.h"
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay_refine.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using namespace IT::benchmark;
+
+namespace {
+
+using Lengths_only = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
+using With_integers = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
+                                                  IT::Integer_coordinates>;
+
+struct Refined {
+  double milliseconds = 0;
+  std::uint64_t inserted = 0;
+  std::size_t unsatisfied = 0;
+};
+
+// Building and refining, as the yardstick builds as well.
+template <class Triangulation>
+Refined run_refinement(const Surface_mesh& mesh, const IT::Refinement_options& options) {
+  const Stopwatch watch;
+  Triangulation t(mesh);
+  const auto result = IT::delaunay_refine(t, options);
+  return {watch.milliseconds(), result.counts.inserted_vertices(), result.unsatisfied.size()};
+}
+
+struct Contender {
+  std::string name;
+  Refined (*run)(const Surface_mesh&, const IT::Refinement_options&);
+};
+const std::vector<Contender> contenders = {{"double", run_refinement<Lengths_only>},
+                                           {"double_integer", run_refinement<With_integers>}};
+
+struct Workload {
+  std::string name;
+  std::function<Surface_mesh()> make;
+};
+
+std::vector<Workload> workloads(const std::string& directory) {
+  std::vector<Workload> result;
+  for (const char* name : {"camel", "armadillo", "refined_elephant"})
+    result.push_back({name, [=] { return read_mesh(directory, name); }});
+  result.push_back({"arma_split200k", [=] { return split_armadillo(directory, 200000); }});
+  result.push_back({"arma_s2x6", [=] {
+                      const auto soup = IT::synthetic::to_soup(read_mesh(directory, "armadillo"));
+                      return IT::synthetic::to_surface_mesh<Kernel::Point_3>(
+                          IT::synthetic::stretch_x(IT::synthetic::midpoint_subdivide(soup, 2), 6));
+                    }});
+  result.push_back({"arma_split1M", [=] { return split_armadillo(directory, 1000000); }});
+  return result;
+}
+
+nlohmann::json row(const Refined& r, double fastest, double yardstick) {
+  nlohmann::json result = {{"milliseconds", fastest},
+                           {"ratio_to_cgal", fastest / yardstick},
+                           {"inserted_vertices", r.inserted},
+                           {"unsatisfied_faces", r.unsatisfied}};
+  if (r.inserted > 0)
+    result["microseconds_per_inserted_vertex"] = 1e3 * fastest / static_cast<double>(r.inserted);
+  return result;
+}
+
+// Alternates the contenders, so that a slow spell of the machine hits all of them.
+nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const std::vector<double> angles = {25, 30};
+  double yardstick = never;
+  std::vector<std::vector<double>> fastest(contenders.size(),
+                                           std::vector<double>(angles.size(), never));
+  nlohmann::json result = {{"faces", num_faces(mesh)}};
+  for (std::size_t i = 0; i < repetitions; ++i) {
+    yardstick = std::min(yardstick, run_cgal(mesh).milliseconds);
+    for (std::size_t c = 0; c < contenders.size(); ++c)
+      for (std::size_t a = 0; a < angles.size(); ++a) {
+        const Refined r = contenders[c].run(mesh, {.minimum_angle = angles[a]});
+        fastest[c][a] = std::min(fastest[c][a], r.milliseconds);
+        result[contenders[c].name][std::to_string(static_cast<int>(angles[a]))] =
+            row(r, fastest[c][a], yardstick);
+      }
+  }
+  result["cgal"]["milliseconds"] = yardstick;
+  return result;
+}
+
+struct Sample {
+  double size, milliseconds;
+};
+
+// Slope of the least squares line through (log size, log time): 1 is linear.
+double exponent(const std::vector<Sample>& samples) {
+  const auto n = static_cast<double>(samples.size());
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (const Sample& s : samples) {
+    const double u = std::log(s.size), v = std::log(s.milliseconds);
+    x += u;
+    y += v;
+    xx += u * u;
+    xy += u * v;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+// A circumradius that halves the area of faces again and again doubles the vertices.
+nlohmann::json measure_linearity(const std::string& directory, double maximum) {
+  const Surface_mesh mesh = read_mesh(directory, "camel");
+  Lengths_only t(mesh);
+  double area = 0;
+  for (const auto f : faces(t.mesh())) area += t.area(f);
+  nlohmann::json result;
+  std::vector<Sample> samples;
+  for (double vertices = 62500; vertices <= maximum; vertices *= 2) {
+    // inserted vertices at distances of the radius and more: about 0.7 of them per squared radius
+    const double radius = std::sqrt(0.7 * area / vertices);
+    const IT::Refinement_options options{.minimum_angle = 25, .maximum_circumradius = radius};
+    Refined r = run_refinement<Lengths_only>(mesh, options);
+    for (int i = 1; i < 3; ++i)
+      r.milliseconds =
+          std::min(r.milliseconds, run_refinement<Lengths_only>(mesh, options).milliseconds);
+    const auto inserted = static_cast<double>(r.inserted);
+    samples.push_back({inserted, r.milliseconds});
+    result["sizes"].push_back(
+        {{"inserted_vertices", r.inserted},
+         {"microseconds_per_inserted_vertex", 1e3 * r.milliseconds / inserted}});
+    std::cerr << result["sizes"].back().dump() << '\n';
+  }
+  if (samples.size() > 1) result["exponent"] = exponent(samples);
+  return result;
+}
+
+nlohmann::json measure_all(const std::string& directory, std::size_t repetitions, double maximum) {
+  nlohmann::json result;
+  for (const Workload& w : workloads(directory)) {
+    const Surface_mesh mesh = w.make();
+    const bool is_long = num_faces(mesh) > 150000;
+    result["meshes"][w.name] =
+        measure(mesh, is_long ? std::min<std::size_t>(repetitions, 2) : repetitions);
+    std::cerr << w.name << ' ' << result["meshes"][w.name].dump() << '\n';
+  }
+  result["linearity"] = measure_linearity(directory, maximum);
+  return result;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const std::size_t repetitions = argc > 2 ? std::stoul(argv[2]) : 5;
+    const double maximum = argc > 3 ? std::stod(argv[3]) : 2e6;
+    std::cout << measure_all(mesh_directory(argc, argv), repetitions, maximum).dump(2) << '\n';
+  } catch (const std::exception& e) {
+    std::cerr << "refinement: " << e.what() << '\n';
+    return 1;
+  }
+}
