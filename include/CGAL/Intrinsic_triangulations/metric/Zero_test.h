@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/metric/Conjugate_bound.h>
 #include <CGAL/Intrinsic_triangulations/metric/Conjugate_evaluator.h>
+#include <CGAL/Intrinsic_triangulations/metric/Cylinder_strip.h>
+#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/metric/History_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
@@ -21,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -71,7 +74,11 @@ public:
                     const Expression& expression) {
     if (unfolding_.size() > maximal_memory) unfolding_ = {};
     if (faces_.size() > maximal_memory) faces_ = {};
-    unfold(input, history, left, right);
+    find_triangles(history, left, right);
+    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
+      if (diamond_ && Integer_faces::is_in_space(input) && is_cocircular_strip(input, *diamond_))
+        return Answer::zero;
+    find_shapes(input);
     if (!diamond_) return History_zero_test(input, history, left, right)(expression);
     if (basis_.dimension() > few_roots) {
       if (!vanishes(expression, probable_bits, false)) return Answer::not_zero;
@@ -85,13 +92,8 @@ public:
 
   /// unfolds the diamond between two sides, without deciding anything.
   void unfold(const Input_metric& input, const Flip_history& history, Side left, Side right) {
-    basis_ = {};
-    metric_.clear();
-    shapes_.clear();
-    diamond_.reset();
-    // the sides of an edge inside one face are told apart by no `Diamond`
-    if (left.version != right.version) diamond_ = unfolding_.diamond(history, left, right);
-    if (diamond_ && !find_shapes(input)) diamond_.reset();
+    find_triangles(history, left, right);
+    find_shapes(input);
   }
 
   /// returns the diamond of the last call, or nothing if it cannot be unfolded.
@@ -143,8 +145,21 @@ private:
     return expression(diamond_->template values<Number>(face)).is_proven_zero();
   }
 
-  // tells whether the diamond can be evaluated
-  bool find_shapes(const Input_metric& input) {
+  void find_triangles(const Flip_history& history, Side left, Side right) {
+    diamond_.reset();
+    // the sides of an edge inside one face are told apart by no `Diamond`
+    if (left.version != right.version) diamond_ = unfolding_.diamond(history, left, right);
+  }
+
+  // leaves no diamond if it cannot be evaluated
+  void find_shapes(const Input_metric& input) {
+    basis_ = {};
+    metric_.clear();
+    shapes_.clear();
+    if (diamond_ && !are_shapes_found(input)) diamond_.reset();
+  }
+
+  bool are_shapes_found(const Input_metric& input) {
     for (const Unfolded_diamond::Triangle& t : diamond_->triangles) {
       const Integer_face& face = faces_(input, t.face);
       const std::optional<Square_root> area = basis_.sqrt_of(face.radicand);

@@ -21,13 +21,21 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief multiplies two intervals, of which the second has no negative element.
+
+Whatever the sign of a bound, the outer of its products with both bounds of `b` is the right one; there is
+no branch.
 \pre `b.inf() >= 0`, the bounds are finite
 */
 inline Interval_nt<false> product_with_nonnegative(const Interval_nt<false>& a,
                                                    const Interval_nt<false>& b) {
-  const double inf = a.inf(), sup = a.sup();
-  const double minus_inf = -inf * (inf >= 0 ? b.inf() : b.sup());
-  return {-minus_inf, sup * (sup >= 0 ? b.sup() : b.inf())};
+#ifdef CGAL_USE_SSE2 // both bounds at once
+  const __m128d x = a.simd(), y = b.simd(), low = _mm_xor_pd(y, _mm_set1_pd(-0.0));
+  return Interval_nt<false>(
+      _mm_max_pd(_mm_mul_pd(x, _mm_unpacklo_pd(low, low)), _mm_mul_pd(x, _mm_unpackhi_pd(y, y))));
+#else
+  const double minus_inf = -a.inf(), sup = a.sup(), low = b.inf(), high = b.sup();
+  return {-std::max(minus_inf * low, minus_inf * high), std::max(sup * low, sup * high)};
+#endif
 }
 
 /*!
