@@ -26,8 +26,8 @@ inline void check_source(const Eigen::VectorXd& areas, std::uint32_t vertex) {
 } // namespace internal
 
 /*!
-\brief computes the harmonic Green's function of a vertex: -div grad u = delta - 1/A with mean zero, where A is the
-area of the surface (Fig. 26 of the course). On the border, the flux is zero.
+\brief computes the harmonic Green's function of a vertex: -div grad u = delta - 1/A with mean zero, where A
+is the area of the surface (Fig. 26 of the course). On the border, the flux is zero.
 
 Near the source u is -log(r) / alpha, where alpha is the total angle there: unbounded, but square integrable.
 \tparam Triangulation a model of `IntrinsicTriangulation`
@@ -51,8 +51,8 @@ Eigen::VectorXd harmonic_green_function(Triangulation& t, std::uint32_t vertex) 
 \brief computes the heat kernel of a vertex after a short time by one implicit Euler step:
 u - time div grad u = delta (Fig. 26 of the course). On the border, the flux is zero.
 
-The integral of u is 1. It decays like exp(-r / sqrt(time)), and near the source it is -log(r) / (alpha time), where
-alpha is the total angle there.
+The integral of u is 1. It decays like exp(-r / sqrt(time)), and near the source it is -log(r) / (alpha time),
+where alpha is the total angle there.
 \tparam Triangulation a model of `IntrinsicTriangulation`
 \param t the triangulation
 \param vertex the source, in the numbering of the input

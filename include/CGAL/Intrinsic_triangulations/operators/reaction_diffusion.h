@@ -85,8 +85,8 @@ If c is zero, solutions differ by constants: the one of mean zero is returned.
 \param load b, in the numbering of the input
 \return values at the vertices, in the numbering of the input; zero at vertices without faces
 \throws Invalid_input if a face has no area
-\throws std::invalid_argument if a coefficient or the size of the load makes no sense; if c is zero and the load
-  does not sum to zero, or the surface is not connected
+\throws std::invalid_argument if a coefficient or the size of the load makes no sense; if c is zero and the
+  load does not sum to zero, or the surface is not connected
 \throws std::runtime_error if rounding has left no positive definite matrix
 \complexity that of a sparse factorization
 */

@@ -44,24 +44,26 @@ bool refine_within(Triangulation& t, const Adaptive_refinement_options& options,
 } // namespace internal
 
 /*!
-\brief refines where a function that is computed on the triangulation has large errors, until its estimated error
-is small enough (§4.6 of the course; Sharp, Soliman, Crane 2019, §5.4).
+\brief refines where a function that is computed on the triangulation has large errors, until its estimated
+error is small enough (§4.6 of the course; Sharp, Soliman, Crane 2019, §5.4).
 
 Every round computes the function and an indicator of its error per face, marks the faces that have the
-bulk of the error, and makes them smaller by Delaunay refinement. The triangulation is made Delaunay, and brought to the least
-angle, before the first round: constants of error estimates depend on that angle. Estimates are of the user's:
-`residual_indicators()` has some.
+bulk of the error, and makes them smaller by Delaunay refinement. Before the first round the triangulation is
+made Delaunay and brought to the least angle, on which constants of error estimates depend. The estimate is
+the user's: `residual_indicators()` has some.
 
 \tparam Triangulation an instance of `Intrinsic_triangulation`
-\tparam Estimate a functor called with `Triangulation&`, which it does not change but for the precision of values; it returns a
-  `std::vector<double>` of error indicators, at the numbers of faces. Their squares sum to that of the error.
+\tparam Estimate a functor called with `Triangulation&`, of which it changes nothing but the precision of
+  values; it returns a `std::vector<double>` of error indicators, at the numbers of faces. Their squares sum
+  to that of the error.
 \tparam NamedParameters a sequence of named parameters
 \param t the triangulation
 \param estimate computes the function, and indicators of its error
 \param options what is to be reached
 \param np optional named parameters:
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
-  - `visitor(v)`: see `Adaptive_refinement_visitor`. It is copied; pass `std::ref(v)` to have `v` itself called.
+  - `visitor(v)`: see `Adaptive_refinement_visitor`. It is copied; pass `std::ref(v)` to have `v` itself
+    called.
 \return status, and what was reached in every round; the last call of `estimate` was with the triangulation as
   it is in the end
 \throws std::invalid_argument if an option makes no sense, or an indicator is negative or not finite
