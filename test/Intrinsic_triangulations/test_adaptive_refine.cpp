@@ -134,6 +134,8 @@ TYPED_TEST(Adaptive_refine, Refuses_options_and_errors_that_make_no_sense) {
   EXPECT_THROW(IT::adaptive_refine(t, estimate(1), {.bulk = 0}), std::invalid_argument);
   EXPECT_THROW(IT::adaptive_refine(t, estimate(1), {.minimum_angle = 60}), std::invalid_argument);
   EXPECT_THROW(IT::adaptive_refine(t, estimate(nan)), std::invalid_argument);
+  const auto too_few = [](TypeParam&) { return std::vector<double>(3, 1); };
+  EXPECT_THROW(IT::adaptive_refine(t, too_few), std::invalid_argument);
 }
 
 // ---- problems

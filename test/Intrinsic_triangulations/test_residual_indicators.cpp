@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,6 +35,11 @@ double norm(const std::vector<double>& x) {
   double sum = 0;
   for (const double y : x) sum += y * y;
   return std::sqrt(sum);
+}
+
+template <class T>
+bool is_border(const T& t, typename T::halfedge_descriptor h) {
+  return face(h, t.mesh()) == boost::graph_traits<typename T::Mesh>::null_face();
 }
 
 /// Six equilateral triangles about vertex 0.
@@ -98,7 +104,7 @@ TEST(Residual_indicators, integrate_residuals_that_are_linear_on_faces) {
 }
 
 TEST(Residual_indicators, of_a_linear_function_on_a_flat_patch_are_fluxes_through_the_border) {
-  const Shape s = rough_grid(12, 0.4, 0, 1);
+  const Shape s = rough_grid(12, 0.12, 0, 1); // nothing folds over
   Double t(s.input());
   IT::flip_to_delaunay(t);
   Vector u(static_cast<int>(s.points.size()));
@@ -114,7 +120,7 @@ TEST(Residual_indicators, of_a_linear_function_on_a_flat_patch_are_fluxes_throug
     double squared = 0; // of the flux, which is the difference of u turned by 90 degrees
     auto h = halfedge(face, t.mesh());
     for (int k = 0; k < 3; ++k, h = next(h, t.mesh())) {
-      if (!t.mesh().is_border(opposite(h, t.mesh()))) continue;
+      if (!is_border(t, opposite(h, t.mesh()))) continue;
       const auto &p = s.points[t.input_vertex(source(h, t.mesh()))],
                  &q = s.points[t.input_vertex(target(h, t.mesh()))];
       const double through = 3 * (q[1] - p[1]) + 2 * (q[0] - p[0]);
@@ -149,7 +155,7 @@ TEST(Residual_indicators, follow_the_gluing_on_every_delta_complex) {
       auto h = halfedge(face, t.mesh());
       for (int k = 0; k < 3; ++k, h = next(h, t.mesh())) {
         const auto o = opposite(h, t.mesh());
-        const bool border = t.mesh().is_border(o);
+        const bool border = is_border(t, o);
         const double jump = flux(t, u, h) + (border ? 0 : flux(t, u, o));
         squared += (border ? 1 : 0.5) * jump * jump;
       }

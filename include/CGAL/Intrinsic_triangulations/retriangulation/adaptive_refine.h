@@ -23,6 +23,17 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
+// the indicators of faces, with zeros at numbers that no face has
+template <class Triangulation>
+std::vector<double> checked_indicators(const Triangulation& t, const std::vector<double>& all) {
+  if (all.size() != t.numbers().face_capacity(t.mesh()))
+    throw std::invalid_argument("there must be an error indicator at the number of every face");
+  std::vector<double> indicators(all.size(), 0);
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+    indicators[t.index(f)] = all[t.index(f)];
+  return indicators;
+}
+
 inline double root_of_squares(const std::vector<double>& values) {
   double sum = 0;
   for (const double x : values) sum += x * x;
@@ -54,8 +65,8 @@ the user's: `residual_indicators()` has some.
 
 \tparam Triangulation an instance of `Intrinsic_triangulation`
 \tparam Estimate a functor called with `Triangulation&`, of which it changes nothing but the precision of
-  values; it returns a `std::vector<double>` of error indicators, at the numbers of faces. Their squares sum
-  to that of the error.
+  values; it returns a `std::vector<double>` of error indicators, at the numbers of faces, of size
+  `t.numbers().face_capacity(t.mesh())`. Their squares sum to that of the error.
 \tparam NamedParameters a sequence of named parameters
 \param t the triangulation
 \param estimate computes the function, and indicators of its error
@@ -66,7 +77,8 @@ the user's: `residual_indicators()` has some.
     called.
 \return status, and what was reached in every round; the last call of `estimate` was with the triangulation as
   it is in the end
-\throws std::invalid_argument if an option makes no sense, or an indicator is negative or not finite
+\throws std::invalid_argument if an option makes no sense, an indicator is negative or not finite, or there are
+  not as many as numbers of faces
 \complexity that of the functor and of `delaunay_refine()`, per round
 */
 template <class Triangulation, class Estimate,
@@ -88,7 +100,7 @@ adaptive_refine(Triangulation& t, Estimate estimate,
   internal::refine_within(t, options, constrained, Refinement_visitor());
   Adaptive_refinement_result result;
   for (;;) {
-    const std::vector<double> indicators = estimate(t);
+    const std::vector<double> indicators = internal::checked_indicators(t, estimate(t));
     const std::vector<std::size_t> marked = mark_bulk(indicators, options.bulk);
     const double error = internal::root_of_squares(indicators);
     result.rounds.push_back({num_vertices(t.mesh()), error, marked.size()});
