@@ -196,7 +196,7 @@ std::vector<Row> uniform_rows(const Surface_mesh& mesh, const Problem& p,
     rows.push_back(row(uniform(mesh, p, radius), samples));
     print("uniform", json(rows.back()));
     radius *= std::pow(2, -0.25);
-  } while (rows.back().error > least_error && rows.back().vertices < 400000);
+  } while (rows.back().error > least_error && rows.back().vertices < 150000);
   return rows;
 }
 
