@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_REACTION_DIFFUSION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_REACTION_DIFFUSION_H
+
+#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief holds the coefficients of the equation  -a div grad u + c u = f  on a surface.
+*/
+struct Reaction_diffusion {
+  double diffusion = 1; ///< a, positive
+  double reaction = 0;  ///< c, not negative
+};
+
+namespace internal {
+
+inline void check(const Reaction_diffusion& e) {
+  if (!(e.diffusion > 0) || !(e.reaction >= 0) || !std::isfinite(e.diffusion) ||
+      !std::isfinite(e.reaction))
+    throw std::invalid_argument("diffusion must be positive, and reaction not negative");
+}
+
+// whether all vertices that have edges are joined
+template <class Triangulation>
+bool is_connected(const Triangulation& t) {
+  const auto& mesh = t.mesh();
+  std::vector<std::uint32_t> root(t.numbers().vertex_capacity(mesh));
+  std::iota(root.begin(), root.end(), 0U);
+  const auto find = [&root](std::uint32_t v) {
+    while (root[v] != v) v = root[v] = root[root[v]];
+    return v;
+  };
+  std::vector<char> has_edge(root.size(), 0);
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const auto h = halfedge(e, mesh);
+    const std::uint32_t i = t.index(source(h, mesh)), j = t.index(target(h, mesh));
+    has_edge[i] = has_edge[j] = 1;
+    root[find(i)] = find(j);
+  }
+  std::size_t components = 0;
+  for (std::uint32_t v = 0; v < root.size(); ++v)
+    if (has_edge[v] != 0 && root[v] == v) ++components;
+  return components <= 1;
+}
+
+// makes a row and column those of the identity; the matrix stays symmetric
+inline void fix_value(Eigen::SparseMatrix<double>& m, int v) {
+  for (Eigen::SparseMatrix<double>::InnerIterator i(m, v); i; ++i) {
+    if (i.row() != v) m.coeffRef(v, i.row()) = 0;
+    i.valueRef() = i.row() == v ? 1 : 0;
+  }
+}
+
+} // namespace internal
+
+/*!
+\brief solves  -a div grad u + c u = f  for a piecewise linear function u, by the method of Galerkin:
+
+    (a L + c M) u = b,    b_i = integral of f times the hat function of vertex i
+
+with the cotangent Laplacian L and the Galerkin mass matrix M. The border condition is the natural one: no
+flux. A point source at a vertex adds its strength to the load b there.
+
+If c is zero, solutions differ by constants: the one of mean zero is returned.
+
+\tparam Triangulation a model of `IntrinsicTriangulation`
+\param t the triangulation
+\param equation the coefficients
+\param load b, in the numbering of the input
+\return values at the vertices, in the numbering of the input; zero at vertices without faces
+\throws Invalid_input if a face has no area
+\throws std::invalid_argument if a coefficient or the size of the load makes no sense; if c is zero and the
+  load does not sum to zero, or the surface is not connected
+\throws std::runtime_error if rounding has left no positive definite matrix
+\complexity that of a sparse factorization
+*/
+template <class Triangulation>
+Eigen::VectorXd solve_reaction_diffusion(Triangulation& t, const Reaction_diffusion& equation,
+                                         const Eigen::VectorXd& load) {
+  internal::check(equation);
+  const Eigen::SparseMatrix<double> mass = galerkin_mass_matrix(t);
+  if (load.size() != mass.rows())
+    throw std::invalid_argument("the load must have an entry per vertex");
+  Eigen::VectorXd b = load;
+  Eigen::SparseMatrix<double> m = equation.diffusion * cotangent_laplacian(t);
+  if (equation.reaction > 0) m += equation.reaction * mass;
+  const Eigen::VectorXd area = mass.diagonal(); // up to a factor
+  int last = -1;
+  for (int v = 0; v < m.rows(); ++v)
+    if (area[v] > 0)
+      last = v;
+    else {
+      internal::fix_value(m, v);
+      b[v] = 0;
+    }
+  if (equation.reaction == 0 && last >= 0) {
+    if (!(std::abs(b.sum()) <= 1e-9 * b.cwiseAbs().sum()) || !internal::is_connected(t))
+      throw std::invalid_argument("without reaction, the load must sum to zero and the surface be "
+                                  "connected, or there is no solution");
+    internal::fix_value(m, last);
+    b[last] = 0;
+  }
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(m);
+  if (solver.info() != Eigen::Success)
+    throw std::runtime_error("the matrix is not positive definite, by rounding; refine the "
+                             "triangulation to a least angle");
+  Eigen::VectorXd u = solver.solve(b);
+  if (equation.reaction == 0) {
+    const double mean = (mass * u).sum() / mass.sum();
+    for (int v = 0; v < u.size(); ++v)
+      if (area[v] > 0) u[v] -= mean;
+  }
+  return u;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_REACTION_DIFFUSION_H
