@@ -171,8 +171,8 @@ private:
   const Polygons& polygons_;
   Triangle_soup& soup_;
   Fail fail_;
-  Polygon_triangulator triangulator_;
-  std::vector<Polygon_triangulator::Triangle> triangles_;
+  Polygon_triangulator<> triangulator_;
+  std::vector<Polygon_triangulator<>::Triangle> triangles_;
   std::vector<Diagonal> diagonals_;
   std::vector<std::uint32_t> first_diagonal_;
   std::vector<char> in_conflict_;

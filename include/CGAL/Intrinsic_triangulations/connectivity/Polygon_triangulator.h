@@ -21,11 +21,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Triangulates one polygon in space; corners are numbered from 0 along its boundary.
+// Triangulates one polygon in space; corners are numbered from 0 along its boundary. A template, so that
+// only programs with polygons compile it.
+template <class Kernel = CGAL::Exact_predicates_inexact_constructions_kernel>
 class Polygon_triangulator {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Point = Kernel::Point_3;
-  using Vector = Kernel::Vector_3;
+  using Point = typename Kernel::Point_3;
+  using Vector = typename Kernel::Vector_3;
 
 public:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -141,7 +142,7 @@ private:
                                                    CGAL::No_constraint_intersection_tag>;
     if (normal_ == CGAL::NULL_VECTOR) return false;
     Triangulation plane{Traits(normal_)};
-    std::vector<Triangulation::Vertex_handle> vertices;
+    std::vector<typename Triangulation::Vertex_handle> vertices;
     for (const Point& p : points_) {
       vertices.push_back(plane.insert(p));
       vertices.back()->info() = static_cast<std::uint32_t>(vertices.size() - 1);
@@ -150,7 +151,7 @@ private:
     try {
       for (std::size_t i = 0; i < vertices.size(); ++i)
         plane.insert_constraint(vertices[i], vertices[(i + 1) % vertices.size()]);
-    } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    } catch (const typename Triangulation::Intersection_of_constraints_exception&) {
       return false;
     }
     mark_outside(plane);

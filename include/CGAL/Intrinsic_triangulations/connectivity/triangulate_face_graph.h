@@ -26,7 +26,7 @@ namespace internal {
 // Glues the triangles of polygons: along diagonals within a polygon, along sides as the mesh has it.
 class Polygon_gluing {
 public:
-  using Triangle = Polygon_triangulator::Triangle;
+  using Triangle = Polygon_triangulator<>::Triangle;
 
   // `corners` and `sides` are the numbers of the vertices and of the halfedges that start there
   void add(const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& sides,
@@ -111,8 +111,8 @@ Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
   std::uint32_t n = 0;
   for (const typename Traits::vertex_descriptor v : vertices(mesh)) vertex[number.vertex(v)] = n++;
   internal::Polygon_gluing gluing;
-  internal::Polygon_triangulator triangulator;
-  std::vector<internal::Polygon_triangulator::Triangle> triangles;
+  internal::Polygon_triangulator<> triangulator;
+  std::vector<internal::Polygon_triangulator<>::Triangle> triangles;
   std::vector<std::uint32_t> corners, sides;
   std::size_t f = 0;
   polygons = 0;
