@@ -133,7 +133,10 @@ nlohmann::json measure_linearity(const std::string& directory, double maximum) {
   for (double vertices = 62500; vertices <= maximum; vertices *= 2) {
     // inserted vertices at distances of the radius and more: about 0.7 of them per squared radius
     const double radius = std::sqrt(0.7 * area / vertices);
-    const IT::Refinement_options options{.minimum_angle = 25, .maximum_circumradius = radius};
+    const IT::Refinement_options options{.minimum_angle = 25,
+                                         .maximum_circumradius = radius,
+                                         .maximum_insertions =
+                                             10 * static_cast<std::uint64_t>(vertices)};
     Refined r = run_refinement<Lengths_only>(mesh, options);
     for (int i = 1; i < 3; ++i)
       r.milliseconds =

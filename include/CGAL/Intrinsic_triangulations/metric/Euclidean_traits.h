@@ -15,6 +15,8 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -91,12 +93,12 @@ public:
   */
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) {
-    std::vector<Face_values<FT>> values;
+    boost::container::small_vector<Face_values<FT>, 2> values; // no allocation for a face or two
     for (const Indexed_face& f : faces)
-      values.push_back({{squared_length_[f.edges[0]], squared_length_[f.edges[1]],
-                         squared_length_[f.edges[2]]},
-                        quadruple_area_[f.face]});
-    return CGAL::sign(expression(std::span<const Face_values<FT>>(values)));
+      values.push_back(
+          {{squared_length_[f.edges[0]], squared_length_[f.edges[1]], squared_length_[f.edges[2]]},
+           quadruple_area_[f.face]});
+    return CGAL::sign(expression(std::span<const Face_values<FT>>(values.data(), values.size())));
   }
 
   /// does nothing: stored values are as accurate as they are.
