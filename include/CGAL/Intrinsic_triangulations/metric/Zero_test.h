@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/metric/Conjugate_bound.h>
 #include <CGAL/Intrinsic_triangulations/metric/Conjugate_evaluator.h>
-#include <CGAL/Intrinsic_triangulations/metric/Cylinder_strip.h>
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/metric/History_zero_test.h>
@@ -18,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/metric/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/metric/is_cocircular_strip.h>
 
 #include <array>
 #include <cstddef>
@@ -35,6 +35,8 @@ namespace CGAL::Intrinsic_triangulations {
 The diamond is unfolded from the input (see `Unfolding`), which makes every value a polynomial in
 the square roots of the areas of some input faces, with rational coefficients. The expression is
 evaluated in finite fields of p^2 elements, for all choices of signs of independent square roots.
+
+Most ties are proven before that, in integers of fixed size: see `is_cocircular_strip()`.
 
 - A value that is not zero there proves that the expression is not zero; the first one mostly does.
 - Let y be the expression times an integer that makes y an algebraic integer, P the product of the

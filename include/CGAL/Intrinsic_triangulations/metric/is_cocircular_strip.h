@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_CYLINDER_STRIP_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_CYLINDER_STRIP_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_IS_COCIRCULAR_STRIP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_IS_COCIRCULAR_STRIP_H
 
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
@@ -271,7 +271,8 @@ Nearly all ties that flips on CAD surfaces make are of this kind: cylinders are 
 \param input the input
 \param diamond the triangles
 \return true if `Delaunay_expression` is zero, proven; false if nothing is known
-\pre triangles are those of space, without mollification
+\pre triangles are those of space, without mollification; corners are those of two faces, left and right
+of an edge, with areas that are not negative
 \complexity linear in the number of triangles, about a tenth of a microsecond each
 */
 inline bool is_cocircular_strip(const Input_metric& input, const Unfolded_diamond& diamond) {
@@ -283,4 +284,4 @@ inline bool is_cocircular_strip(const Input_metric& input, const Unfolded_diamon
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_CYLINDER_STRIP_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_IS_COCIRCULAR_STRIP_H
