@@ -117,11 +117,11 @@ void add_refine(CLI::App& app, Options& options, Command& chosen) {
       .add_option_function<std::string>(
           "--order",
           [&r](const std::string& word) {
-            r.order = word == "worst"   ? IT::Refinement_order::worst_first
-                      : word == "first" ? IT::Refinement_order::first_come
-                                        : IT::Refinement_order::largest_first;
+            r.order = word == "worst"     ? IT::Refinement_order::worst_first
+                      : word == "largest" ? IT::Refinement_order::largest_first
+                                          : IT::Refinement_order::first_come;
           },
-          "which face comes next: largest (default), worst or first")
+          "which face comes next: first (default), largest or worst")
       ->check(CLI::IsMember({"largest", "worst", "first"}));
   command
       .add_option(
