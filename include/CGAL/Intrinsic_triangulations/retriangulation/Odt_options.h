@@ -47,8 +47,10 @@ struct Odt_result {
   std::uint64_t refused = 0;
   /// Edges flipped to keep the triangulation Delaunay, those of moves not counted.
   std::uint64_t flips = 0;
-  /// The energy before and after, see `odt_energy()`, in the units of the input to the fourth power.
-  double energy_before = 0, energy_after = 0;
+  /// The energy before, see `odt_energy()`, in the units of the input to the fourth power.
+  double energy_before = 0;
+  /// The energy after.
+  double energy_after = 0;
 };
 
 /*!
