@@ -83,6 +83,15 @@ double least_angle_elsewhere(const T& t, const Result& result) {
   return least;
 }
 
+/// With floating point numbers the flips of other edges may change a tie by rounding.
+template <class T>
+void expect_delaunay(T& t) {
+  if constexpr (T::Metric::is_exact) EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
+  typename T::Session session(t);
+  for (const auto e : edges(t.mesh()))
+    if (!CGAL::is_border(e, t.mesh())) EXPECT_GE(session.cotangent_weight(e), -1e-10);
+}
+
 /// How many faces are listed for a reason.
 template <class Result>
 std::size_t count(const Result& result, Unsatisfied_reason reason) {
@@ -122,7 +131,7 @@ TYPED_TEST(Delaunay_refine, Reaches_the_angle_except_where_it_says_so_and_keeps_
       EXPECT_GE(least_angle_elsewhere(t, result), angle - rounding);
       EXPECT_EQ(count(result, Unsatisfied_reason::refused), 0U);
       EXPECT_EQ(count(result, Unsatisfied_reason::stopped), 0U);
-      EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
+      expect_delaunay(t);
       EXPECT_NEAR(area(t), before, 1e-12 * before);
       std::size_t inserted = 0;
       for (const auto w : vertices(t.mesh())) inserted += t.is_inserted(w) ? 1 : 0;

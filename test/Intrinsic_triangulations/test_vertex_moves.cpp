@@ -191,6 +191,42 @@ TEST(Vertex_moves, Removal_at_a_high_degree_does_not_multiply_rounding) {
   }
 }
 
+TEST(Vertex_moves, Removal_from_the_border_at_a_high_degree_gives_lengths_of_the_plane) {
+  // a vertex on the diameter of a half disk sees all corners
+  constexpr std::uint32_t n = 40;
+  meshes::Mesh m{{{-1, 0, 0}, {1, 0, 0}}, {}};
+  for (std::uint32_t k = 1; k <= n; ++k) {
+    const double angle = std::numbers::pi * k / (n + 1);
+    m.points.push_back({std::cos(angle), std::sin(angle), 0});
+    m.triangles.push_back({0, k, k + 1}); // vertex 1 is where the angle is zero
+  }
+  Rounded t(input(m));
+  auto base = halfedge(*faces(t.mesh()).begin(), t.mesh());
+  while (!CGAL::is_border(opposite(base, t.mesh()), t.mesh()) ||
+         t.index(source(base, t.mesh())) > 1 || t.index(target(base, t.mesh())) > 1)
+    base = next(base, t.mesh());
+  const auto inserted = t.split_edge(base, 0.5);
+  ASSERT_EQ(inserted.status, Move_status::done);
+  for (bool flips = true; flips;) {
+    flips = false;
+    IT::for_each_outgoing(inserted.vertex, t.mesh(), [&](auto h) {
+      if (!flips && !CGAL::is_border(h, t.mesh()))
+        flips = t.flip_edge(next(h, t.mesh())) == Move_status::done;
+    });
+  }
+  std::size_t degree = 0;
+  IT::for_each_outgoing(inserted.vertex, t.mesh(), [&](auto) { ++degree; });
+  ASSERT_EQ(degree, n + 2);
+  ASSERT_EQ(t.remove_vertex(inserted.vertex), Move_status::done);
+  for (const auto e : edges(t.mesh())) {
+    const auto &a = m.points[t.index(source(e, t.mesh()))],
+               &b = m.points[t.index(target(e, t.mesh()))];
+    const double x = a[0] - b[0], y = a[1] - b[1];
+    // n steps around the star, each some roundings
+    EXPECT_NEAR(t.squared_length(e), x * x + y * y, n * 0x1p-46);
+  }
+}
+
 TEST(Vertex_moves, Change_nothing_when_they_are_refused) {
   for (const auto& mesh : {meshes::box(1, 1, 1), meshes::rough_grid(3, 1)}) {
     Exact t(input(mesh));

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_REMOVE_VERTEX_H
 
 #include <CGAL/Intrinsic_triangulations/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/local_coordinates.h>
 
@@ -91,14 +92,8 @@ private:
   // the halfedges from the vertex, counterclockwise; on the border the first has no face on its right
   void find_edges() {
     edges_.clear();
-    const Halfedge first = opposite(halfedge(v_, mesh_), mesh_);
-    is_border_ = is_border(opposite(first, mesh_));
-    for (Halfedge h = first;;) {
-      edges_.push_back(h);
-      if (is_border(h)) break;
-      h = opposite(next(next(h, mesh_), mesh_), mesh_);
-      if (h == first) break;
-    }
+    for_each_outgoing(v_, mesh_, [this](Halfedge h) { edges_.push_back(h); });
+    is_border_ = is_border(opposite(edges_.front(), mesh_));
     // the face of the last edge's left side is that of the first one's right side
     if (is_border_) std::rotate(edges_.begin(), edges_.end() - 1, edges_.end());
   }
@@ -172,7 +167,7 @@ private:
     if constexpr (is_corrected) {
       if (edges_.size() <= 4 || has_loop()) return;
       Planar_vector<double> direction{1, 0};
-      for (const Halfedge h : edges_) {
+      for_each_outgoing(v_, mesh_, [&](Halfedge h) {
         const std::uint32_t e = t_.index(edge(h, mesh_));
         const double length = std::sqrt(t_.metric().approximate_squared_length(e));
         places_.push_back({e, {length * direction[0], length * direction[1]}});
@@ -186,7 +181,7 @@ private:
         const double norm = std::hypot(x, y);
         direction = {(direction[0] * x - direction[1] * y) / norm,
                      (direction[0] * y + direction[1] * x) / norm};
-      }
+      });
     }
   }
 

@@ -134,11 +134,7 @@ public:
     if (value.inf() > 0) return POSITIVE;
     if (value.sup() < 0) return NEGATIVE;
     if (value.inf() == 0 && value.sup() == 0) return ZERO;
-    ++statistics_.filter_failures;
-    const Sign s =
-        evaluation_.sign(*input_, history_, sides(faces), expression, values, statistics_);
-    refine(faces, values);
-    return s;
+    return exact_sign(faces, values, expression);
   }
 
   /*!
@@ -408,21 +404,12 @@ private:
   // Lengths and areas are never negative, whatever rounding makes of the lower bound.
   static FT positive_part(const FT& x) { return {std::max(x.inf(), 0.0), x.sup()}; }
 
+  // Not inline: what the filter cannot decide is rare, and takes long to compile; see `extern template`.
   template <class Expression>
-  BOOST_NOINLINE Sign exact_sign(const Diamond& d, const Expression& expression) {
-    ++statistics_.filter_failures;
-    const Flip_history::Side left = left_side(d), right = right_side(d);
-    if (history_.is_input(left.version) && history_.is_input(right.version))
-      if (const std::optional<Sign> s = input_diamond_sign(*input_, left, right, expression)) {
-        ++(*s == ZERO ? statistics_.certified_zero : statistics_.integer);
-        return *s;
-      }
-    Diamond_values<FT> better;
-    const Sign s =
-        evaluation_.sign(*input_, history_, left, right, expression, better, statistics_);
-    refine(d, better);
-    return s;
-  }
+  Sign exact_sign(const Diamond& d, const Expression& expression);
+  template <class Expression>
+  Sign exact_sign(std::span<const Indexed_face> faces, std::vector<Face_values<FT>>& values,
+                  const Expression& expression);
 
   // too wide for its approximation to be worth anything
   static bool is_vague(const FT& x) { return x.sup() - x.inf() > 0x1p-10 * x.sup(); }
@@ -488,6 +475,31 @@ private:
   Exact_evaluation evaluation_;
   Predicate_statistics statistics_;
 };
+
+template <class Expression>
+Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expression) {
+  ++statistics_.filter_failures;
+  const Flip_history::Side left = left_side(d), right = right_side(d);
+  if (history_.is_input(left.version) && history_.is_input(right.version))
+    if (const std::optional<Sign> s = input_diamond_sign(*input_, left, right, expression)) {
+      ++(*s == ZERO ? statistics_.certified_zero : statistics_.integer);
+      return *s;
+    }
+  Diamond_values<FT> better;
+  const Sign s = evaluation_.sign(*input_, history_, left, right, expression, better, statistics_);
+  refine(d, better);
+  return s;
+}
+
+template <class Expression>
+Sign Exact_euclidean_metric::exact_sign(std::span<const Indexed_face> faces,
+                                        std::vector<Face_values<FT>>& values,
+                                        const Expression& expression) {
+  ++statistics_.filter_failures;
+  const Sign s = evaluation_.sign(*input_, history_, sides(faces), expression, values, statistics_);
+  refine(faces, values);
+  return s;
+}
 
 /*!
 \brief lets an intrinsic triangulation decide every predicate exactly.

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_REFINER_H
 
 #include <CGAL/Intrinsic_triangulations/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Constrained_segments.h>
@@ -12,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/Face_queue.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Refinement_options.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Refinement_test.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/locate_circumcenter.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -21,10 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <queue>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -244,7 +243,7 @@ private:
   // edges from the vertex to itself may be shorter, about vertices of small angle
   bool keeps_distance(Vertex v, double squared) const {
     bool keeps = true;
-    for_each_outgoing(v, [&](Halfedge h) {
+    for_each_outgoing(v, mesh_, [&](Halfedge h) {
       keeps = keeps && (target(h, mesh_) == v || view_.squared_length(number(h) / 2) >= squared);
     });
     return keeps;
@@ -309,25 +308,12 @@ private:
   bool flip() { return flipper_.run(*this); }
 
   void suspect_star(Vertex v) {
-    for_each_outgoing(v, [this](Halfedge h) {
+    for_each_outgoing(v, mesh_, [this](Halfedge h) {
       flipper_.push(h);
       if (is_border(h)) return;
       flipper_.push(next(h, mesh_));
       touch(face(h, mesh_));
     });
-  }
-
-  // the halfedges that start at a vertex, all of one fan
-  template <class Function>
-  void for_each_outgoing(Vertex v, Function f) const {
-    const Halfedge first =
-        opposite(halfedge(v, mesh_), mesh_); // no face on its right on the border
-    Halfedge h = first;
-    do {
-      f(h);
-      if (is_border(h)) return;
-      h = opposite(next(next(h, mesh_), mesh_), mesh_);
-    } while (h != first);
   }
 
   // ---- removal of inserted vertices near a split segment
@@ -339,42 +325,17 @@ private:
   bool is_free(std::uint32_t v) const { return v < is_free_.size() && is_free_[v] != 0; }
 
   void remove_near(Vertex v, double radius) {
-    for (const std::uint32_t w : dijkstra_ball(t_.index(v), radius)) {
+    for (const std::uint32_t w : dijkstra_ball(view_, t_.index(v), radius)) {
       if (!is_free(w)) continue;
       remove(t_.numbers().vertex_at(w));
       if (!flip()) return; // now: edges that wait may be removed next
     }
   }
 
-  // the vertices within a distance along edges
-  std::vector<std::uint32_t> dijkstra_ball(std::uint32_t center, double radius) const {
-    using Entry = std::pair<double, std::uint32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
-    std::unordered_map<std::uint32_t, double> distance{{center, 0}};
-    std::vector<std::uint32_t> ball;
-    heap.push({0, center});
-    while (!heap.empty()) {
-      const auto [d, v] = heap.top();
-      heap.pop();
-      if (d > distance[v]) continue;
-      ball.push_back(v);
-      for_each_outgoing(t_.numbers().vertex_at(v), [&, from = d](Halfedge h) {
-        const double to = from + std::sqrt(view_.squared_length(number(h) / 2));
-        if (to > radius) return;
-        const std::uint32_t w = t_.index(target(h, mesh_));
-        const auto [known, is_new] = distance.insert({w, to});
-        if (!is_new && known->second <= to) return;
-        known->second = to;
-        heap.push({to, w});
-      });
-    }
-    return ball;
-  }
-
   void remove(Vertex v) {
     std::vector<Halfedge> rim;
     std::vector<std::uint32_t> old;
-    for_each_outgoing(v, [&](Halfedge h) {
+    for_each_outgoing(v, mesh_, [&](Halfedge h) {
       const Halfedge opposite_side = next(h, mesh_); // unless there is a loop, which goes
       if (target(h, mesh_) != v && target(opposite_side, mesh_) != v) rim.push_back(opposite_side);
       old.push_back(t_.index(face(h, mesh_)));

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_ODT_OPTIMIZER_H
 
 #include <CGAL/Intrinsic_triangulations/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Odt_options.h>
@@ -215,14 +216,10 @@ private:
   }
 
   void suspect_star(Vertex v) {
-    const Halfedge first = opposite(halfedge(v, mesh_), mesh_);
-    Halfedge h = first; // no face on its right on the border
-    do {
+    for_each_outgoing(v, mesh_, [this](Halfedge h) {
       flipper_.push(h);
-      if (is_border(h)) return;
-      flipper_.push(next(h, mesh_));
-      h = opposite(next(next(h, mesh_), mesh_), mesh_);
-    } while (h != first);
+      if (!is_border(h)) flipper_.push(next(h, mesh_));
+    });
   }
 
   // space to the rim that a step leaves, and the shortest step, relative to the space before

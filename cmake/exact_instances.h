@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What exact predicates do where their filter fails takes longer to compile than most programs that use it:
+// tests, examples and the program of this project share one compilation, `exact_instances.cpp`.
+
+#ifndef INTRINSIC_TRIANGULATIONS_EXACT_INSTANCES_H
+#define INTRINSIC_TRIANGULATIONS_EXACT_INSTANCES_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Curve_strip.h>
+#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/face_expressions.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <span>
+#include <vector>
+
+#ifndef INTRINSIC_TRIANGULATIONS_INSTANCE
+#define INTRINSIC_TRIANGULATIONS_INSTANCE extern template
+#endif
+
+namespace CGAL::Intrinsic_triangulations {
+
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign
+Exact_euclidean_metric::exact_sign(const Diamond&, const Delaunay_expression&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign
+Exact_euclidean_metric::exact_sign(const Diamond&, const Convexity_at_source_expression&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign
+Exact_euclidean_metric::exact_sign(const Diamond&, const Convexity_at_target_expression&);
+
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
+    std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
+    const Small_angle_expression&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
+    std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
+    const Large_circumradius_expression&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
+    std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
+    const Long_side_expression&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
+    std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
+    const Side_of_curve_expression&);
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // INTRINSIC_TRIANGULATIONS_EXACT_INSTANCES_H

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_FOR_EACH_OUTGOING_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_FOR_EACH_OUTGOING_H
+
+#include <boost/graph/graph_traits.hpp>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief calls a function with the halfedges that start at a vertex, counterclockwise.
+
+On the border the first has no face on its right, and the last none on its left: the vertex's halfedge is
+on the border there, as in every mesh of this package. At a vertex that is not manifold these are the
+halfedges of one fan. A loop is met in both directions.
+\tparam Mesh a model of `MutableDeltaComplex`
+\tparam Function a functor with halfedges as argument, which must not change the mesh
+\param v the vertex \pre it is not isolated
+\param mesh the mesh
+\param f the functor
+\complexity linear in the degree
+*/
+template <class Mesh, class Function>
+void for_each_outgoing(typename boost::graph_traits<Mesh>::vertex_descriptor v, const Mesh& mesh,
+                       Function f) {
+  using Traits = boost::graph_traits<Mesh>;
+  const typename Traits::halfedge_descriptor first = opposite(halfedge(v, mesh), mesh);
+  typename Traits::halfedge_descriptor h = first;
+  do {
+    f(h);
+    if (face(h, mesh) == Traits::null_face()) return;
+    h = opposite(next(next(h, mesh), mesh), mesh);
+  } while (h != first);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_FOR_EACH_OUTGOING_H
