@@ -86,10 +86,14 @@ double least_angle_elsewhere(const T& t, const Result& result) {
 /// With floating point numbers the flips of other edges may change a tie by rounding.
 template <class T>
 void expect_delaunay(T& t) {
-  if constexpr (T::Metric::is_exact) EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
+  if constexpr (T::Metric::is_exact) {
+    EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
+  }
   typename T::Session session(t);
   for (const auto e : edges(t.mesh()))
-    if (!CGAL::is_border(e, t.mesh())) EXPECT_GE(session.cotangent_weight(e), -1e-10);
+    if (!CGAL::is_border(e, t.mesh())) {
+      EXPECT_GE(session.cotangent_weight(e), -1e-10);
+    }
 }
 
 /// How many faces are listed for a reason.
