@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay_refine.h>
 
+#include "constrained_edges.h"
 #include "gallery.h"
 #include "meshes.h"
 #include "subdivision_oracle.h"
@@ -33,6 +34,9 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
+using constrained_edges::Constraints;
+using constrained_edges::Edge_map;
+using constrained_edges::total_length;
 using IT::Refinement_order;
 using IT::Refinement_status;
 using IT::Unsatisfied_reason;
@@ -205,35 +209,6 @@ TYPED_TEST(Delaunay_refine, Makes_faces_small_enough) {
     EXPECT_LE(std::max({a, b, c}), 0.3 * (1 + 1e-12));
     EXPECT_LE(a * b * c / (4 * t.area(f)), 0.2 * (1 + 1e-9));
   }
-}
-
-using Edge_map = std::map<std::uint32_t, bool>;
-
-/// An edge map that grows with the triangulation.
-template <class T>
-struct Constraints {
-  using key_type = typename T::edge_descriptor;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::read_write_property_map_tag;
-  const T* t;
-  Edge_map* is_constrained;
-  friend bool get(const Constraints& m, key_type e) {
-    const auto found = m.is_constrained->find(m.t->index(e));
-    return found != m.is_constrained->end() && found->second;
-  }
-  friend void put(const Constraints& m, key_type e, bool value) {
-    (*m.is_constrained)[m.t->index(e)] = value;
-  }
-};
-
-/// Lengths of the edges of a map, summed.
-template <class T>
-double total_length(const T& t, const Constraints<T>& m) {
-  double sum = 0;
-  for (const auto e : edges(t.mesh()))
-    if (get(m, e)) sum += std::sqrt(t.squared_length(e));
-  return sum;
 }
 
 /// Constrains `n` edges spread over the mesh, none of the border.

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/odt_optimize.h>
 
+#include "constrained_edges.h"
 #include "meshes.h"
 #include "properties.h"
 #include "subdivision_oracle.h"
@@ -26,6 +27,9 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
+using constrained_edges::Constraints;
+using constrained_edges::Edge_map;
+using constrained_edges::total_length;
 using IT::Odt_status;
 using subdivision_oracle::Exact;
 using subdivision_oracle::input;
@@ -202,31 +206,6 @@ TYPED_TEST(Odt_optimize, Lowers_the_energy_and_keeps_the_surface) {
     const IT::Common_subdivision s = IT::common_subdivision(t);
     EXPECT_GE(s.number_of_faces(), num_faces(t.mesh()));
   }
-}
-
-using Edge_map = std::map<std::uint32_t, bool>;
-
-/// A property map on edges that stores by number.
-template <class T>
-struct Constraints {
-  using key_type = typename T::edge_descriptor;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::read_write_property_map_tag;
-  const T* t;
-  Edge_map* marks;
-  friend bool get(const Constraints& c, const key_type& e) { return (*c.marks)[c.t->index(e)]; }
-  friend void put(const Constraints& c, const key_type& e, bool b) {
-    (*c.marks)[c.t->index(e)] = b;
-  }
-};
-
-template <class T>
-double total_length(const T& t, const Constraints<T>& constrained) {
-  double sum = 0;
-  for (const auto e : edges(t.mesh()))
-    if (get(constrained, e)) sum += std::sqrt(t.squared_length(e));
-  return sum;
 }
 
 TYPED_TEST(Odt_optimize, Keeps_constrained_edges_and_the_border) {

@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_FLIPPER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_FLIPPER_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
@@ -37,6 +39,14 @@ public:
     if (is_waiting_[e]) return;
     is_waiting_[e] = 1;
     waiting_.push_back(h);
+  }
+
+  /// makes the edges of the faces about a vertex wait, and those at it.
+  void push_star(typename boost::graph_traits<Mesh>::vertex_descriptor v) {
+    for_each_outgoing(v, t_.mesh(), [this](Halfedge h) {
+      push(h);
+      if (face(h, t_.mesh()) != boost::graph_traits<Mesh>::null_face()) push(next(h, t_.mesh()));
+    });
   }
 
   /*!

@@ -308,11 +308,9 @@ private:
   bool flip() { return flipper_.run(*this); }
 
   void suspect_star(Vertex v) {
+    flipper_.push_star(v);
     for_each_outgoing(v, mesh_, [this](Halfedge h) {
-      flipper_.push(h);
-      if (is_border(h)) return;
-      flipper_.push(next(h, mesh_));
-      touch(face(h, mesh_));
+      if (!is_border(h)) touch(face(h, mesh_));
     });
   }
 

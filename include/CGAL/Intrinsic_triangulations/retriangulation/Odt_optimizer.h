@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_ODT_OPTIMIZER_H
 
 #include <CGAL/Intrinsic_triangulations/Move_status.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Odt_options.h>
@@ -154,7 +153,7 @@ private:
       set_constrained(number(one) / 2, true);
       set_constrained(number(other) / 2, true);
     }
-    suspect_star(n.vertex);
+    flipper_.push_star(n.vertex);
     return flipper_.run(*this);
   }
 
@@ -189,7 +188,7 @@ private:
     for (const Halfedge h : rim_) flipper_.push(h);
     if (n.status == Move_status::done) {
       ++result_.moves;
-      suspect_star(n.vertex);
+      flipper_.push_star(n.vertex);
     } else
       ++result_.refused;
     flipper_.run(*this);
@@ -213,13 +212,6 @@ private:
   bool flip_everywhere() {
     for (const auto e : edges(mesh_)) flipper_.push(halfedge(e, mesh_));
     return flipper_.run(*this);
-  }
-
-  void suspect_star(Vertex v) {
-    for_each_outgoing(v, mesh_, [this](Halfedge h) {
-      flipper_.push(h);
-      if (!is_border(h)) flipper_.push(next(h, mesh_));
-    });
   }
 
   // space to the rim that a step leaves, and the shortest step, relative to the space before
