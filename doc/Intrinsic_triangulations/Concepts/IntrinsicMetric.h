@@ -34,6 +34,8 @@ metric may need time for a decision that depends on how many flips the values we
 | Laplacians | `cotangent_weight` |
 
 \cgalHasModel{`CGAL::Intrinsic_triangulations::Euclidean_metric<FT>`\,
+`CGAL::Intrinsic_triangulations::Tolerant_metric<FT\, Tolerance>`\,
+`CGAL::Intrinsic_triangulations::Interval_metric`\,
 `CGAL::Intrinsic_triangulations::Exact_euclidean_metric`}
 */
 class IntrinsicMetric {

@@ -13,6 +13,8 @@ Everything that an operation computes it computes through `Metric`; the page of 
 which operation needs which function.
 
 \cgalHasModel{`CGAL::Intrinsic_triangulations::Euclidean_traits<FT>`\,
+`CGAL::Intrinsic_triangulations::Tolerant_traits<FT\, Tolerance>`\,
+`CGAL::Intrinsic_triangulations::Interval_traits`\,
 `CGAL::Intrinsic_triangulations::Exact_euclidean_traits`}
 */
 class IntrinsicTriangulationTraits {
