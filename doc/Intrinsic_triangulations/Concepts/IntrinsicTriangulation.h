@@ -9,24 +9,41 @@
 The concept `IntrinsicTriangulation` describes what algorithms that flip edges need of a triangulation:
 its mesh, numbers for its edges, and predicates and flips in a `Session`.
 
-<b>Invariants.</b> The mesh is a valid Delta-complex. Flips change neither the set of its elements nor
-their numbers. An edge with the same face on both sides, or with one face, counts as locally Delaunay.
+There is no metric in it: a triangulation of hyperbolic surfaces, or one whose edges are Delaunay for other reasons,
+can be a model.
 
-<b>Complexity.</b> Constant time for everything, as far as that of the arithmetic is.
+\cgalHasModel{`CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Mesh\, Traits\, Correspondence>`}
 
-<b>Which operation needs what</b>
+\cgalHeading{Types}
+
+`Mesh`, `Metric`, `halfedge_descriptor`, `edge_descriptor` and `Session`, below.
+
+\cgalHeading{Which operation needs what}
 
 | operation | needs |
 |---|---|
-| `flip_to_delaunay()` | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::flip_status` (its type), `Session::suspended` |
-| `is_delaunay()` | `mesh`, `Session::is_locally_delaunay` |
-| `check_delaunay()` | `mesh`, `Session::delaunay_sign` |
+| `CGAL::Intrinsic_triangulations::flip_to_delaunay()` | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::flip_status` (its type), `Session::suspended` |
+| `CGAL::Intrinsic_triangulations::is_delaunay()` | `mesh`, `Session::is_locally_delaunay` |
+| `CGAL::Intrinsic_triangulations::check_delaunay()` | `mesh`, `Session::delaunay_sign` |
+| `CGAL::Intrinsic_triangulations::lumped_mass_matrix()`, `CGAL::Intrinsic_triangulations::galerkin_mass_matrix()` | also `face_descriptor`, `area`, `input_vertex`, `numbers`, as `Intrinsic_triangulation` has them |
+| `CGAL::Intrinsic_triangulations::cotangent_laplacian()` and what solves equations with it | these, `metric`, and `Session::cotangent_weight` |
+| refinement, queries, common subdivisions | all of `Intrinsic_triangulation`: "an instance of" it, their pages say |
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Mesh\, Traits\, Correspondence>`}
+\cgalHeading{Invariants}
+
+- The mesh is a valid Delta-complex.
+- Flips change neither the set of its elements nor their numbers.
+- An edge with the same face on both sides, or with one face, counts as locally Delaunay.
+
+\cgalHeading{Complexity}
+
+Constant time for everything, as far as that of the arithmetic is.
+
+The syntax is checked by `CGAL::Intrinsic_triangulations::IntrinsicTriangulation`.
 */
 class IntrinsicTriangulation {
 public:
-  /// The connectivity: the part of `MutableDeltaComplex` that reads.
+  /// The connectivity: the part of \ref ::MutableDeltaComplex that reads.
   typedef unspecified_type Mesh;
   /// Has a constant `static bool is_exact`: whether predicates are exact.
   typedef unspecified_type Metric;
