@@ -4,34 +4,35 @@
 // Read by doxygen only.
 
 /*!
+\class CurveCoordinates Integer_coordinates.h <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
 \cgalConcept
 
 The concept `CurveCoordinates` describes a correspondence that knows, as integers, how the input's edges run over the
 intrinsic triangulation: they are *curves* on it (§3.5 of the course).
 
 All that asks where things are on the other triangulation is written over this concept.
-`CGAL::Intrinsic_triangulations::Signposts` is not a model, but
-`CGAL::Intrinsic_triangulations::integer_coordinates()` makes one from it by tracing, which may fail, and says so.
+\itc{Signposts} is not a model, but
+\itf{integer_coordinates} makes one from it by tracing, which may fail, and says so.
 
 \cgalRefines{\ref ::IntrinsicCorrespondence}
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::Integer_coordinates`\,
-`CGAL::Intrinsic_triangulations::Explicit_crossings`}
+\cgalHasModel{\itc{Integer_coordinates}\,
+\itc{Explicit_crossings}}
 
 \cgalHeading{Types}
 
-`CGAL::Intrinsic_triangulations::Normal_coordinate`, a signed integer. Elements are named by numbers.
+\itc{Normal_coordinate}, a signed integer. Elements are named by numbers.
 
 \cgalHeading{Which operation needs what}
 
 | operation | needs |
 |---|---|
-| `CGAL::Intrinsic_triangulations::follow_curve()`, `CGAL::Intrinsic_triangulations::corner_coordinates()` | `normal_coordinate` |
-| `CGAL::Intrinsic_triangulations::edge_crossings()` | also `number_of_edges` |
-| `CGAL::Intrinsic_triangulations::trace_edge()` | `input`, `normal_coordinate`; the list of crossings, where there is one |
-| `CGAL::Intrinsic_triangulations::common_subdivision()`, `CGAL::Intrinsic_triangulations::locate_on_input()`, `CGAL::Intrinsic_triangulations::locate_on_intrinsic()` | all |
-| `CGAL::Intrinsic_triangulations::vector_to_intrinsic()`, `CGAL::Intrinsic_triangulations::vector_to_input()` | `input`, `fans`, `normal_coordinate`, `roundabout` |
-| `CGAL::Intrinsic_triangulations::Face_vector_transfer` | `input` |
+| \itf{follow_curve}, \itf{corner_coordinates} | `normal_coordinate` |
+| \itf{edge_crossings} | also `number_of_edges` |
+| \itf{trace_edge} | `input`, `normal_coordinate`; the list of crossings, where there is one |
+| \itf{common_subdivision}, \itf{locate_on_input}, \itf{locate_on_intrinsic} | all |
+| \itf{vector_to_intrinsic}, \itf{vector_to_input} | `input`, `fans`, `normal_coordinate`, `roundabout` |
+| \itc{Face_vector_transfer} | `input` |
 
 \cgalHeading{Invariants}
 

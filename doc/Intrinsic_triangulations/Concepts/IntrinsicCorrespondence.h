@@ -4,6 +4,7 @@
 // Read by doxygen only.
 
 /*!
+\class IntrinsicCorrespondence concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicCorrespondence` describes an observer of the moves of an intrinsic triangulation,
@@ -11,15 +12,15 @@ which learns from them how the triangulation lies on the input surface, or anyth
 
 A model is a member of `Intrinsic_triangulation`, of which it is a template parameter, and must not store
 references to that. It reads the triangulation, by numbers of elements, through a
-`CGAL::Intrinsic_triangulations::Intrinsic_view`.
+\itc{Intrinsic_view}.
 
 \cgalRefines{`DefaultConstructible`\, `MoveConstructible` and `MoveAssignable` of the C++ standard; also copyable\,
 if triangulations are to be copied}
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::No_correspondence`\,
-`CGAL::Intrinsic_triangulations::Integer_coordinates`\,
-`CGAL::Intrinsic_triangulations::Explicit_crossings`\,
-`CGAL::Intrinsic_triangulations::Signposts`; an observer of one's own: own_correspondence.cpp among the examples}
+\cgalHasModel{\itc{No_correspondence}\,
+\itc{Integer_coordinates}\,
+\itc{Explicit_crossings}\,
+\itc{Signposts}; an observer of one's own: own_correspondence.cpp among the examples}
 
 \cgalHeading{Types}
 
@@ -40,12 +41,12 @@ in the opposite order.
 
 | operation | needs |
 |---|---|
-| constructors of `CGAL::Intrinsic_triangulations::Intrinsic_triangulation` | `start()` |
-| `flip_edge()`, `CGAL::Intrinsic_triangulations::flip_to_delaunay()` | `before_flip()`, `after_flip()` |
+| constructors of \itc{Intrinsic_triangulation} | `start()` |
+| `flip_edge()`, \itf{flip_to_delaunay} | `before_flip()`, `after_flip()` |
 | `insert_vertex()`, `split_edge()` | those, and the four functions that hear of insertions |
 | `remove_vertex()` | those of flips, and the four functions that hear of removals |
-| `reposition_vertex()`, `CGAL::Intrinsic_triangulations::delaunay_refine()`, `CGAL::Intrinsic_triangulations::odt_optimize()` | all |
-| `CGAL::Intrinsic_triangulations::common_subdivision()`, queries | not part of this concept: see \ref ::CurveCoordinates |
+| `reposition_vertex()`, \itf{delaunay_refine}, \itf{odt_optimize} | all |
+| \itf{common_subdivision}, queries | not part of this concept: see \ref ::CurveCoordinates |
 
 The C++20 concept asks for all of them, so that a triangulation can make every move.
 
@@ -58,7 +59,7 @@ The C++20 concept asks for all of them, so that a triangulation can make every m
 
 Free; a move takes as long as its observer. `No_correspondence` is empty and costs nothing.
 
-The syntax is checked by `CGAL::Intrinsic_triangulations::IntrinsicCorrespondence`.
+The C++20 concept \itc{IntrinsicCorrespondence} in concepts.h checks the syntax.
 */
 class IntrinsicCorrespondence {
 public:

@@ -4,6 +4,7 @@
 // Read by doxygen only.
 
 /*!
+\class IntrinsicMetric concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicMetric` describes the store of a cone metric on a triangulation: one squared
@@ -14,31 +15,31 @@ It is where all arithmetic is: no algorithm of the package computes with number 
 \cgalRefines{`DefaultConstructible`\, `MoveConstructible` and `MoveAssignable` of the C++ standard; also copyable\,
 if triangulations are to be copied}
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::Euclidean_metric<FT>`\,
-`CGAL::Intrinsic_triangulations::Tolerant_metric<FT\, Tolerance>`\,
-`CGAL::Intrinsic_triangulations::Interval_metric`\,
-`CGAL::Intrinsic_triangulations::Exact_euclidean_metric`}
+\cgalHasModel{\itc{Euclidean_metric}\,
+\itc{Tolerant_metric}\,
+\itc{Interval_metric}\,
+\itc{Exact_euclidean_metric}}
 
 \cgalHeading{Types}
 
 `FT`, `Scope` and `Flipped`, below. Edges and faces are named by numbers from 0, which flips do not change. Faces and
-edges at an edge are passed as a `CGAL::Intrinsic_triangulations::Diamond`, those at a vertex as a
-`CGAL::Intrinsic_triangulations::Vertex_star` or a `CGAL::Intrinsic_triangulations::Border_star`. Values are in scaled
+edges at an edge are passed as a \itc{Diamond}, those at a vertex as a
+\itc{Vertex_star} or a \itc{Border_star}. Values are in scaled
 units: lengths of the input times 2 to the power of `scale_exponent()`.
 
 \cgalHeading{Which operation needs what}
 
 | operation | needs |
 |---|---|
-| constructors of `CGAL::Intrinsic_triangulations::Intrinsic_triangulation` | constructors, `is_degenerate`, `is_zero_length`, `approximate_squared_length` |
-| `is_locally_delaunay()`, `CGAL::Intrinsic_triangulations::flip_to_delaunay()` | `is_locally_delaunay`, `compute_flip`, `store_flip`, `is_exact` |
-| `CGAL::Intrinsic_triangulations::is_delaunay()` | `is_locally_delaunay` |
-| `CGAL::Intrinsic_triangulations::check_delaunay()`, `delaunay_sign()`, `flip_status()`, `flip_edge()` | `sign` of a diamond |
+| constructors of \itc{Intrinsic_triangulation} | constructors, `is_degenerate`, `is_zero_length`, `approximate_squared_length` |
+| `is_locally_delaunay()`, \itf{flip_to_delaunay} | `is_locally_delaunay`, `compute_flip`, `store_flip`, `is_exact` |
+| \itf{is_delaunay} | `is_locally_delaunay` |
+| \itf{check_delaunay}, `delaunay_sign()`, `flip_status()`, `flip_edge()` | `sign` of a diamond |
 | `squared_length()` and `area()` of the triangulation | `approximate_squared_length`, `approximate_quadruple_area`, `scale_exponent` |
 | `insert_vertex()`, `remove_vertex()` | also `compute_flip_to_zero_area`, `insert_in_face`, `insert_in_border_edge`, `remove_from_face`, `remove_from_border_edge` |
-| `CGAL::Intrinsic_triangulations::delaunay_refine()` | also `sign` of faces |
-| `CGAL::Intrinsic_triangulations::locate_on_input()`, insertion with `CGAL::Intrinsic_triangulations::Integer_coordinates` and `CGAL::Intrinsic_triangulations::Explicit_crossings` | also `sign` of faces, `sharpen` |
-| `CGAL::Intrinsic_triangulations::cotangent_laplacian()`, `CGAL::Intrinsic_triangulations::measure_quality()` | `cotangent_weight` |
+| \itf{delaunay_refine} | also `sign` of faces |
+| \itf{locate_on_input}, insertion with \itc{Integer_coordinates} and \itc{Explicit_crossings} | also `sign` of faces, `sharpen` |
+| \itf{cotangent_laplacian}, \itf{measure_quality} | `cotangent_weight` |
 
 The C++20 concept asks for what flips and Laplacians need; what moves of vertices need is asked for where it is used.
 
@@ -53,7 +54,7 @@ The C++20 concept asks for what flips and Laplacians need; what moves of vertice
 Constructors are linear. Everything else takes constant time, except that an exact
 metric may need time for a decision that depends on how many moves the values went through.
 
-The syntax is checked by `CGAL::Intrinsic_triangulations::IntrinsicMetric`.
+The C++20 concept \itc{IntrinsicMetric} in concepts.h checks the syntax.
 */
 class IntrinsicMetric {
 public:

@@ -4,6 +4,7 @@
 // Read by doxygen only.
 
 /*!
+\class IntrinsicTriangulation concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicTriangulation` describes what algorithms that flip edges need of a triangulation:
@@ -12,7 +13,7 @@ its mesh, numbers for its edges, and predicates and flips in a `Session`.
 There is no metric in it: a triangulation of hyperbolic surfaces, or one whose edges are Delaunay for other reasons,
 can be a model.
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Mesh\, Traits\, Correspondence>`}
+\cgalHasModel{\itc{Intrinsic_triangulation}}
 
 \cgalHeading{Types}
 
@@ -22,11 +23,11 @@ can be a model.
 
 | operation | needs |
 |---|---|
-| `CGAL::Intrinsic_triangulations::flip_to_delaunay()` | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::flip_status` (its type), `Session::suspended` |
-| `CGAL::Intrinsic_triangulations::is_delaunay()` | `mesh`, `Session::is_locally_delaunay` |
-| `CGAL::Intrinsic_triangulations::check_delaunay()` | `mesh`, `Session::delaunay_sign` |
-| `CGAL::Intrinsic_triangulations::lumped_mass_matrix()`, `CGAL::Intrinsic_triangulations::galerkin_mass_matrix()` | also `face_descriptor`, `area`, `input_vertex`, `numbers`, as `Intrinsic_triangulation` has them |
-| `CGAL::Intrinsic_triangulations::cotangent_laplacian()` and what solves equations with it | these, `metric`, and `Session::cotangent_weight` |
+| \itf{flip_to_delaunay} | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::flip_status` (its type), `Session::suspended` |
+| \itf{is_delaunay} | `mesh`, `Session::is_locally_delaunay` |
+| \itf{check_delaunay} | `mesh`, `Session::delaunay_sign` |
+| \itf{lumped_mass_matrix}, \itf{galerkin_mass_matrix} | also `face_descriptor`, `area`, `input_vertex`, `numbers`, as `Intrinsic_triangulation` has them |
+| \itf{cotangent_laplacian} and what solves equations with it | these, `metric`, and `Session::cotangent_weight` |
 | refinement, queries, common subdivisions | all of `Intrinsic_triangulation`: "an instance of" it, their pages say |
 
 \cgalHeading{Invariants}
@@ -39,7 +40,7 @@ can be a model.
 
 Constant time for everything, as far as that of the arithmetic is.
 
-The syntax is checked by `CGAL::Intrinsic_triangulations::IntrinsicTriangulation`.
+The C++20 concept \itc{IntrinsicTriangulation} in concepts.h checks the syntax.
 */
 class IntrinsicTriangulation {
 public:

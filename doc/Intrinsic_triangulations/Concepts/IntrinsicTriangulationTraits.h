@@ -4,6 +4,7 @@
 // Read by doxygen only.
 
 /*!
+\class IntrinsicTriangulationTraits concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicTriangulationTraits` chooses the arithmetic of an intrinsic triangulation: the
@@ -13,10 +14,10 @@ Unlike traits of CGAL's planar triangulations it has no functors on points, as t
 computes it computes through `Metric`, by the numbers of edges and faces; so the page of \ref ::IntrinsicMetric says
 which operation needs which function, and there is one thing to write: a metric.
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::Exact_euclidean_traits`\,
-`CGAL::Intrinsic_triangulations::Euclidean_traits<FT>`\,
-`CGAL::Intrinsic_triangulations::Tolerant_traits<FT\, Tolerance>`\,
-`CGAL::Intrinsic_triangulations::Interval_traits`; traits of one's own: own_traits.cpp among the examples}
+\cgalHasModel{\itc{Exact_euclidean_traits}\,
+\itc{Euclidean_traits}\,
+\itc{Tolerant_traits}\,
+\itc{Interval_traits}; traits of one's own: own_traits.cpp among the examples}
 
 \cgalHeading{Types}
 
@@ -30,13 +31,13 @@ None: objects of the class are never made.
 
 | operation | needs |
 |---|---|
-| all of `CGAL::Intrinsic_triangulations::Intrinsic_triangulation` | `FT`, `Metric` |
+| all of \itc{Intrinsic_triangulation} | `FT`, `Metric` |
 
 \cgalHeading{Invariants}
 
 `FT` is the same type as `Metric::FT`.
 
-The syntax is checked by `CGAL::Intrinsic_triangulations::IntrinsicTriangulationTraits`.
+The C++20 concept \itc{IntrinsicTriangulationTraits} in concepts.h checks the syntax.
 */
 class IntrinsicTriangulationTraits {
 public:

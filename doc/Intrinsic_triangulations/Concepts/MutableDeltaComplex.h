@@ -4,6 +4,7 @@
 // Read by doxygen only.
 
 /*!
+\class MutableDeltaComplex concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
 \cgalConcept
 
 The concept `MutableDeltaComplex` describes the connectivity of a triangulated surface that can be
@@ -20,13 +21,13 @@ looks an edge up by its end vertices, and `halfedge(u, v, mesh)` is not part of 
 [FaceListGraph](https://doc.cgal.org/latest/BGL/classFaceListGraph.html) of CGAL\, but for `halfedge(u\, v\, mesh)`;
 `DefaultConstructible` and `MoveConstructible` of the C++ standard}
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::Gluing_map`\, `CGAL::Surface_mesh`\,
+\cgalHasModel{\itc{Gluing_map}\, `CGAL::Surface_mesh`\,
 `CGAL::Polyhedron_3` (include Polyhedron_3_adaptor.h)\, `OpenMesh::TriMesh_ArrayKernelT` and
 `OpenMesh::PolyMesh_ArrayKernelT` (include OpenMesh_adaptor.h)}
 
 \cgalHeading{Types}
 
-The descriptors of `boost::graph_traits`, and a `CGAL::Intrinsic_triangulations::Mesh_adaptor` that numbers elements.
+The descriptors of `boost::graph_traits`, and a \itc{Mesh_adaptor} that numbers elements.
 The primary template serves meshes with internal indices in which halfedges `2e` and `2e + 1` are the sides of edge `e`;
 other meshes need a specialisation. It also finds elements by their numbers (`vertex_at`, `halfedge_at`, `face_at`) and
 is told of elements that are added or removed.
@@ -45,19 +46,19 @@ The functions of the concepts that it refines, found by argument-dependent looku
 
 | operation | needs |
 |---|---|
-| `CGAL::Intrinsic_triangulations::gluing_map_from_face_graph()`, predicates of `Intrinsic_triangulation` | all that read but `prev`, and `Mesh_adaptor` |
-| `CGAL::Intrinsic_triangulations::copy_gluing_map()`, the constructors of `Intrinsic_triangulation` | default constructor, `add_vertex`, `add_edge`, `add_face` and all setters on an empty mesh |
+| \itf{gluing_map_from_face_graph}, predicates of `Intrinsic_triangulation` | all that read but `prev`, and `Mesh_adaptor` |
+| \itf{copy_gluing_map}, the constructors of `Intrinsic_triangulation` | default constructor, `add_vertex`, `add_edge`, `add_face` and all setters on an empty mesh |
 | `flip_edge()` | `source` and all setters |
 | `insert_vertex()` | `add_vertex`, `add_edge`, `add_face`, `prev` at the border, all setters |
 | `remove_vertex()` | `remove_vertex`, `remove_edge`, `remove_face`, `prev` at the border, all setters |
-| `CGAL::Intrinsic_triangulations::flip_to_delaunay()` | `edges`, `halfedge(e)`, `edge(h)`, `next`, `opposite` |
-| `CGAL::Intrinsic_triangulations::delta_complex_defect()` | also `prev`, unless the mesh is a `Gluing_map` |
+| \itf{flip_to_delaunay} | `edges`, `halfedge(e)`, `edge(h)`, `next`, `opposite` |
+| \itf{delta_complex_defect} | also `prev`, unless the mesh is a `Gluing_map` |
 
 A mesh that is only *input*, to be copied, need not be a model: see \ref meshes.
 
 \cgalHeading{Invariants}
 
-`CGAL::Intrinsic_triangulations::delta_complex_defect()` checks that
+\itf{delta_complex_defect} checks that
 - `opposite()` is an involution without fixed point, and `edge()` the same for both halfedges;
 - `next()` applied three times in a face is the identity; `face()` is constant around a face;
 - `source(next(h)) == target(h)`; the two sides of an edge have the same end vertices;
@@ -66,7 +67,7 @@ A mesh that is only *input*, to be copied, need not be a model: see \ref meshes.
 - `target(halfedge(v)) == v` and `face(halfedge(f)) == f`; isolated vertices have the null halfedge.
 
 Between calls of the mutating functions invariants may be broken; a move restores them. The halfedge of a vertex on the
-border is one on the border: `CGAL::Intrinsic_triangulations::copy_gluing_map()` sees to that, and moves keep it so.
+border is one on the border: \itf{copy_gluing_map} sees to that, and moves keep it so.
 
 \cgalHeading{Numbers}
 
@@ -81,6 +82,6 @@ mesh leave removed elements out; `num_vertices()`, ... may count them. Arrays by
 
 All functions take constant time (amortised, for those that add elements), except that `num_` functions may be linear.
 
-The syntax is checked by `CGAL::Intrinsic_triangulations::MutableDeltaComplex`.
+The C++20 concept \itc{MutableDeltaComplex} in concepts.h checks the syntax.
 */
 class MutableDeltaComplex {};

@@ -4,6 +4,7 @@
 // Read by doxygen only.
 
 /*!
+\class NumberedComplex geodesic_face.h <CGAL/Intrinsic_triangulations/correspondence/geodesic_face.h>
 \cgalConcept
 
 The concept `NumberedComplex` describes a triangulated surface with a metric that is read by the numbers of its
@@ -12,24 +13,24 @@ elements: a Delta-complex whose halfedges `2e` and `2e + 1` are the sides of edg
 Both triangulations of a surface, the input and the intrinsic one, have this interface. So what walks over one can
 walk over the other: geodesics, circumcenters and balls are written once.
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::Input_surface`\,
-`CGAL::Intrinsic_triangulations::Intrinsic_view<Triangulation>`}
+\cgalHasModel{\itc{Input_surface}\,
+\itc{Intrinsic_view}}
 
 \cgalHeading{Types}
 
-All elements are numbers of type `std::uint32_t`; `CGAL::Intrinsic_triangulations::Gluing::none` is no element. Values
+All elements are numbers of type `std::uint32_t`; \itc{Gluing::none} is no element. Values
 are doubles in scaled units.
 
 \cgalHeading{Which operation needs what}
 
 | operation | needs |
 |---|---|
-| `CGAL::Intrinsic_triangulations::Geodesic_face`, `CGAL::Intrinsic_triangulations::Geodesic_walk`, `CGAL::Intrinsic_triangulations::trace_geodesic()` | `next`, `is_border`, `face`, `squared_length`, `quadruple_area` |
-| `CGAL::Intrinsic_triangulations::trace_to_target()` | also `source` |
-| `CGAL::Intrinsic_triangulations::locate_circumcenter()` | as `trace_geodesic()` |
-| `CGAL::Intrinsic_triangulations::dijkstra_ball()` | `is_border`, `target`, `outgoing_halfedge`, `next`, `squared_length` |
-| `CGAL::Intrinsic_triangulations::Constrained_segments` | `is_border`, `source`, `target`, `squared_length` |
-| `CGAL::Intrinsic_triangulations::Tangent_frames` | also `number_of_halfedges`, which `Input_surface` has |
+| \itc{Geodesic_face}, \itc{Geodesic_walk}, \itf{trace_geodesic} | `next`, `is_border`, `face`, `squared_length`, `quadruple_area` |
+| \itf{trace_to_target} | also `source` |
+| \itf{locate_circumcenter} | as `trace_geodesic()` |
+| \itf{dijkstra_ball} | `is_border`, `target`, `outgoing_halfedge`, `next`, `squared_length` |
+| \itc{Constrained_segments} | `is_border`, `source`, `target`, `squared_length` |
+| \itc{Tangent_frames} | also `number_of_halfedges`, which `Input_surface` has |
 
 \cgalHeading{Invariants}
 
