@@ -33,7 +33,7 @@ int main() {
   Triangulation triangulation(mesh);
 
   //! [map]
-  // constrain the edges that are longest in their faces' neighbourhood: any edge map will do
+  // constrain long edges, of more than 10 mm
   std::vector<char> is_constrained(num_edges(triangulation.mesh()));
   for (const auto e : edges(triangulation.mesh()))
     is_constrained[triangulation.index(e)] = triangulation.squared_length(e) > 100;

@@ -82,7 +82,7 @@ def main():
         260, crossings=True)
     panels("refinement.svg", [
         (refined, pale, [("intrinsic_edge", {"stroke": "#111", "width": 0.6})],
-         "refined to angles of at least 30 degrees")])
+         "angles of at least 30 degrees")])
     schematics.draw_all(HERE, torus)
 
 
