@@ -23,7 +23,8 @@ def write_off(file, points, triangles):
 
 def write_block(file, holes):
     """A block of 60 x 40 x 14 with holes (centre, radius, segments); planar faces are ear-clipped."""
-    cad.points.clear(), cad.triangles.clear(), cad.vertex_of.clear()
+    for container in (cad.points, cad.triangles, cad.vertex_of):
+        container.clear()
     outer = cad.mm((0, 0), (60, 0), (60, 40), (0, 40))
     circles = [cad.circle(*h) for h in holes]
     cad.flat(outer, circles, cad.at_z(14), True)

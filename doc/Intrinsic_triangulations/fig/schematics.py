@@ -17,7 +17,7 @@ CONCEPTS = {2: "IntrinsicTriangulation", 4: "IntrinsicCorrespondence",
             5: "IntrinsicTriangulationTraits", 6: "MutableDeltaComplex"}
 MODELS = {
     4: ["No_correspondence, Integer_coordinates,", "Explicit_crossings, Signposts"],
-    5: ["Exact_euclidean_traits,", "Euclidean_traits&lt;FT&gt;"],
+    5: ["Exact_euclidean_traits, Interval_traits,", "Euclidean_traits&lt;FT&gt;, Tolerant_traits&lt;FT, T&gt;"],
     6: ["Gluing_map, Surface_mesh,", "Polyhedron_3, OpenMesh"]}
 
 
@@ -63,13 +63,14 @@ def diamond(d, x, flipped):
                style='font-style="italic"')
     if flipped:
         d.text(x + 124, 128, "L_{km}", 14, RED, "end")
-        d.text(x + 200, 150, "kmj", 14), d.text(x + 75, 160, "mki", 14)
+        d.text(x + 200, 150, "kmj", 14)
+        d.text(x + 75, 160, "mki", 14)
     else:
         d.lines([angle_arc(k, i, j, 18), angle_arc(m, i, j, 18)], INK, 1)
         d.text(x + 150, 141, "L_{ij}", 14, RED)
-        d.text(x + 112, 118, "f,  a_{f}", 14), d.text(x + 160, 185, "g,  a_{g}", 14)
-        d.text(x + 50, 98, "L_{ki}", 14), d.text(x + 205, 98, "L_{jk}", 14)
-        d.text(x + 76, 210, "L_{im}", 14), d.text(x + 232, 206, "L_{mj}", 14)
+        for at_x, at_y, name in ((112, 118, "f,  a_{f}"), (160, 185, "g,  a_{g}"), (50, 98, "L_{ki}"),
+                                 (205, 98, "L_{jk}"), (76, 210, "L_{im}"), (232, 206, "L_{mj}")):
+            d.text(x + at_x, at_y, name, 14)
 
 
 def edge_flip(file):
