@@ -10,10 +10,10 @@
 The concept `IntrinsicTriangulation` describes what algorithms that flip edges need of a triangulation:
 its mesh, numbers for its edges, and predicates and flips in a `Session`.
 
-There is no metric in it: a triangulation of hyperbolic surfaces, or one whose edges are Delaunay for other reasons,
-can be a model.
+There is no metric in it: a triangulation that stores none, of hyperbolic surfaces, or one whose edges are Delaunay for
+other reasons, can be a model.
 
-\cgalHasModel{\itc{Intrinsic_triangulation}}
+\cgalHasModel{\itc{Intrinsic_triangulation}\, \itc{Integer_only_triangulation}}
 
 \cgalHeading{Types}
 
@@ -26,6 +26,7 @@ can be a model.
 | \itf{flip_to_delaunay} | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::flip_status` (its type), `Session::suspended` |
 | \itf{is_delaunay} | `mesh`, `Session::is_locally_delaunay` |
 | \itf{check_delaunay} | `mesh`, `Session::delaunay_sign` |
+| \itf{certify_delaunay} | an \itc{Integer_only_triangulation}, or an \itc{Intrinsic_triangulation} with \itc{Integer_coordinates} |
 | \itf{lumped_mass_matrix}, \itf{galerkin_mass_matrix} | also `face_descriptor`, `area`, `input_vertex`, `numbers`, as `Intrinsic_triangulation` has them |
 | \itf{cotangent_laplacian} and what solves equations with it | these, `metric`, and `Session::cotangent_weight` |
 | refinement, queries, common subdivisions | all of `Intrinsic_triangulation`: "an instance of" it, their pages say |

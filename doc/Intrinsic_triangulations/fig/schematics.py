@@ -16,6 +16,7 @@ LAYERS = [
 CONCEPTS = {2: "IntrinsicTriangulation", 4: "IntrinsicCorrespondence",
             5: "IntrinsicTriangulationTraits", 6: "MutableDeltaComplex"}
 MODELS = {
+    2: ["Intrinsic_triangulation,", "Integer_only_triangulation"],
     4: ["No_correspondence, Integer_coordinates,", "Explicit_crossings, Signposts"],
     5: ["Exact_euclidean_traits, Interval_traits,", "Euclidean_traits&lt;FT&gt;, Tolerant_traits&lt;FT, T&gt;"],
     6: ["Gluing_map, Surface_mesh,", "Polyhedron_3, OpenMesh"]}
