@@ -10,7 +10,7 @@
 The concept `IntrinsicMetric` describes the store of a cone metric on a triangulation: one squared
 length per edge, one quadruple area per face, and the predicates and constructions of moves on them.
 
-It is where all arithmetic is: no algorithm of the package computes with number types itself.
+Whatever must be right is asked here, by numbers of edges and faces, whatever number type is behind it.
 
 \cgalRefines{`DefaultConstructible`\, `MoveConstructible` and `MoveAssignable` of the C++ standard; also copyable\,
 if triangulations are to be copied}
