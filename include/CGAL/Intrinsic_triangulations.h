@@ -21,6 +21,8 @@ All of the package that needs neither Eigen nor OpenMesh. Operators are in
 #include <CGAL/Intrinsic_triangulations/correspondence/locate_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/locate_on_intrinsic.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/metric/Interval_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Tolerant_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/adaptive_refine.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/certify_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay_refine.h>

@@ -54,7 +54,7 @@ std::vector<std::uint32_t> entered_on(const Triangulation& t, const Coordinates&
 /*!
 \brief traces an intrinsic edge over the input, from the source of its halfedge `2 * edge`.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
-\tparam Coordinates `Explicit_crossings` or `Integer_coordinates`
+\tparam Coordinates a model of `CurveCoordinates`: `Explicit_crossings`, `Integer_coordinates`
 \param t the triangulation
 \param coordinates its correspondence
 \param edge the number of the edge
