@@ -73,8 +73,7 @@ public:
                                    const Expression& expression) {
     if (faces_.size() > maximal_memory) faces_ = {};
     const bool in_space = Integer_faces::is_in_space(input);
-    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
-      if (in_space && is_cocircular_strip(input, diamond)) return Answer::zero;
+    if (is_tie_of_strip(input, diamond, expression)) return Answer::zero;
     if (!find_shapes(input, diamond)) return std::nullopt;
     if (basis_.dimension() > few_roots) {
       if (!vanishes(diamond, expression, probable_bits, false)) return Answer::not_zero;
@@ -83,6 +82,16 @@ public:
     }
     const double bits = Conjugate_bound(diamond, metric_, in_space).bits(expression);
     return vanishes(diamond, expression, bits, true) ? Answer::zero : Answer::not_zero;
+  }
+
+  /// tells whether an expression is proven to be zero in integers of fixed size, which takes a microsecond.
+  template <class Expression>
+  static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
+                              const Expression&) {
+    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
+      return Integer_faces::is_in_space(input) && is_cocircular_strip(input, diamond);
+    else
+      return false;
   }
 
   /// tells whether a diamond can be unfolded: no triangle is entered by a side without length.

@@ -5,14 +5,17 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EVALUATION_H
 
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Diamond_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/metric/History_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/metric/History_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/metric/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Zero_test.h>
 #include <CGAL/Intrinsic_triangulations/metric/escalation.h>
+#include <CGAL/Intrinsic_triangulations/metric/initial_values.h>
 
 #include <CGAL/Gmpfi.h>
 #include <CGAL/Gmpq.h>
@@ -34,11 +37,11 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief decides signs that floating point intervals leave open.
 
-Most of these values are zero, which a `Zero_test` tells. If not, values are recomputed from the
-input in intervals of 128 bits, of 512 if vertices have been inserted there, and the precision is
-doubled until the sign shows, which must
-happen if the value is proven not to be zero. One that is only probably zero counts as zero at 1024
-bits.
+Ties over strips that are folded along parallel lines are found first. Then values are recomputed from the input
+by unfolding, in doubles, which may be enough: stored ones carry the errors of all flips before. Most of the
+others are zero, which a `Zero_test` tells. If not, values are recomputed in intervals of 128 bits, of 512 bits
+along the history where vertices have been inserted, and the precision is doubled until the sign shows, which
+must happen if the value is proven not to be zero. One that is only probably zero counts as zero at 1024 bits.
 */
 class Exact_evaluation {
 public:
@@ -52,17 +55,23 @@ public:
   \param left side on the left
   \param right side on the right, glued to `left`
   \param expression the expression
-  \param better set to intervals that contain the values: about as small as doubles allow if the
-  expression is not zero, all reals if it is
+  \param better set to intervals that contain the values: about as small as doubles allow, or
+  all reals if nothing was computed
   \param statistics counts how the sign was decided
   */
   template <class Expression>
   Sign sign(const Input_metric& input, const Flip_history& history, Side left, Side right,
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
             Predicate_statistics& statistics) {
-    const Zero_test::Answer answer = is_zero_(input, history, left, right, expression);
+    is_zero_.unfold(input, history, left, right);
+    if (is_unfolded())
+      if (const std::optional<Sign> s =
+              sign_in_doubles(input, *is_zero_.diamond(), expression, better, statistics))
+        return *s;
     return internal::escalated_sign(
-        answer, first_bits(), [&] { return values(input, history, left, right); }, expression,
+        first_bits(), [&] { return values(input, history, left, right); },
+        !is_unfolded() || internal::tests_zero_first(is_zero_.diamond()->triangles.size()),
+        [&] { return is_zero_.decide(input, history, left, right, expression); }, expression,
         better, statistics);
   }
 
@@ -137,20 +146,49 @@ private:
   }
   unsigned first_bits() const { return is_unfolded() ? 128 : history_bits; }
 
+  static Diamond_values<Interval_nt<false>> unknown_values() {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Interval_nt<false> all(-infinity, infinity);
+    return {all, all, all, all, all, all, all};
+  }
+
+  // Unfolded anew, values carry no error of the flips before: doubles may do.
+  template <class Expression>
+  static std::optional<Sign>
+  sign_in_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
+                  const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                  Predicate_statistics& statistics) {
+    if (Diamond_zero_test::is_tie_of_strip(input, diamond, expression)) {
+      better = unknown_values();
+      ++statistics.certified_zero;
+      return ZERO;
+    }
+    using FT = Interval_nt<false>;
+    better = diamond.values<FT>([&input](std::uint32_t f) {
+      return std::pair<std::array<FT, 3>, FT>({input.squared_length<FT>(f, 0),
+                                               input.squared_length<FT>(f, 1),
+                                               input.squared_length<FT>(f, 2)},
+                                              quadruple_area<FT>(input, f));
+    });
+    const Uncertain<Sign> s = CGAL::sign(expression(better));
+    if (!is_certain(s)) return std::nullopt;
+    ++statistics.escalations[53];
+    return get_certain(s);
+  }
+
   // entries that are kept between calls, about a kilobyte each
   static constexpr std::size_t maximal_memory = 100000;
 
   Diamond_values<Gmpfi> values(const Input_metric& input, const Flip_history& history, Side left,
                                Side right) {
-    if (is_unfolded())
-      return is_zero_.diamond()->values<Gmpfi>(internal::gmpfi_input_values(input));
+    if (is_unfolded()) return is_zero_.diamond()->values<Gmpfi>(faces_.of(input));
     const auto faces = values(input, history, {left, right});
     return diamond_values(faces[0], faces[1]);
   }
 
   std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,
                                          const std::vector<Side>& sides) {
-    const auto face = internal::gmpfi_input_values(input);
+    const auto face = faces_.of(input);
     History_values<Gmpfi>& memory = memory_[Gmpfi::get_default_precision()];
     if (memory.size() > maximal_memory) memory = {};
     return History_evaluator<Gmpfi, decltype(face)>(history, face, memory).faces(sides);
@@ -168,6 +206,7 @@ private:
   }
 
   Zero_test is_zero_;
+  internal::Gmpfi_faces faces_;
   // values of each precision so far: faces made next have them as ancestors
   std::map<Gmpfi::Precision_type, History_values<Gmpfi>> memory_;
 };

@@ -96,7 +96,7 @@ struct Unfolded_diamond {
   Diamond_values<FT> values(const Input_values& input) const {
     boost::container::small_vector<Complex<FT>, 16> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
     for (const Triangle& t : triangles) {
-      const auto face = input(t.face);
+      const auto& face = input(t.face);
       const FT& l = face.first[t.entry];
       const FT p = l + face.first[(t.entry + 2) % 3] - face.first[(t.entry + 1) % 3];
       const Complex<FT> e = z[t.end()] - z[t.start()], &a = z[t.start()];
@@ -113,7 +113,7 @@ struct Unfolded_diamond {
       }
       z.push_back(sum);
     }
-    const auto first = input(triangles.front().face);
+    const auto& first = input(triangles.front().face);
     const FT& unit = first.first[0];
     const Complex<FT>&i = z[point(0)], &j = z[point(1)], &k = z[point(2)], &m = z[point(3)];
     const auto length = [&unit](const Complex<FT>& e) { return unit * (e.x * e.x + e.y * e.y); };

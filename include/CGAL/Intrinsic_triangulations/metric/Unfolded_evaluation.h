@@ -21,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations {
 input: there is no history.
 
 Most of these values are zero, which a `Diamond_zero_test` tells. If not, they are computed in intervals of
-128 bits, and the precision is doubled until the sign shows.
+128 bits, and the precision is doubled until the sign shows. Over long strips intervals come first.
 */
 class Unfolded_evaluation {
 public:
@@ -39,18 +39,21 @@ public:
 
 private:
   Diamond_zero_test is_zero_;
+  internal::Gmpfi_faces faces_;
 };
 
 template <class Expression>
 Sign Unfolded_evaluation::sign(const Input_metric& input, const Unfolded_diamond& diamond,
                                const Expression& expression, Predicate_statistics& statistics) {
   // with more square roots than the test takes: unknown to it
-  const Zero_answer answer =
-      is_zero_(input, diamond, expression).value_or(Zero_answer::probably_zero);
+  const auto is_zero = [&] {
+    return is_zero_(input, diamond, expression).value_or(Zero_answer::probably_zero);
+  };
   Diamond_values<Interval_nt<false>> better;
   return internal::escalated_sign(
-      answer, 128U, [&] { return diamond.values<Gmpfi>(internal::gmpfi_input_values(input)); },
-      expression, better, statistics);
+      128U, [&] { return diamond.values<Gmpfi>(faces_.of(input)); },
+      internal::tests_zero_first(diamond.triangles.size()), is_zero, expression, better,
+      statistics);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -41,19 +41,27 @@ public:
   template <class Expression>
   Answer operator()(const Input_metric& input, const Flip_history& history, Side left, Side right,
                     const Expression& expression) {
-    find_triangles(history, left, right);
-    if (diamond_) {
-      if (const std::optional<Answer> answer = is_zero_(input, *diamond_, expression))
-        return *answer;
-      diamond_.reset();
-    }
-    return History_zero_test(input, history, left, right)(expression);
+    unfold(input, history, left, right);
+    return decide(input, history, left, right, expression);
   }
 
   /// unfolds the diamond between two sides, without deciding anything.
   void unfold(const Input_metric& input, const Flip_history& history, Side left, Side right) {
-    find_triangles(history, left, right);
+    if (unfolding_.size() > maximal_memory) unfolding_ = {};
+    diamond_.reset();
+    // the sides of an edge inside one face are told apart by no `Diamond`
+    if (left.version != right.version) diamond_ = unfolding_.diamond(history, left, right);
     if (diamond_ && !is_zero_.is_defined(input, *diamond_)) diamond_.reset();
+  }
+
+  /// decides about an expression in the values of the diamond that was unfolded last; parameters as above.
+  template <class Expression>
+  Answer decide(const Input_metric& input, const Flip_history& history, Side left, Side right,
+                const Expression& expression) {
+    if (diamond_)
+      if (const std::optional<Answer> answer = is_zero_(input, *diamond_, expression))
+        return *answer;
+    return History_zero_test(input, history, left, right)(expression);
   }
 
   /// returns the diamond of the last call, or nothing if it cannot be unfolded.
@@ -62,13 +70,6 @@ public:
 private:
   // entries that are kept between calls, some hundred bytes each
   static constexpr std::size_t maximal_memory = 50000;
-
-  void find_triangles(const Flip_history& history, Side left, Side right) {
-    if (unfolding_.size() > maximal_memory) unfolding_ = {};
-    diamond_.reset();
-    // the sides of an edge inside one face are told apart by no `Diamond`
-    if (left.version != right.version) diamond_ = unfolding_.diamond(history, left, right);
-  }
 
   Unfolding unfolding_;
   Diamond_zero_test is_zero_;

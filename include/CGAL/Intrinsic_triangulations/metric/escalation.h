@@ -14,9 +14,13 @@
 #include <CGAL/Interval_nt.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <optional>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
 
 /*!
@@ -53,15 +57,40 @@ inline bool gives_up(Zero_answer answer, unsigned bits) {
                          "please report this with the mesh");
 }
 
-// returns a functor from an input face to its squared lengths and quadruple area, in the default precision
-inline auto gmpfi_input_values(const Input_metric& input) {
-  return [&input](std::uint32_t f) {
-    return std::pair<std::array<Gmpfi, 3>, Gmpfi>(
-        {Gmpfi(input.squared_length<Gmpq>(f, 0)), Gmpfi(input.squared_length<Gmpq>(f, 1)),
-         Gmpfi(input.squared_length<Gmpq>(f, 2))},
-        Gmpfi(input.squared_quadruple_area<Gmpq>(f)).sqrt());
-  };
-}
+// The squared lengths and the quadruple area of input faces in multi-precision intervals, remembered per
+// precision.
+class Gmpfi_faces {
+public:
+  using Face = std::pair<std::array<Gmpfi, 3>, Gmpfi>;
+
+  // returns a functor from a face to its values in the default precision, valid until the next call
+  auto of(const Input_metric& input) {
+    Faces& faces = faces_[Gmpfi::get_default_precision()];
+    if (faces.size() > maximal_memory) faces.clear();
+    return [&input, &faces](std::uint32_t f) -> const Face& {
+      const auto found = faces.find(f);
+      return found != faces.end() ? found->second
+                                  : faces.emplace(f, values(input, f)).first->second;
+    };
+  }
+
+private:
+  using Faces = std::unordered_map<std::uint32_t, Face>;
+  static constexpr std::size_t maximal_memory = 20000; // a kilobyte each
+
+  // More bits leave enough of them where a thin face loses some; rational numbers, which take ten times as
+  // long, do the rest.
+  static Face values(const Input_metric& input, std::uint32_t f) {
+    const Gmpfi::Precision_type bits = Gmpfi::get_default_precision();
+    const Gmpfi_precision wide(static_cast<unsigned>(2 * bits + 64));
+    Gmpfi d = input.squared_quadruple_area<Gmpfi>(f);
+    if (!(d.inf() > 0)) d = Gmpfi(input.squared_quadruple_area<Gmpq>(f));
+    const auto length = [&](unsigned k) { return Gmpfi(input.squared_length<Gmpfi>(f, k), bits); };
+    return {{length(0), length(1), length(2)}, Gmpfi(d.sqrt(), bits)};
+  }
+
+  std::map<Gmpfi::Precision_type, Faces> faces_;
+};
 
 inline Interval_nt<false> interval(const Gmpfi& x) {
   const std::pair<double, double> i = x.to_interval();
@@ -73,24 +102,34 @@ inline Diamond_values<Interval_nt<false>> intervals(const Diamond_values<Gmpfi>&
           interval(d.mj), interval(d.area_f), interval(d.area_g)};
 }
 
+// Where the test for zero comes first: the values of a few triangles. Over long strips ties are rare, and the
+// areas of the triangles have many independent square roots, which take longer than more bits.
+inline bool tests_zero_first(std::size_t triangles) { return triangles <= 256; }
+
 /*
-Returns the sign of an expression in the values of a diamond, of which `answer` is known. `values()` computes
-them in the default precision, which is `bits` first and is doubled until the sign shows, which must happen
-if the value is proven not to be zero. `better` is set to intervals that contain the values, all reals
-if nothing was computed.
+Returns the sign of an expression in the values of a diamond. `values()` computes them in the default precision,
+which is `bits` first; `is_zero()` tells whether the value is zero, before or after that. If it is not, the
+precision is doubled until the sign shows, which must happen if that is proven. `better` is set to
+intervals that contain the values, all reals if none were computed.
 */
-template <class Values, class Expression>
-Sign escalated_sign(Zero_answer answer, unsigned bits, const Values& values,
+template <class Values, class Is_zero, class Expression>
+Sign escalated_sign(unsigned bits, const Values& values, bool zero_first, const Is_zero& is_zero,
                     const Expression& expression, Diamond_values<Interval_nt<false>>& better,
                     Predicate_statistics& statistics) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const Interval_nt<false> unknown(-infinity, infinity);
-  better = {unknown, unknown, unknown, unknown, unknown, unknown, unknown};
-  if (answer == Zero_answer::zero) {
-    ++statistics.certified_zero;
-    return ZERO;
-  }
-  for (; !gives_up(answer, bits); bits *= 2) {
+  const Interval_nt<false> all(-infinity, infinity);
+  better = {all, all, all, all, all, all, all};
+  std::optional<Zero_answer> answer;
+  for (const unsigned first = bits;; bits *= 2) {
+    if (!answer && (zero_first || bits > first)) answer = is_zero();
+    if (answer == Zero_answer::zero) {
+      ++statistics.certified_zero;
+      return ZERO;
+    }
+    if (answer && gives_up(*answer, bits)) {
+      ++statistics.probable_zero;
+      return ZERO;
+    }
     const Gmpfi_precision precision(bits);
     const Diamond_values<Gmpfi> d = values();
     better = intervals(d);
@@ -100,8 +139,6 @@ Sign escalated_sign(Zero_answer answer, unsigned bits, const Values& values,
       return get_certain(s);
     }
   }
-  ++statistics.probable_zero;
-  return ZERO;
 }
 
 } // namespace internal
