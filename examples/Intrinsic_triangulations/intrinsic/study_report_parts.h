@@ -4,7 +4,7 @@
 #ifndef INTRINSIC_STUDY_REPORT_PARTS_H
 #define INTRINSIC_STUDY_REPORT_PARTS_H
 
-#include "study_results.h"
+#include "study_report_lines.h"
 #include "svg_plot.h"
 
 #include <cstddef>

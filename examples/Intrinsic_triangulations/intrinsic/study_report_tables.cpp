@@ -5,14 +5,13 @@
 #include "study_report_parts.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
-#include <set>
-#include <tuple>
 
 namespace program {
 
 namespace {
+
+const char* const unknown = "\u2013";
 
 // Sums of a key over all lines of an arithmetic that have it.
 std::uint64_t total(const Study_results& results, const std::string& arithmetic, const char* key) {
@@ -89,79 +88,47 @@ void write_times(std::ostream& out, const Study_results& results) {
   write_table(out, table);
 }
 
-std::string same_of(const Agreement& a) {
-  return a.compared == 0 ? "\u2013" : grouped(a.same) + " of " + grouped(a.compared);
+std::string share_of(std::size_t some, std::size_t all) {
+  return all == 0 ? unknown : grouped(some) + " of " + grouped(all);
+}
+
+// Comparisons end early where the exact metric cannot follow, or at limits.
+std::string compared_to_the_end(const Study_results& results, const std::string& arithmetic) {
+  std::size_t all = 0, complete = 0;
+  for (const Study_mesh& m : results.meshes()) {
+    const Study_line* const l = m.line(arithmetic);
+    if (l == nullptr || l->text("comparison").empty()) continue;
+    ++all;
+    complete += l->text("comparison") == "complete" ? 1 : 0;
+  }
+  return share_of(complete, all);
 }
 
 void write_decisions(std::ostream& out, const Study_results& results) {
   Html_table table{{"arithmetic", "flips", "different decisions", "flips not convex",
-                    "refused flips", "cycles", "edges not Delaunay", "in so many meshes",
-                    "same result as exact", "area drift", "cone angle drift", "interval width"},
+                    "refused flips", "cycles", "inverted faces", "edges not Delaunay",
+                    "in so many meshes", "compared to the end", "same result as exact",
+                    "area drift", "cone angle drift", "interval width"},
                    {}};
   for (const std::string& a : results.arithmetics()) {
     std::vector<std::string> row = {a};
-    for (const char* const key : {"flips", "different_decisions", "nonconvex_flips",
-                                  "refused_flips", "cycles", "non_delaunay_edges"})
+    for (const char* const key :
+         {"flips", "different_decisions", "nonconvex_flips", "refused_flips", "cycles",
+          "inverted_faces", "non_delaunay_edges"})
       row.push_back(grouped(total(results, a, key)));
     row.push_back(grouped(static_cast<std::uint64_t>(
         std::count_if(results.meshes().begin(), results.meshes().end(), [&](const Study_mesh& m) {
           const Study_line* const l = m.line(a);
           return l != nullptr && l->count("non_delaunay_edges") > 0;
         }))));
-    row.push_back(same_of(agreement(results, a, "exact")));
+    row.push_back(compared_to_the_end(results, a));
+    const Agreement agree = agreement(results, a, "exact");
+    row.push_back(share_of(agree.same, agree.compared));
     for (const char* const key : {"area_drift", "cone_angle_drift", "largest_interval_width"})
       row.push_back(short_number(worst(results, a, key), 2));
     table.rows.push_back(row);
   }
   write_table(out, table);
-}
-
-// A table of meshes by arithmetics, of the meshes with a value that is not zero, largest first.
-void write_matrix(std::ostream& out, const Study_results& results,
-                  const std::vector<std::string>& columns,
-                  const std::function<std::int64_t(const Study_mesh&, const std::string&)>& value) {
-  using Row = std::tuple<std::int64_t, std::string, std::vector<std::string>>;
-  std::vector<Row> rows;
-  for (const Study_mesh& m : results.meshes()) {
-    Row row{0, m.name, {m.name, grouped(m.faces())}};
-    for (const std::string& a : columns) {
-      const std::int64_t x = value(m, a);
-      const auto size = static_cast<std::uint64_t>(x < 0 ? -x : x);
-      std::get<0>(row) = std::min(std::get<0>(row), -static_cast<std::int64_t>(size));
-      std::get<2>(row).push_back(x == 0 ? "" : (x < 0 ? "\u2212" : "") + grouped(size));
-    }
-    if (std::get<0>(row) != 0) rows.push_back(row);
-  }
-  std::sort(rows.begin(), rows.end());
-  if (rows.empty()) {
-    out << "<p>None.</p>\n";
-    return;
-  }
-  Html_table table{{"mesh", "faces"}, {}};
-  table.head.insert(table.head.end(), columns.begin(), columns.end());
-  for (Row& row : rows) table.rows.push_back(std::move(std::get<2>(row)));
-  write_table(out, table, 25);
-}
-
-std::int64_t extra_flips(const Study_mesh& m, const std::string& arithmetic) {
-  const Study_line* const l = m.line(arithmetic);
-  const Study_line* const exact = m.done("exact");
-  if (l == nullptr || exact == nullptr || !l->number("flips")) return 0;
-  return static_cast<std::int64_t>(l->count("flips")) -
-         static_cast<std::int64_t>(exact->count("flips"));
-}
-
-std::string how_it_ended(const Study_line* l) {
-  if (l == nullptr) return "";
-  if (l->is_done()) return short_number(l->seconds(), 2) + " s";
-  std::string words = l->status();
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
-bool is_unfinished(const Study_line& l) {
-  const std::string s = l.status();
-  return s == "timed_out" || s == "out_of_memory" || s == "crashed" || s == "cap";
 }
 
 } // namespace
@@ -218,56 +185,6 @@ void write_summary(std::ostream& out, const Study_results& results) {
   write_ends(out, results);
   write_times(out, results);
   write_decisions(out, results);
-}
-
-void write_harm(std::ostream& out, const Study_results& results) {
-  std::vector<std::string> inexact;
-  for (const std::string& a : results.arithmetics())
-    if (!is_certified(a) && !is_naive_exact(a)) inexact.push_back(a);
-  const auto counts = [](const char* key) {
-    return [key](const Study_mesh& m, const std::string& a) {
-      const Study_line* const l = m.line(a);
-      return l == nullptr ? 0 : static_cast<std::int64_t>(l->count(key));
-    };
-  };
-  out << "<h3>Edges of the result that are not Delaunay</h3>\n";
-  write_matrix(out, results, inexact, counts("non_delaunay_edges"));
-  out << "<h3>Flips more, or fewer, than with exact predicates</h3>\n";
-  write_matrix(out, results, inexact, extra_flips);
-  out << "<h3>Cycles: flips that undo the last flip of the same edge</h3>\n";
-  write_matrix(out, results, inexact, counts("cycles"));
-  out << "<h3>Flips of diamonds that are not convex</h3>\n";
-  write_matrix(out, results, inexact, counts("nonconvex_flips"));
-}
-
-void write_unfinished(std::ostream& out, const Study_results& results) {
-  std::set<std::string> shown = {"double", "exact"};
-  std::vector<const Study_mesh*> meshes;
-  for (const Study_mesh& m : results.meshes()) {
-    bool is_listed = false;
-    for (const auto& [a, l] : m.lines)
-      if (is_unfinished(l)) {
-        shown.insert(a);
-        is_listed = true;
-      }
-    if (is_listed) meshes.push_back(&m);
-  }
-  if (meshes.empty()) {
-    out << "<p>All arithmetics finished everything that they apply to.</p>\n";
-    return;
-  }
-  std::stable_sort(meshes.begin(), meshes.end(), [](const Study_mesh* a, const Study_mesh* b) {
-    return a->faces() < b->faces();
-  });
-  Html_table table{{"mesh", "faces"}, {}};
-  for (const Study_mesh* const m : meshes) table.rows.push_back({m->name, grouped(m->faces())});
-  for (const std::string& a : results.arithmetics()) {
-    if (!shown.contains(a)) continue;
-    table.head.push_back(a);
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-      table.rows[i].push_back(how_it_ended(meshes[i]->line(a)));
-  }
-  write_table(out, table, 25);
 }
 
 Decided_by decided_by(const Study_results& results, const std::string& arithmetic) {

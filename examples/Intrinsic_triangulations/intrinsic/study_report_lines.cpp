@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "study_results.h"
+#include "study_report_lines.h"
 
 #include <algorithm>
 #include <charconv>

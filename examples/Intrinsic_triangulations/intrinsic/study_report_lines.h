@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTRINSIC_STUDY_RESULTS_H
-#define INTRINSIC_STUDY_RESULTS_H
+#ifndef INTRINSIC_STUDY_REPORT_LINES_H
+#define INTRINSIC_STUDY_REPORT_LINES_H
 
 #include <nlohmann/json.hpp>
 
@@ -90,4 +90,4 @@ bool is_naive_exact(const std::string& arithmetic);
 
 } // namespace program
 
-#endif // INTRINSIC_STUDY_RESULTS_H
+#endif // INTRINSIC_STUDY_REPORT_LINES_H
