@@ -52,8 +52,8 @@ std::string short_number(std::optional<double> x, int digits) {
   if (size != 0 && (size < 1e-3 || size >= 1e6)) {
     std::snprintf(text, sizeof(text), "%.*e", digits - 2, *x);
   } else {
-    const int before = size < 1 ? 0 : static_cast<int>(std::floor(std::log10(size)));
-    std::snprintf(text, sizeof(text), "%.*f", size == 0 ? 0 : std::max(0, digits - 1 - before), *x);
+    const int leading = size == 0 ? digits - 1 : static_cast<int>(std::floor(std::log10(size)));
+    std::snprintf(text, sizeof(text), "%.*f", std::max(0, digits - 1 - leading), *x);
   }
   return text;
 }

@@ -5,8 +5,8 @@
 #include "html_table.h"
 #include "study_report_parts.h"
 
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <optional>
 #include <set>
@@ -99,23 +99,69 @@ void write_agreement_items(std::ostream& out, const Study_results& results) {
   for (const std::string& name : agree.different) write_item(out, "They differ on " + name + ".");
 }
 
+// What an arithmetic did wrong in some meshes, and the mesh to name.
+struct Harm {
+  std::uint64_t sum = 0, most = 0;
+  std::size_t meshes = 0;
+  std::string worst;
+
+  void add(std::uint64_t n, const std::string& mesh) {
+    if (n == 0) return;
+    sum += n;
+    ++meshes;
+    if (n <= most) return;
+    most = n;
+    worst = mesh;
+  }
+};
+
+void write_harm_item(std::ostream& out, const Harm& harm, const std::string& verb,
+                     const std::string& one, const std::string& many) {
+  if (harm.sum > 0)
+    write_item(out, verb + " " + plural(harm.sum, one, many) + " in " +
+                        plural(harm.meshes, "mesh", "meshes") + ", the most in " + harm.worst +
+                        ": " + grouped(harm.most) + ".");
+}
+
+std::uint64_t flips_beyond_exact(const Study_mesh& m, const Study_line& l) {
+  const Study_line* const exact = m.done("exact");
+  if (exact == nullptr || l.count("flips") < exact->count("flips")) return 0;
+  return l.count("flips") - exact->count("flips");
+}
+
+void write_unfinished_item(std::ostream& out, const Study_results& results, const std::string& a) {
+  std::size_t jobs = 0, stuck = 0;
+  const Study_mesh* smallest = nullptr;
+  for (const Study_mesh& m : results.meshes()) {
+    const Study_line* const l = m.line(a);
+    if (l == nullptr || l->status() == "not_applicable" || l->status() == "refused_input") continue;
+    ++jobs;
+    if (l->is_done()) continue;
+    ++stuck;
+    if (smallest == nullptr || m.faces() < smallest->faces()) smallest = &m;
+  }
+  if (stuck > 0)
+    write_item(out, a + " does not finish " + grouped(stuck) + " of " +
+                        plural(jobs, "mesh", "meshes") + "; the smallest is " + smallest->name +
+                        " with " + plural(smallest->faces(), "face", "faces") + ".");
+}
+
 void write_inexact_items(std::ostream& out, const Study_results& results) {
   for (const std::string& a : results.arithmetics()) {
-    std::size_t jobs = 0, stuck = 0, bad = 0, edges = 0;
+    if (is_certified(a)) continue;
+    Harm edges, flips, cycles;
     for (const Study_mesh& m : results.meshes()) {
       const Study_line* const l = m.line(a);
-      if (l == nullptr || l->status() == "not_applicable") continue;
-      ++jobs;
-      stuck += !l->is_done() && l->status() != "refused_input" ? 1 : 0;
-      bad += l->count("non_delaunay_edges") > 0 ? 1 : 0;
-      edges += l->count("non_delaunay_edges");
+      if (l == nullptr) continue;
+      edges.add(l->count("non_delaunay_edges"), m.name);
+      flips.add(flips_beyond_exact(m, *l), m.name);
+      cycles.add(l->count("cycles"), m.name);
     }
-    if (!is_certified(a) && bad > 0)
-      write_item(out, a + " leaves " + plural(edges, "edge", "edges") + " not Delaunay, in " +
-                          plural(bad, "mesh", "meshes") + " of " + grouped(jobs) + ".");
-    if (!is_certified(a) && stuck > 0)
-      write_item(out, a + " does not finish " + plural(stuck, "mesh", "meshes") + " of " +
-                          grouped(jobs) + ".");
+    write_harm_item(out, edges, a + " leaves", "edge that is not Delaunay",
+                    "edges that are not Delaunay");
+    write_harm_item(out, flips, a + " makes", "flip more than exact", "flips more than exact");
+    write_harm_item(out, cycles, a + " undoes", "flip at once", "flips at once");
+    write_unfinished_item(out, results, a);
   }
 }
 
