@@ -119,8 +119,8 @@ void write_harm_item(std::ostream& out, const Harm& harm, const std::string& ver
                      const std::string& one, const std::string& many) {
   if (harm.sum > 0)
     write_item(out, verb + " " + plural(harm.sum, one, many) + " in " +
-                        plural(harm.meshes, "mesh", "meshes") + ", the most in " + harm.worst +
-                        ": " + grouped(harm.most) + ".");
+                        plural(harm.meshes, "mesh", "meshes") + ", " + grouped(harm.most) +
+                        " of them in " + harm.worst + ".");
 }
 
 std::uint64_t flips_beyond_exact(const Study_mesh& m, const Study_line& l) {
@@ -222,8 +222,9 @@ void write_study_report(const std::vector<nlohmann::ordered_json>& lines, std::o
   plot_profile(html, results);
   html << "<h2>What inexact arithmetic does</h2>\n";
   write_harm(html, results);
-  html << "<h2>By amount of stress</h2>\n<p>Sums over meshes of a family with the same amount, of "
-          "arithmetics that leave any. Axes are logarithmic, with a place for zero.</p>\n";
+  html << "<h2>By amount of stress</h2>\n<p>Meshes of a stress family that differ in the amount "
+          "only, and "
+          "arithmetics that leave such edges. Axes are logarithmic, with a place for zero.</p>\n";
   plot_stress(html, results);
   html << "<h2>What does not finish</h2>\n<p>Meshes on which some arithmetic reached its limits, "
           "small ones first; times of those that finish.</p>\n";

@@ -25,6 +25,8 @@ const char* const known_arithmetics[] = {
     "interval",       "boost-100",    "boost-200",    "gmpq",        "core-expr",
     "lazy-core-expr", "exact",        "exact-integer"};
 
+const char* const amount_key = ":amount="; // in specs of stress meshes
+
 // Unknown ones come last.
 std::ptrdiff_t rank(const std::string& arithmetic) {
   return std::find(std::begin(known_arithmetics), std::end(known_arithmetics), arithmetic) -
@@ -102,13 +104,19 @@ std::uint64_t Study_mesh::faces() const {
 }
 
 std::optional<double> Study_mesh::amount() const {
-  const std::string key = ":amount=";
+  const std::string key = amount_key;
   const std::size_t at = name.find(key);
   if (at == std::string::npos) return std::nullopt;
   double x = 0;
   const auto end = name.data() + name.size();
   const auto result = std::from_chars(name.data() + at + key.size(), end, x);
   return result.ec == std::errc() ? std::optional<double>(x) : std::nullopt;
+}
+
+std::string Study_mesh::name_without_amount() const {
+  const std::size_t at = name.find(amount_key);
+  if (at == std::string::npos) return name;
+  return name.substr(0, at) + name.substr(std::min(name.size(), name.find(':', at + 1)));
 }
 
 Study_results::Study_results(const std::vector<Json>& lines) {

@@ -55,6 +55,8 @@ struct Study_mesh {
   std::uint64_t faces() const;
   /// returns `amount` of a stress spec, if it has one.
   std::optional<double> amount() const;
+  /// returns the name without `amount`: meshes that share it differ in nothing else.
+  std::string name_without_amount() const;
 };
 
 /*!

@@ -59,7 +59,7 @@ void plot_times(std::ostream& out, const Study_results& results);
 void plot_profile(std::ostream& out, const Study_results& results);
 /// plots how many predicates needed what.
 void plot_escalations(std::ostream& out, const Study_results& results);
-/// plots edges that are not Delaunay against the amount, for each stress family that has some.
+/// plots edges that are not Delaunay against the amount, for stress meshes that differ in it only.
 void plot_stress(std::ostream& out, const Study_results& results);
 
 /// Predicates that the filter left open, by what decided them, in order of cost.

@@ -62,21 +62,22 @@ std::vector<double> sorted_ratios(const Study_results& results, const std::strin
 
 using Amounts = std::map<double, double>; // number of edges by amount
 
+// Of meshes with this name but for the amount.
 std::map<std::string, Amounts> non_delaunay_by_amount(const Study_results& results,
-                                                      const std::string& family) {
+                                                      const std::string& name) {
   std::map<std::string, Amounts> counts;
   for (const Study_mesh& m : results.meshes()) {
-    if (m.family != family || !m.amount()) continue;
+    if (!m.amount() || m.name_without_amount() != name) continue;
     for (const auto& [a, l] : m.lines)
       if (l.number("non_delaunay_edges"))
-        counts[a][*m.amount()] += static_cast<double>(l.count("non_delaunay_edges"));
+        counts[a][*m.amount()] = static_cast<double>(l.count("non_delaunay_edges"));
   }
   return counts;
 }
 
 // Arithmetics that leave none anywhere are left out: their lines would hide each other.
-std::vector<Series> stress_series(const Study_results& results, const std::string& family) {
-  const auto counts = non_delaunay_by_amount(results, family);
+std::vector<Series> stress_series(const Study_results& results, const std::string& name) {
+  const auto counts = non_delaunay_by_amount(results, name);
   std::vector<Series> all;
   for (const std::string& a : results.arithmetics()) {
     const auto i = counts.find(a);
@@ -90,6 +91,17 @@ std::vector<Series> stress_series(const Study_results& results, const std::strin
     if (sum > 0) all.push_back(series);
   }
   return all;
+}
+
+// Names without amount, of which there are meshes with several.
+std::set<std::string> stressed_names(const Study_results& results) {
+  std::map<std::string, std::set<double>> amounts;
+  for (const Study_mesh& m : results.meshes())
+    if (m.family != "files" && m.amount()) amounts[m.name_without_amount()].insert(*m.amount());
+  std::set<std::string> names;
+  for (const auto& [name, different] : amounts)
+    if (different.size() > 1) names.insert(name);
+  return names;
 }
 
 } // namespace
@@ -151,23 +163,17 @@ void plot_escalations(std::ostream& out, const Study_results& results) {
 }
 
 void plot_stress(std::ostream& out, const Study_results& results) {
-  std::set<std::string> families;
-  for (const Study_mesh& m : results.meshes())
-    if (m.family != "files") families.insert(m.family);
   bool has_any = false;
-  for (const std::string& family : families) {
-    Plot plot{family + ": edges that are not Delaunay",
-              {"amount"},
-              {"edges of the results"},
-              stress_series(results, family)};
-    std::set<double> amounts;
-    for (const Series& s : plot.series)
-      for (const Plot_point& p : s.points) amounts.insert(p.x);
-    if (amounts.size() < 2) continue;
+  for (const std::string& name : stressed_names(results)) {
+    const Plot plot{name + ": edges that are not Delaunay",
+                    {"amount"},
+                    {"edges of the result"},
+                    stress_series(results, name)};
+    if (plot.series.empty()) continue;
     has_any = true;
     write_svg(out, plot);
   }
-  if (!has_any) out << "<p>No arithmetic left such edges in a family with several amounts.</p>\n";
+  if (!has_any) out << "<p>None.</p>\n";
 }
 
 } // namespace program
