@@ -7,6 +7,7 @@
 #include <CGAL/CORE_Expr.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Lazy_exact_nt.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -33,6 +34,7 @@ using Exact = IT::Intrinsic_triangulation<>;
 
 static_assert(Triangulation<CGAL::Gmpq>::Metric::is_exact);
 static_assert(Triangulation<CORE::Expr>::Metric::is_exact);
+static_assert(Triangulation<CGAL::Lazy_exact_nt<CORE::Expr>>::Metric::is_exact);
 static_assert(!Triangulation<double>::Metric::is_exact);
 static_assert(!Triangulation<Float<100>>::Metric::is_exact);
 
@@ -82,10 +84,15 @@ TEST(Euclidean_traits, of_rationals_name_the_face_whose_area_is_irrational) {
   }
 }
 
-TEST(Euclidean_traits, of_algebraic_numbers_are_exact_on_tiny_meshes) {
-  expect_agreement<CORE::Expr>(meshes::box(1, 1, 1));
-  expect_agreement<CORE::Expr>(meshes::integer_height_field(1, 9, 3));
-  expect_agreement<CORE::Expr>(meshes::sheared_grid(2, 2, 1));
+template <class FT>
+class Euclidean_traits_of_algebraic_numbers : public ::testing::Test {};
+using Algebraic = ::testing::Types<CORE::Expr, CGAL::Lazy_exact_nt<CORE::Expr>>;
+TYPED_TEST_SUITE(Euclidean_traits_of_algebraic_numbers, Algebraic);
+
+TYPED_TEST(Euclidean_traits_of_algebraic_numbers, are_exact_on_tiny_meshes) {
+  expect_agreement<TypeParam>(meshes::box(1, 1, 1));
+  expect_agreement<TypeParam>(meshes::integer_height_field(1, 9, 3));
+  expect_agreement<TypeParam>(meshes::sheared_grid(2, 2, 1));
 }
 
 TEST(Euclidean_traits, of_intervals_refuse_to_guess_at_ties) {

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/initial_values.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/container/small_vector.hpp>
@@ -35,8 +36,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief stores squared lengths and quadruple areas as numbers of one type, and decides by computing
 with them.
 
-Exact iff `FT` is. With an inexact type decisions near ties are rounding's, a flip that would make an
-area that is not positive is refused, and a cap on the number of flips keeps algorithms finite.
+Exact iff `FT` is. With an inexact type decisions near ties are rounding's, a flip is refused unless it
+is certain to make areas that are positive, and a cap on the number of flips keeps algorithms finite.
 \tparam FT_ a CGAL number type: a field, with square root unless all areas of the input are rational
 \cgalModels{IntrinsicMetric}
 */
@@ -109,11 +110,12 @@ public:
 
   /*!
   \brief computes a flip.
-  \return nothing if an area would not be positive, or a length be infinite
+  \return nothing if an area would not be positive, as intervals must show, or a length be infinite
   */
   std::optional<Flipped> compute_flip(const Diamond& d) const {
     const Flipped n = flipped(values(d));
-    if (!(n.area_f > FT(0) && n.area_g > FT(0) && is_length(n.km))) return std::nullopt;
+    if (!certainly(n.area_f > FT(0)) || !certainly(n.area_g > FT(0)) || !is_length(n.km))
+      return std::nullopt;
     return n;
   }
 
@@ -198,9 +200,9 @@ public:
   }
 
   /// tells whether the area of a face is zero.
-  bool is_degenerate(std::uint32_t f) const { return quadruple_area_[f] == FT(0); }
+  bool is_degenerate(std::uint32_t f) const { return certainly(quadruple_area_[f] == FT(0)); }
   /// tells whether the length of an edge is zero.
-  bool is_zero_length(std::uint32_t e) const { return squared_length_[e] == FT(0); }
+  bool is_zero_length(std::uint32_t e) const { return certainly(squared_length_[e] == FT(0)); }
   /// returns the squared length of an edge, in scaled units.
   const FT& squared_length(std::uint32_t e) const { return squared_length_[e]; }
   /// returns the quadruple area of a face, in scaled units.
@@ -239,7 +241,7 @@ private:
   static bool is_length(const FT& squared) {
     if constexpr (std::numeric_limits<FT>::has_infinity)
       if (!(squared < std::numeric_limits<FT>::infinity())) return false;
-    return squared > FT(0);
+    return certainly(squared > FT(0));
   }
 
   static void store(std::vector<FT>& values, std::uint32_t i, const FT& value) {

@@ -25,6 +25,8 @@ struct Predicate_statistics {
   std::uint64_t certified_zero = 0;
   /// Values taken for zero because they vanish modulo several large primes, without proof.
   std::uint64_t probable_zero = 0;
+  /// Predicates left open by intervals that have nothing to escalate to.
+  std::uint64_t undecided = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

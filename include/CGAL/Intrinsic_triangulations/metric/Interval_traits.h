@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INTERVAL_TRAITS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INTERVAL_TRAITS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/metric/nonnegative_intervals.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief stores the metric as intervals that contain the exact values, and decides where they can.
+
+This is the filter of `Exact_euclidean_metric` alone. Decisions that it makes are right; an edge that
+intervals leave open is not flipped, and `statistics().undecided` counts it. So flipping to Delaunay ends,
+as exactly as with exact traits, and nothing is claimed of undecided edges: they may be ties, or close
+to ties, or far from them once intervals have grown wide. A flip is refused unless intervals show that
+it makes areas that are positive.
+
+All members but the constructors and `Scope` ask for a live `Scope`, which sets the rounding mode
+that interval arithmetic needs.
+\cgalModels{IntrinsicMetric}
+*/
+class Interval_metric : public Euclidean_metric<Interval_nt<false>> {
+  using Base = Euclidean_metric<Interval_nt<false>>;
+
+public:
+  /// Number type of the stored values.
+  using FT = Interval_nt<false>;
+  /// Keeps the floating point unit rounding upwards.
+  using Scope = Protect_FPU_rounding<true>;
+  /// Some predicates stay open.
+  static constexpr bool is_exact = false;
+
+  /// constructs an empty metric.
+  Interval_metric() = default;
+
+  /*!
+  \brief encloses the input.
+  \throws Invalid_input see `quadruple_area()`
+  \complexity linear
+  */
+  Interval_metric(const Gluing_map& mesh, const std::shared_ptr<const Input_metric>& input)
+      : Base(evaluate(mesh, input)) {}
+
+  /// restores a metric from its stored values.
+  Interval_metric(int scale_exponent, std::vector<FT> squared_lengths,
+                  std::vector<FT> quadruple_areas)
+      : Base(scale_exponent, std::move(squared_lengths), std::move(quadruple_areas)) {}
+
+  /// tells whether the angles opposite the edge sum to at most pi, or intervals do not tell.
+  bool is_locally_delaunay(const Diamond& d) {
+    ++statistics().checks;
+    const FT& ij = squared_length(d.ij);
+    const FT q_f = squared_length(d.jk) + squared_length(d.ki) - ij;
+    const FT q_g = squared_length(d.im) + squared_length(d.mj) - ij;
+    // both angles at most a right one: areas do not matter
+    if (q_f.inf() >= 0 && q_g.inf() >= 0) return true;
+    const FT value = delaunay_value(q_f, quadruple_area(d.f), q_g, quadruple_area(d.g));
+    if (value.sup() < 0) return false;
+    if (!(value.inf() >= 0)) ++statistics().undecided; // nor is it if a bound is not a number
+    return true;
+  }
+
+  /// returns the sign of an expression in the values of a diamond; zero, too, if intervals leave it open.
+  template <class Expression>
+  Sign sign(const Diamond& d, const Expression& expression) {
+    return sign_of(expression(Diamond_values<FT>{
+        squared_length(d.ij), squared_length(d.jk), squared_length(d.ki), squared_length(d.im),
+        squared_length(d.mj), quadruple_area(d.f), quadruple_area(d.g)}));
+  }
+
+  /// returns the sign of an expression in the values of faces; zero, too, if intervals leave it open.
+  template <class Expression>
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) {
+    std::vector<Face_values<FT>> values;
+    for (const Indexed_face& f : faces)
+      values.push_back(
+          {{squared_length(f.edges[0]), squared_length(f.edges[1]), squared_length(f.edges[2])},
+           quadruple_area(f.face)});
+    return sign_of(expression(std::span<const Face_values<FT>>(values)));
+  }
+
+  /*!
+  \brief computes a flip.
+  \return nothing unless bounds are finite and intervals show that both areas are positive
+  */
+  std::optional<Flipped> compute_flip(const Diamond& d) const {
+    std::optional<Flipped> n = Base::compute_flip(d);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (n && !(n->km.sup() < infinity && n->area_f.sup() < infinity && n->area_g.sup() < infinity))
+      n.reset();
+    return n;
+  }
+
+private:
+  static Base evaluate(const Gluing_map& mesh, const std::shared_ptr<const Input_metric>& input) {
+    const Scope scope;
+    return {mesh, input};
+  }
+
+  Sign sign_of(const FT& value) {
+    if (value.inf() > 0) return POSITIVE;
+    if (value.sup() < 0) return NEGATIVE;
+    if (!(value.inf() == 0 && value.sup() == 0)) ++statistics().undecided;
+    return ZERO;
+  }
+};
+
+/*!
+\brief lets an intrinsic triangulation compute in intervals of doubles, without anything behind them.
+\cgalModels{IntrinsicTriangulationTraits}
+*/
+struct Interval_traits {
+  /// Number type of the stored values.
+  using FT = Interval_nt<false>;
+  /// Stores the values and decides.
+  using Metric = Interval_metric;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INTERVAL_TRAITS_H
