@@ -5,6 +5,7 @@
 #include "properties.h"
 #include "stress_families.h"
 
+#include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
@@ -90,12 +91,16 @@ TEST(Stress_families, standard_specs_are_different_and_about_sixty) {
   EXPECT_LT(specs.size(), 75U);
 }
 
-TEST(Stress_families, exact_flips_make_all_standard_meshes_Delaunay) {
+TEST(Stress_families, exact_flips_make_all_standard_meshes_Delaunay_with_or_without_a_metric) {
   for (const std::string& spec : stress::standard_specs()) {
-    Exact t = triangulation(stress::make(spec));
+    const stress::Mesh m = stress::make(spec);
+    Exact t = triangulation(m);
     EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done) << spec;
     EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U) << spec;
     EXPECT_EQ(t.metric().statistics().probable_zero, 0U) << spec;
+    IT::Integer_only_triangulation<> integers(meshes::Mesh{m.points, m.faces}.input());
+    EXPECT_EQ(IT::flip_to_delaunay(integers).status, IT::Flip_to_delaunay_status::done) << spec;
+    EXPECT_EQ(properties::connectivity(integers), properties::connectivity(t)) << spec;
   }
 }
 
