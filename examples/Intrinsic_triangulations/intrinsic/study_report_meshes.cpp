@@ -87,8 +87,7 @@ void write_harm(std::ostream& out, const Study_results& results) {
     };
   };
   out << "<p>Meshes with the largest numbers first. A question mark is where the exact comparison "
-         "did not "
-         "get that far.</p>\n<h3>Edges of the result that are not Delaunay</h3>\n";
+         "did not get that far.</p>\n<h3>Edges of the result that are not Delaunay</h3>\n";
   write_matrix(out, results, inexact, counts("non_delaunay_edges"));
   out << "<h3>Flips more, or fewer, than with exact predicates</h3>\n";
   write_matrix(out, results, inexact, extra_flips);
