@@ -1,0 +1,186 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page that `intrinsic study --report` makes of lines of results, written by hand here."""
+
+import json
+import random
+import xml.etree.ElementTree
+from html.parser import HTMLParser
+
+from cli_support import Cli_test, main
+
+
+def line(mesh, arithmetic, status="done", seconds=1.0, **more):
+    family = mesh.split(":")[1] if mesh.startswith("stress:") else "files"
+    found = {"mesh": mesh, "family": family, "arithmetic": arithmetic, "status": status}
+    if status == "done":
+        found.update(vertices=102, faces=200, flips=30, checks=400, refused_flips=0,
+                     non_delaunay_edges=0, cycles=0, area_drift=0.0, result="0123456789abcdef",
+                     comparison="complete", seconds={"build": seconds / 4, "flip": 3 * seconds / 4},
+                     peak_rss_mib=9.0)
+    found.update(limits={"seconds": 60.0, "mib": 4096}, **more)
+    return found
+
+
+LINES = [
+    line("b.off", "double", seconds=1.0, flips=37, cycles=4),
+    line("b.off", "double-1e-5", seconds=1.0, non_delaunay_edges=11, flips=19, result="f" * 16),
+    line("b.off", "core-expr", "timed_out", message="60 s"),
+    line("b.off", "exact", seconds=1.5, filter_failures=1234567, integer=3,
+         escalations={"128": 1000, "256": 21}, certified_zero=7),
+    line("b.off", "exact-integer", seconds=6.0),
+    line("a<&>.off", "double", seconds=2.0),
+    line("a<&>.off", "double-1e-5", seconds=2.0),
+    line("a<&>.off", "core-expr", "crashed", message="signal <11>"),
+    line("a<&>.off", "exact", seconds=3.0),
+    line("a<&>.off", "exact-integer", seconds=6.0, result="1" * 16),
+    *(line(f"stress:caps:amount=1e-{k}", "double-1e-5", non_delaunay_edges=k) for k in (1, 5, 9)),
+    *(line(f"stress:caps:amount=1e-{k}", a, seconds=1e-3) for k in (1, 5, 9)
+      for a in ("double", "exact", "exact-integer")),
+]
+
+
+class Page(HTMLParser):
+    """Texts of a page, of list items, and of table cells by row."""
+
+    def __init__(self, source):
+        super().__init__()
+        self.tags, self.attributes, self.rows, self.items = [], [], [], []
+        self._open = []
+        self.feed(source)
+        self.close()
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append(tag)
+        self.attributes += attributes
+        self._open.append(tag)
+        if tag == "tr":
+            self.rows.append([])
+        if tag in ("td", "th"):
+            self.rows[-1].append("")
+        if tag == "li":
+            self.items.append("")
+
+    def handle_endtag(self, tag):
+        while self._open and self._open.pop() != tag:
+            pass
+
+    def handle_data(self, data):
+        if self._open and self._open[-1] in ("td", "th"):
+            self.rows[-1][-1] += data
+        if self._open and self._open[-1] == "li":
+            self.items[-1] += data
+
+
+class Study_report(Cli_test):
+    def report(self, lines, *more_files):
+        self.write("lines.jsonl", "".join(json.dumps(x) + "\n" for x in lines))
+        run = self.run_program("study", "lines.jsonl", *more_files, "--report", "r.html")
+        self.assertEqual(run.code, 0, run.err)
+        with open(self.path("r.html"), encoding="utf-8") as file:
+            return file.read()
+
+    def table(self, page, first_column, *columns):
+        """The cells of a row by name of columns, of the first table that has these columns."""
+        for i, head in enumerate(page.rows):
+            if all(c in head for c in columns):
+                for row in page.rows[i + 1:]:
+                    if row[0] == first_column:
+                        return dict(zip(head, row))
+        self.fail(f"no table with {columns} and {first_column}")
+
+    def test_page_needs_nothing_else(self):
+        source = self.report(LINES)
+        page = Page(source)
+        self.assertNotIn("script", page.tags)
+        for name, value in page.attributes:
+            self.assertNotIn(name, ("src", "href"))
+            self.assertNotIn("http", value or "")
+        self.assertNotIn("url(", source)
+        self.assertNotIn("@import", source)
+
+    def test_plots_are_well_formed(self):
+        plots = self.report(LINES).split("<svg")[1:]
+        titles = []
+        for plot in plots:
+            svg = xml.etree.ElementTree.fromstring("<svg" + plot.split("</svg>")[0] + "</svg>")
+            titles.append(svg.get("aria-label"))
+            _, _, width, height = map(float, svg.get("viewBox").split())
+            for polyline in svg.iter("polyline"):
+                for point in polyline.get("points").split():
+                    x, y = map(float, point.split(","))
+                    self.assertTrue(0 <= x <= width and 0 <= y <= height, point)
+        self.assertEqual(len(titles), 4)
+        self.assertIn("stress:caps: edges that are not Delaunay", titles)
+
+    def test_order_does_not_matter(self):
+        page = self.report(LINES)
+        for seed in range(3):
+            lines = list(LINES)
+            random.Random(seed).shuffle(lines)
+            self.assertEqual(self.report(lines), page)
+
+    def test_files_are_merged_and_the_last_line_counts(self):
+        page = self.report(LINES)
+        old = [line("b.off", "exact", "timed_out"), line("b.off", "double", flips=99)]
+        self.write("more.jsonl", "".join(json.dumps(x) + "\n" for x in LINES))
+        self.assertEqual(self.report(old, "more.jsonl"), page)
+
+    def test_ends_are_counted(self):
+        page = Page(self.report(LINES))
+        core = self.table(page, "core-expr", "jobs", "done", "timed out", "crashed")
+        self.assertEqual([core[k] for k in ("jobs", "done", "timed out", "crashed")],
+                         ["2", "0", "1", "1"])
+        exact = self.table(page, "exact", "jobs", "done", "timed out")
+        self.assertEqual([exact[k] for k in ("jobs", "done", "timed out")], ["5", "5", "0"])
+
+    def test_times_are_compared_where_all_have_finished(self):
+        # 1 + 2 + 0.003 s; 1.5 + 3 + 0.003; 12.003
+        page = Page(self.report(LINES))
+        for arithmetic, ratio in (("double", "1.00"), ("exact", "1.50"), ("exact-integer", "4.00"),
+                                  ("core-expr", "\u2013")):
+            row = self.table(page, arithmetic, "time on common (s)", "ratio to double")
+            self.assertEqual(row["ratio to double"], ratio)
+
+    def test_harm_is_named(self):
+        page = Page(self.report(LINES))
+        items = "\n".join(page.items)
+        self.assertIn("double-1e-5 leaves 26 edges that are not Delaunay in 4 meshes, "
+                      "11 of them in b.off.", items)
+        self.assertIn("double makes 7 flips more than exact in 1 mesh, 7 of them in b.off.", items)
+        self.assertIn("core-expr does not finish 2 of 2 meshes", items)
+        tolerance = self.table(page, "double-1e-5", "edges not Delaunay", "same result as exact")
+        self.assertEqual(tolerance["edges not Delaunay"], "26")
+        self.assertEqual(tolerance["in so many meshes"], "4")
+        self.assertEqual(tolerance["same result as exact"], "4 of 5")
+        row = self.table(page, "b.off", "mesh", "double", "double-1e-5")
+        self.assertEqual((row["double"], row["double-1e-5"]), ("", "11"))
+
+    def test_agreement_of_exact_arithmetics(self):
+        page = Page(self.report(LINES))
+        self.assertIn("exact and exact-integer have the same result on 4 of 5 meshes.", page.items)
+        self.assertIn("They differ on a<&>.off.", page.items)
+
+    def test_escalations(self):
+        page = Page(self.report(LINES))
+        row = self.table(page, "exact", "filter failures", "128 bits", "256 bits")
+        self.assertEqual([row[k] for k in ("filter failures", "integers", "128 bits", "256 bits",
+                                           "zero, proven")], ["1,234,567", "3", "1,000", "21", "7"])
+
+    def test_what_did_not_finish_is_named(self):
+        source = self.report(LINES)
+        self.assertNotIn("a<&>", source)
+        self.assertNotIn("<11>", source)
+        page = Page(source)
+        row = self.table(page, "b.off", "mesh", "core-expr", "exact")
+        self.assertEqual((row["core-expr"], row["exact"]), ("timed out", "1.5 s"))
+        self.assertIn(["a<&>.off", "core-expr", "crashed", "signal <11>"], page.rows)
+
+    def test_few_lines_are_enough(self):
+        self.assertIn("1 mesh, 1 arithmetic, 1 job", self.report([line("a.off", "exact")]))
+        self.report([line("a.off", "gmpq", "not_applicable")])
+        self.report([line("a.off", "a new one", "crashed")])
+
+
+if __name__ == "__main__":
+    main()
