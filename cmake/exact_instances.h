@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Unfolded_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/metric/face_expressions.h>
 
 #include <CGAL/Interval_nt.h>
@@ -43,6 +44,21 @@ INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
     std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
     const Side_of_curve_expression&);
+
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign Unfolded_evaluation::sign(const Input_metric&,
+                                                                 const Unfolded_diamond&,
+                                                                 const Delaunay_expression&,
+                                                                 Predicate_statistics&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign
+Unfolded_evaluation::sign(const Input_metric&, const Unfolded_diamond&,
+                          const Convexity_at_source_expression&, Predicate_statistics&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign
+Unfolded_evaluation::sign(const Input_metric&, const Unfolded_diamond&,
+                          const Convexity_at_target_expression&, Predicate_statistics&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign Unfolded_evaluation::sign(const Input_metric&,
+                                                                 const Unfolded_diamond&,
+                                                                 const Left_area_expression&,
+                                                                 Predicate_statistics&);
 
 } // namespace CGAL::Intrinsic_triangulations
 

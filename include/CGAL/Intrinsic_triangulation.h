@@ -246,7 +246,7 @@ public:
   */
   Intrinsic_triangulation(Gluing_map map, Metric metric, Renumbering renumbering,
                           const Input_report& report, std::uint32_t input_vertices)
-      : mesh_(make_mesh(std::move(map))), number_(mesh_), metric_(std::move(metric)),
+      : mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_), metric_(std::move(metric)),
         renumbering_(std::move(renumbering)), report_(report), input_vertices_(input_vertices) {
     correspondence_.start(*this);
   }
@@ -408,20 +408,10 @@ public:
 
 private:
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
-      : mesh_(make_mesh(std::move(p.mesh))), number_(mesh_), metric_(std::move(p.metric)),
+      : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_), metric_(std::move(p.metric)),
         renumbering_(std::move(p.renumbering)), report_(p.report) {
     input_vertices_ = static_cast<std::uint32_t>(num_vertices(mesh_));
     correspondence_.start(*this);
-  }
-
-  static Mesh make_mesh(Gluing_map&& map) {
-    if constexpr (std::is_same_v<Mesh, Gluing_map>)
-      return std::move(map);
-    else {
-      Mesh mesh;
-      copy_gluing_map(map, mesh);
-      return mesh;
-    }
   }
 
   Move_status combinatorial_flip_status(halfedge_descriptor h) const {

@@ -11,6 +11,7 @@ All of the package that needs neither Eigen nor OpenMesh. Operators are in
 `CGAL/Intrinsic_triangulations/connectivity/`.
 */
 
+#include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/write_common_subdivision.h>
@@ -23,6 +24,7 @@ All of the package that needs neither Eigen nor OpenMesh. Operators are in
 #include <CGAL/Intrinsic_triangulations/metric/Interval_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Tolerant_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/adaptive_refine.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/certify_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>

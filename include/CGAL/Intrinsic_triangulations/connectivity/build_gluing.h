@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -269,6 +270,22 @@ void copy_gluing_map(const Gluing_map& map, Mesh& mesh) {
   for (std::uint32_t v = 0; v < map.number_of_vertices(); ++v) {
     const Gluing_map::Halfedge h = map.halfedge(Gluing_map::Vertex{v});
     if (h.index != Gluing::none) set_halfedge(vertex[v], side[h.index], mesh);
+  }
+}
+
+/*!
+\brief makes a mesh of a gluing map, with the same numbers.
+\tparam Mesh a model of `MutableDeltaComplex`
+\complexity linear; constant if `Mesh` is `Gluing_map`
+*/
+template <class Mesh>
+Mesh mesh_from_gluing_map(Gluing_map map) {
+  if constexpr (std::is_same_v<Mesh, Gluing_map>)
+    return map;
+  else {
+    Mesh mesh;
+    copy_gluing_map(map, mesh);
+    return mesh;
   }
 }
 

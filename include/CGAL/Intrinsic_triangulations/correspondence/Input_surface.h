@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -32,13 +33,31 @@ public:
   \complexity linear
   */
   template <class Triangulation>
-  explicit Input_surface(const Triangulation& t) : mesh_(copy_of(t)) {
+  explicit Input_surface(const Triangulation& t)
+      : Input_surface(copy_of(t.mesh(), t.numbers()), t.metric()) {}
+
+  /*!
+  \brief takes a connectivity and copies a metric of it.
+  \tparam Metric a model of `IntrinsicMetric`
+  \complexity linear
+  */
+  template <class Metric>
+  Input_surface(Gluing_map mesh, const Metric& metric) : mesh_(std::move(mesh)) {
     squared_length_.reserve(mesh_.number_of_edges());
     for (std::uint32_t e = 0; e < mesh_.number_of_edges(); ++e)
-      squared_length_.push_back(t.metric().approximate_squared_length(e));
+      squared_length_.push_back(metric.approximate_squared_length(e));
     quadruple_area_.reserve(mesh_.number_of_faces());
     for (std::uint32_t f = 0; f < mesh_.number_of_faces(); ++f)
-      quadruple_area_.push_back(t.metric().approximate_quadruple_area(f));
+      quadruple_area_.push_back(metric.approximate_quadruple_area(f));
+  }
+
+  /// copies a mesh in the numbers that an adaptor gives its elements. \complexity linear
+  template <class Mesh, class Numbers>
+  static Gluing_map copy_of(const Mesh& mesh, const Numbers& numbers) {
+    if constexpr (std::is_same_v<Mesh, Gluing_map>)
+      return mesh;
+    else
+      return internal::numbered_copy(mesh, numbers);
   }
 
   /// returns the connectivity.
@@ -78,14 +97,6 @@ public:
   double quadruple_area(std::uint32_t f) const { return quadruple_area_[f]; }
 
 private:
-  template <class Triangulation>
-  static Gluing_map copy_of(const Triangulation& t) {
-    if constexpr (std::is_same_v<typename Triangulation::Mesh, Gluing_map>)
-      return t.mesh();
-    else
-      return internal::numbered_copy(t.mesh(), t.numbers());
-  }
-
   Gluing_map mesh_;
   std::vector<double> squared_length_;
   std::vector<double> quadruple_area_;

@@ -59,7 +59,13 @@ public:
   /// \complexity linear
   template <class Triangulation>
   void start(const Triangulation& t) {
-    input_ = std::make_shared<const Input_surface>(t);
+    start(std::make_shared<const Input_surface>(t));
+  }
+
+  /// starts from an input that is given: every edge runs along itself.
+  /// \complexity linear
+  void start(std::shared_ptr<const Input_surface> input) {
+    input_ = std::move(input);
     fans_ = Vertex_fans(*input_);
     normal_.assign(input_->number_of_halfedges() / 2, -1);
     roundabout_.resize(input_->number_of_halfedges());
@@ -77,6 +83,8 @@ public:
   /// returns the slot of the first curve counterclockwise from an intrinsic halfedge, itself included;
   /// none if no curve starts from its source.
   std::uint32_t roundabout(std::uint32_t halfedge) const { return roundabout_[halfedge]; }
+  /// tells whether vertices were ever inserted.
+  bool has_inserted_vertices() const { return !location_.empty(); }
   /// tells whether a vertex was inserted.
   bool is_inserted(std::uint32_t vertex) const { return vertex >= input_->number_of_vertices(); }
   /// returns where an inserted vertex is on the input; on an edge if it was inserted on one: then the
@@ -98,6 +106,9 @@ public:
     flipped_ = flipped_normal_coordinate(normal_[h / 2], f, g);
     return flipped_ <= maximal_normal_coordinate;
   }
+
+  /// returns the normal coordinate of the edge that the flip which was announced last makes.
+  Normal_coordinate flipped_coordinate() const { return flipped_; }
 
   /// observes a flip after it was done.
   template <class Triangulation>

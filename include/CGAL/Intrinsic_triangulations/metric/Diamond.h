@@ -122,6 +122,17 @@ struct Convexity_at_target_expression {
 };
 
 /*!
+\brief evaluates to the quadruple area of the face on the left of an edge.
+*/
+struct Left_area_expression {
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(const Diamond_values<FT>& d) const {
+    return d.area_f;
+  }
+};
+
+/*!
 \brief computes the squared length and the quadruple areas that a flip makes.
 
 L_km = ((p_k - p_m)^2 + (a_f + a_g)^2) / (4 L_ij): with ij on an axis, the feet of k and m are

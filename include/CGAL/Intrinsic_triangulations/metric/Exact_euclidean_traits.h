@@ -292,6 +292,8 @@ public:
   int scale_exponent() const { return input_->scale_exponent(); }
   /// returns the input, which defines all values exactly.
   const Input_metric& input() const { return *input_; }
+  /// returns the input, shared.
+  const std::shared_ptr<const Input_metric>& shared_input() const { return input_; }
   /// returns the version of face `f`.
   const Version& version(std::uint32_t f) const { return sides_[f]; }
   /// returns the moves done so far.

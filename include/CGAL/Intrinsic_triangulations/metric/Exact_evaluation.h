@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/metric/Zero_test.h>
+#include <CGAL/Intrinsic_triangulations/metric/escalation.h>
 
 #include <CGAL/Gmpfi.h>
 #include <CGAL/Gmpq.h>
@@ -29,20 +30,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/// sets the precision of `Gmpfi` for a lifetime.
-class Gmpfi_precision {
-public:
-  /// sets the precision to `bits`.
-  explicit Gmpfi_precision(unsigned bits) : previous_(Gmpfi::set_default_precision(bits)) {}
-  /// restores the precision.
-  ~Gmpfi_precision() { Gmpfi::set_default_precision(previous_); }
-  Gmpfi_precision(const Gmpfi_precision&) = delete;
-  Gmpfi_precision& operator=(const Gmpfi_precision&) = delete;
-
-private:
-  Gmpfi::Precision_type previous_;
-};
 
 /*!
 \brief decides signs that floating point intervals leave open.
@@ -73,26 +60,10 @@ public:
   Sign sign(const Input_metric& input, const Flip_history& history, Side left, Side right,
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
             Predicate_statistics& statistics) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    const Interval_nt<false> unknown(-infinity, infinity);
-    better = {unknown, unknown, unknown, unknown, unknown, unknown, unknown};
     const Zero_test::Answer answer = is_zero_(input, history, left, right, expression);
-    if (answer == Zero_test::Answer::zero) {
-      ++statistics.certified_zero;
-      return ZERO;
-    }
-    for (unsigned bits = first_bits(); !gives_up(answer, bits); bits *= 2) {
-      const Gmpfi_precision precision(bits);
-      const Diamond_values<Gmpfi> d = values(input, history, left, right);
-      better = intervals(d);
-      const Uncertain<Sign> s = expression(d).sign();
-      if (is_certain(s)) {
-        ++statistics.escalations[bits];
-        return get_certain(s);
-      }
-    }
-    ++statistics.probable_zero;
-    return ZERO;
+    return internal::escalated_sign(
+        answer, first_bits(), [&] { return values(input, history, left, right); }, expression,
+        better, statistics);
   }
 
   /*!
@@ -111,7 +82,7 @@ public:
             const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
             Predicate_statistics& statistics) {
     Zero_answer answer = Zero_answer::not_zero;
-    for (unsigned bits = history_bits; !gives_up(answer, bits); bits *= 2) {
+    for (unsigned bits = history_bits; !internal::gives_up(answer, bits); bits *= 2) {
       const Gmpfi_precision precision(bits);
       const std::vector<Face_values<Gmpfi>> faces = values(input, history, sides);
       better = intervals(faces);
@@ -154,7 +125,7 @@ public:
                                                const Flip_history& history, Side left, Side right) {
     is_zero_.unfold(input, history, left, right);
     const Gmpfi_precision precision(2 * first_bits());
-    return intervals(values(input, history, left, right));
+    return internal::intervals(values(input, history, left, right));
   }
 
 private:
@@ -166,61 +137,33 @@ private:
   }
   unsigned first_bits() const { return is_unfolded() ? 128 : history_bits; }
 
-  // precision at which a value that is probably zero is taken for zero
-  static constexpr unsigned maximal_bits = 1024;
   // entries that are kept between calls, about a kilobyte each
   static constexpr std::size_t maximal_memory = 100000;
 
-  // whether a value that may be zero is taken for zero instead of computing it in so many bits
-  static bool gives_up(Zero_answer answer, unsigned bits) {
-    if (answer == Zero_answer::probably_zero) return bits > maximal_bits;
-    if (bits <= (1U << 20)) return false;
-    throw std::logic_error("a value that was proven not to be zero shows no sign at 2^20 bits; "
-                           "please report this with the mesh");
-  }
-
-  // returns input faces in intervals
-  static auto input_values(const Input_metric& input) {
-    return [&input](std::uint32_t f) {
-      return std::pair<std::array<Gmpfi, 3>, Gmpfi>(
-          {Gmpfi(input.squared_length<Gmpq>(f, 0)), Gmpfi(input.squared_length<Gmpq>(f, 1)),
-           Gmpfi(input.squared_length<Gmpq>(f, 2))},
-          Gmpfi(input.squared_quadruple_area<Gmpq>(f)).sqrt());
-    };
-  }
-
   Diamond_values<Gmpfi> values(const Input_metric& input, const Flip_history& history, Side left,
                                Side right) {
-    if (is_unfolded()) return is_zero_.diamond()->values<Gmpfi>(input_values(input));
+    if (is_unfolded())
+      return is_zero_.diamond()->values<Gmpfi>(internal::gmpfi_input_values(input));
     const auto faces = values(input, history, {left, right});
     return diamond_values(faces[0], faces[1]);
   }
 
   std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,
                                          const std::vector<Side>& sides) {
-    const auto face = input_values(input);
+    const auto face = internal::gmpfi_input_values(input);
     History_values<Gmpfi>& memory = memory_[Gmpfi::get_default_precision()];
     if (memory.size() > maximal_memory) memory = {};
     return History_evaluator<Gmpfi, decltype(face)>(history, face, memory).faces(sides);
-  }
-
-  static Interval_nt<false> interval(const Gmpfi& x) {
-    const std::pair<double, double> i = x.to_interval();
-    return Interval_nt<false>(i.first, i.second);
-  }
-
-  static Diamond_values<Interval_nt<false>> intervals(const Diamond_values<Gmpfi>& d) {
-    return {interval(d.ij), interval(d.jk),     interval(d.ki),    interval(d.im),
-            interval(d.mj), interval(d.area_f), interval(d.area_g)};
   }
 
   static std::vector<Face_values<Interval_nt<false>>>
   intervals(const std::vector<Face_values<Gmpfi>>& faces) {
     std::vector<Face_values<Interval_nt<false>>> result;
     for (const Face_values<Gmpfi>& f : faces)
-      result.push_back({{interval(f.squared_lengths[0]), interval(f.squared_lengths[1]),
-                         interval(f.squared_lengths[2])},
-                        interval(f.quadruple_area)});
+      result.push_back(
+          {{internal::interval(f.squared_lengths[0]), internal::interval(f.squared_lengths[1]),
+            internal::interval(f.squared_lengths[2])},
+           internal::interval(f.quadruple_area)});
     return result;
   }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/metric/Square_class_basis.h>
+#include <CGAL/Intrinsic_triangulations/metric/Zero_answer.h>
 #include <CGAL/Intrinsic_triangulations/metric/modular_image.h>
 
 #include <CGAL/Gmpq.h>
@@ -24,13 +25,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/// What is known of a value.
-enum class Zero_answer {
-  zero,         ///< it is zero, proven
-  not_zero,     ///< it is not zero, proven
-  probably_zero ///< it vanishes modulo two primes near 2^61
-};
 
 /*!
 \brief decides whether an expression in the values of faces is exactly zero, by repeating the moves

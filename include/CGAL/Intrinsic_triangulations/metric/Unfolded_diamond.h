@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -92,7 +94,7 @@ struct Unfolded_diamond {
   */
   template <class FT, class Input_values>
   Diamond_values<FT> values(const Input_values& input) const {
-    std::vector<Complex<FT>> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
+    boost::container::small_vector<Complex<FT>, 16> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
     for (const Triangle& t : triangles) {
       const auto face = input(t.face);
       const FT& l = face.first[t.entry];

@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/metric/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/unfold_corners.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -62,7 +61,7 @@ public:
                                   start(history, last_side(right))};
     corners[3].path = product(t, corners[3].path);
     for (Corner& c : corners) c.trim();
-    while (move_base(corners)) {
+    while (internal::move_base(corners)) {
     }
     return unfold_corners(corners, [this](std::uint32_t n) -> const Developed_insertion& {
       return moves_.at(n).vertex;
@@ -224,26 +223,6 @@ private:
       break;
     }
     }
-  }
-
-  // moves the base across an edge that all paths cross, but for those to ends of that edge
-  static bool move_base(std::array<Corner, 4>& corners) {
-    const auto longest =
-        std::max_element(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
-          return a.path.size() < b.path.size();
-        });
-    if (longest->path.empty()) return false;
-    const auto [from, to] = longest->path.front();
-    for (const Corner& c : corners)
-      if (c.path.empty() ? !is_same(c.side, from) && !is_same(c.side, next_side(from))
-                         : !is_same(c.path.front().from, from))
-        return false;
-    for (Corner& c : corners)
-      if (c.path.empty())
-        c.side = is_same(c.side, from) ? next_side(to) : to;
-      else
-        c.path.erase(c.path.begin());
-    return true;
   }
 
   std::unordered_map<std::uint32_t, Flip> flips_;

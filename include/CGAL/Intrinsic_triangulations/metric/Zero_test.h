@@ -4,54 +4,24 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_ZERO_TEST_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_ZERO_TEST_H
 
-#include <CGAL/Intrinsic_triangulations/metric/Conjugate_bound.h>
-#include <CGAL/Intrinsic_triangulations/metric/Conjugate_evaluator.h>
-#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Diamond_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/metric/History_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/metric/Integer_faces.h>
-#include <CGAL/Intrinsic_triangulations/metric/Limited_multiquadratic_number.h>
-#include <CGAL/Intrinsic_triangulations/metric/Multiquadratic_number.h>
-#include <CGAL/Intrinsic_triangulations/metric/Prime_field.h>
-#include <CGAL/Intrinsic_triangulations/metric/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/metric/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/metric/is_cocircular_strip.h>
+#include <CGAL/Intrinsic_triangulations/metric/Zero_answer.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief decides whether expressions in the values of a diamond are exactly zero.
 
-The diamond is unfolded from the input (see `Unfolding`), which makes every value a polynomial in
-the square roots of the areas of some input faces, with rational coefficients. The expression is
-evaluated in finite fields of p^2 elements, for all choices of signs of independent square roots.
-
-Most ties are proven before that, in integers of fixed size: see `is_cocircular_strip()`.
-
-- A value that is not zero there proves that the expression is not zero; the first one mostly does.
-- Let y be the expression times an integer that makes y an algebraic integer, P the product of the
-  primes p done. None divides a representative d_g of the square classes; hence the images for all
-  choices of signs vanish only if y / p is an algebraic integer as well, and so is y / P. If y is
-  not zero then the norm of y / P is an integer, not zero, thus some conjugate of y is at least P
-  in absolute value. So when P exceeds the bound on all conjugates (see `Conjugate_bound`), the
-  value is zero.
-
-The cost is that of b / 62 * 2^k evaluations in a finite field, k the number of independent square
-roots, b the bits of the bound. No number grows on the way. With more than a few square roots, images
-for one choice of signs are taken first, then the terms of the value are added up, which are few in
-strips of rectangles (see `Limited_multiquadratic_number`). Where there are many, beyond
-`maximal_dimension` square roots, what vanishes in several fields counts as *probably* zero; beyond the
-64 that a `Square_class_basis` holds, everything does.
+The diamond is unfolded from the input along the history of moves (see `Unfolding`) and decided by
+`Diamond_zero_test`; where that cannot be, the moves are repeated (see `History_zero_test`).
 */
 class Zero_test {
 public:
@@ -59,9 +29,6 @@ public:
   using Answer = Zero_answer;
   /// A slot of a version of a face.
   using Side = Flip_history::Side;
-
-  /// Number of independent square roots up to which zero is proven.
-  static constexpr std::size_t maximal_dimension = 12;
 
   /*!
   \brief decides about an expression in the values of the diamond between two sides.
@@ -74,28 +41,19 @@ public:
   template <class Expression>
   Answer operator()(const Input_metric& input, const Flip_history& history, Side left, Side right,
                     const Expression& expression) {
-    if (unfolding_.size() > maximal_memory) unfolding_ = {};
-    if (faces_.size() > maximal_memory) faces_ = {};
     find_triangles(history, left, right);
-    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
-      if (diamond_ && Integer_faces::is_in_space(input) && is_cocircular_strip(input, *diamond_))
-        return Answer::zero;
-    find_shapes(input);
-    if (!diamond_) return History_zero_test(input, history, left, right)(expression);
-    if (basis_.dimension() > few_roots) {
-      if (!vanishes(expression, probable_bits, false)) return Answer::not_zero;
-      if (is_zero_by_terms(input, expression)) return Answer::zero;
-      if (basis_.dimension() > maximal_dimension) return Answer::probably_zero;
+    if (diamond_) {
+      if (const std::optional<Answer> answer = is_zero_(input, *diamond_, expression))
+        return *answer;
+      diamond_.reset();
     }
-    const bool in_space = Integer_faces::is_in_space(input);
-    const double bits = Conjugate_bound(*diamond_, metric_, in_space).bits(expression);
-    return vanishes(expression, bits, true) ? Answer::zero : Answer::not_zero;
+    return History_zero_test(input, history, left, right)(expression);
   }
 
   /// unfolds the diamond between two sides, without deciding anything.
   void unfold(const Input_metric& input, const Flip_history& history, Side left, Side right) {
     find_triangles(history, left, right);
-    find_shapes(input);
+    if (diamond_ && !is_zero_.is_defined(input, *diamond_)) diamond_.reset();
   }
 
   /// returns the diamond of the last call, or nothing if it cannot be unfolded.
@@ -104,82 +62,17 @@ public:
 private:
   // entries that are kept between calls, some hundred bytes each
   static constexpr std::size_t maximal_memory = 50000;
-  // number of square roots up to which trying all signs is the fastest proof
-  static constexpr std::size_t few_roots = 6;
-  // four primes
-  static constexpr double probable_bits = 3.5 * Prime_fields::bits;
-
-  // evaluates modulo primes whose product has more than `bits` bits
-  template <class Expression>
-  bool vanishes(const Expression& expression, double bits, bool for_all_signs) {
-    double done = 0;
-    for (std::size_t i = 0; done <= bits; ++i) {
-      Conjugate_evaluator images(*diamond_, shapes_, metric_.front()->exponent, basis_, fields_[i]);
-      if (!images.is_defined()) continue;
-      do
-        if (!expression(images.values()).is_zero()) return false;
-      while (for_all_signs && images.next());
-      done += Prime_fields::bits;
-    }
-    return true;
-  }
-
-  // adds up the terms of the expression, if they are not too many
-  template <class Expression>
-  bool is_zero_by_terms(const Input_metric& input, const Expression& expression) {
-    using Number = Limited_multiquadratic_number;
-    const auto face = [&](std::uint32_t f) {
-      const Integer_face& values = faces_(input, f);
-      Gmpq unit(1); // 4^exponent
-      if (values.exponent >= 0)
-        mpq_mul_2exp(unit.mpq(), unit.mpq(), static_cast<mp_bitcnt_t>(2 * values.exponent));
-      else
-        mpq_div_2exp(unit.mpq(), unit.mpq(), static_cast<mp_bitcnt_t>(-2 * values.exponent));
-      const auto length = [&](unsigned k) {
-        return Number(Multiquadratic_number(Gmpq(values.squared_lengths[k]) / unit));
-      };
-      Square_root root = *basis_.sqrt_of(values.radicand);
-      root.factor *= Gmpq(values.area_factor);
-      const Multiquadratic_number area(basis_, root);
-      return std::pair<std::array<Number, 3>, Number>({length(0), length(1), length(2)},
-                                                      area / Multiquadratic_number(unit));
-    };
-    return expression(diamond_->template values<Number>(face)).is_proven_zero();
-  }
 
   void find_triangles(const Flip_history& history, Side left, Side right) {
+    if (unfolding_.size() > maximal_memory) unfolding_ = {};
     diamond_.reset();
     // the sides of an edge inside one face are told apart by no `Diamond`
     if (left.version != right.version) diamond_ = unfolding_.diamond(history, left, right);
   }
 
-  // leaves no diamond if it cannot be evaluated
-  void find_shapes(const Input_metric& input) {
-    basis_ = {};
-    metric_.clear();
-    shapes_.clear();
-    if (diamond_ && !are_shapes_found(input)) diamond_.reset();
-  }
-
-  bool are_shapes_found(const Input_metric& input) {
-    for (const Unfolded_diamond::Triangle& t : diamond_->triangles) {
-      const Integer_face& face = faces_(input, t.face);
-      const std::optional<Square_root> area = basis_.sqrt_of(face.radicand);
-      if (!area || face.squared_lengths[t.entry].sign() == ZERO) return false;
-      metric_.push_back(&face);
-      shapes_.push_back({&face.squared_lengths, &face.area_factor, *area});
-    }
-    return true;
-  }
-
   Unfolding unfolding_;
-  Integer_faces faces_;
-  Prime_fields fields_;
-  // of the last call
-  std::optional<Unfolded_diamond> diamond_;
-  Square_class_basis basis_;
-  std::vector<const Integer_face*> metric_;
-  std::vector<Conjugate_evaluator::Shape> shapes_;
+  Diamond_zero_test is_zero_;
+  std::optional<Unfolded_diamond> diamond_; // of the last call
 };
 
 } // namespace CGAL::Intrinsic_triangulations

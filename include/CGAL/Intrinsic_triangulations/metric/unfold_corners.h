@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Crossing_path.h>
 #include <CGAL/Intrinsic_triangulations/metric/Unfolded_diamond.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,37 +28,69 @@ struct Developed_insertion {
 
 namespace internal {
 
+// Moves the base of paths across an edge that all cross, but for those to ends of that edge, if there is
+// one.
+inline bool move_base(std::array<Developed_corner, 4>& corners) {
+  const auto longest = std::max_element(corners.begin(), corners.end(),
+                                        [](const Developed_corner& a, const Developed_corner& b) {
+                                          return a.path.size() < b.path.size();
+                                        });
+  if (longest->path.empty()) return false;
+  const auto [from, to] = longest->path.front();
+  for (const Developed_corner& c : corners)
+    if (c.path.empty() ? !is_same(c.side, from) && !is_same(c.side, next_side(from))
+                       : !is_same(c.path.front().from, from))
+      return false;
+  for (Developed_corner& c : corners)
+    if (c.path.empty())
+      c.side = is_same(c.side, from) ? next_side(to) : to;
+    else
+      c.path.erase(c.path.begin());
+  return true;
+}
+
 /*!
 Joins the paths to the corners of a diamond from a common base.
 
-`Insertions` is a functor from a node that inserted a vertex to its `Developed_insertion`. The same
+`Insertions` is a functor from a node that inserted a vertex to its `Developed_insertion`, or to a
+reference to it. The same
 vertex reached along the same path is one point, so that vertices inserted next to vertices that were
 inserted do not multiply. Nothing recurses: nodes are visited again when their corners are there.
 */
-template <class Insertions>
 class Corner_unfolder {
 public:
-  explicit Corner_unfolder(const Insertions& insertions) : insertions_(insertions) {}
+  // `maximal_size`: most triangles and combinations that are worth it
+  explicit Corner_unfolder(std::size_t maximal_size = 4000) : maximal_size_(maximal_size) {}
 
-  std::optional<Unfolded_diamond> operator()(const std::array<Developed_corner, 4>& corners) {
+  // whether there are not too many triangles; its memory stays from call to call
+  template <class Insertions>
+  bool operator()(const std::array<Developed_corner, 4>& corners, const Insertions& insertions) {
+    clear();
     const Developed_corner& c = corners.front();
     const std::uint32_t base = !c.path.empty()   ? c.path.front().from.version
-                               : c.is_inserted() ? insertions_(c.side.version).base
+                               : c.is_inserted() ? insertions(c.side.version).base
                                                  : c.side.version;
     add({base, 0, 0, {0, 1, 2}});
     for (std::size_t i = 0; i < 4; ++i) {
       const std::uint32_t t = follow(0, corners[i].path);
-      if (corners[i].is_inserted() && !place(t, corners[i].side.version)) return std::nullopt;
+      if (result_.triangles.size() > maximal_size_) return false;
+      if (corners[i].is_inserted() && !place(t, corners[i].side.version, insertions)) return false;
       result_.corners[i] = *known(t, corners[i].side);
     }
-    return std::move(result_);
+    return true;
   }
+
+  const Unfolded_diamond& result() const { return result_; }
 
 private:
   using Corner = Unfolded_diamond::Corner;
 
-  // most triangles and combinations that are worth it
-  static constexpr std::size_t maximal_size = 4000;
+  void clear() {
+    result_.triangles.clear();
+    result_.combinations.clear();
+    children_.clear();
+    if (!placed_.empty()) placed_.clear();
+  }
 
   void add(const Unfolded_diamond::Triangle& t) {
     result_.triangles.push_back(t);
@@ -89,12 +122,13 @@ private:
   }
 
   // adds the vertex that a node inserted, seen from triangle `t`, after those that it refers to
-  bool place(std::uint32_t t, std::uint32_t node) {
+  template <class Insertions>
+  bool place(std::uint32_t t, std::uint32_t node, const Insertions& insertions) {
     std::vector<std::array<std::uint32_t, 2>> stack{{t, node}};
     while (!stack.empty()) {
-      if (result_.triangles.size() + result_.combinations.size() > maximal_size) return false;
+      if (result_.triangles.size() + result_.combinations.size() > maximal_size_) return false;
       const auto [from, n] = stack.back();
-      const Developed_insertion& insertion = insertions_(n);
+      const Developed_insertion& insertion = insertions(n);
       Unfolded_diamond::Combination c{{}, insertion.weights};
       const std::size_t size = stack.size();
       for (std::size_t k = 0; k < 3; ++k) {
@@ -121,7 +155,7 @@ private:
     return (static_cast<std::uint64_t>(t) << 32) | node;
   }
 
-  const Insertions& insertions_;
+  std::size_t maximal_size_;
   Unfolded_diamond result_;
   std::vector<std::array<std::uint32_t, 3>> children_; // 0 if there is none
   std::unordered_map<std::uint64_t, std::uint32_t> placed_;
@@ -140,7 +174,9 @@ private:
 template <class Insertions>
 std::optional<Unfolded_diamond> unfold_corners(const std::array<Developed_corner, 4>& corners,
                                                const Insertions& insertions) {
-  return internal::Corner_unfolder<Insertions>(insertions)(corners);
+  internal::Corner_unfolder unfolder;
+  if (!unfolder(corners, insertions)) return std::nullopt;
+  return unfolder.result();
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -1,0 +1,250 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTEGER_ONLY_TRIANGULATION_H
+#define CGAL_INTEGER_ONLY_TRIANGULATION_H
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/concepts.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/renumbering.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Diamond_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Integer_geometry.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/enum.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is an intrinsic triangulation without a metric of its own: connectivity, integer coordinates and the
+input, from which each predicate rebuilds what it needs (ch. 7 of the course: "truly integer-only").
+
+To test an edge, the input triangles over which its diamond lies are found by integers alone (see
+`Diamond_unfolder`) and unfolded in interval arithmetic. Where that leaves the sign open, the same triangles
+decide exactly (see `Unfolded_evaluation`). No length is stored, so no error is carried from one flip to the
+next, and nothing is remembered of the flips: memory does not grow with them.
+
+With exact traits the moves have made the values that predicates read; here a predicate reads nothing that
+moves have made, except integers. Hence it is an independent check of a triangulation, whatever arithmetic
+it was made with: see `certify_delaunay()`.
+
+Only edges are flipped: vertices may have been inserted before the integer coordinates came here.
+
+\tparam Mesh_ a model of `MutableDeltaComplex`
+\cgalModels{IntrinsicTriangulation}
+*/
+template <MutableDeltaComplex Mesh_ = Gluing_map>
+class Integer_only_triangulation {
+public:
+  /// Connectivity.
+  using Mesh = Mesh_;
+  /// Observer of the moves, and all that is stored of the geometry.
+  using Correspondence = Integer_coordinates;
+  /// Number type of the filter.
+  using FT = Interval_nt<false>;
+  /// Tells algorithms that predicates are exact.
+  struct Metric {
+    /// Algorithms end without a cap.
+    static constexpr bool is_exact = true;
+  };
+  /// Vertex of the mesh.
+  using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  /// Halfedge of the mesh.
+  using halfedge_descriptor = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  /// Edge of the mesh.
+  using edge_descriptor = typename boost::graph_traits<Mesh>::edge_descriptor;
+  /// Face of the mesh.
+  using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
+
+  /// decides many predicates and makes many flips in one floating point environment; see
+  /// `Intrinsic_triangulation::Session`.
+  class Session {
+  public:
+    /// opens a session on `t`, which must outlive it.
+    explicit Session(Integer_only_triangulation& t) : t_(t) {}
+    /// tells whether the angles opposite an edge sum to at most pi.
+    bool is_locally_delaunay(halfedge_descriptor h) const {
+      const face_descriptor null = boost::graph_traits<Mesh>::null_face();
+      const face_descriptor f = face(h, t_.mesh_), g = face(opposite(h, t_.mesh_), t_.mesh_);
+      if (f == null || g == null || f == g) return true;
+      return t_.geometry_.is_locally_delaunay(View(t_), t_.correspondence_, t_.number_.halfedge(h),
+                                              t_.statistics_);
+    }
+    /// returns the sign of pi minus the angles opposite an edge.
+    /// \pre the edge has two faces
+    Sign delaunay_sign(halfedge_descriptor h) const { return t_.sign(h, Delaunay_expression()); }
+    /// returns the sign of the area of the face of a halfedge, which is positive in a triangulation.
+    Sign orientation(halfedge_descriptor h) const { return t_.sign(h, Left_area_expression()); }
+    /// tells whether an edge can be flipped, and if not, why.
+    Move_status flip_status(halfedge_descriptor h) const {
+      const face_descriptor null = boost::graph_traits<Mesh>::null_face();
+      const face_descriptor f = face(h, t_.mesh_), g = face(opposite(h, t_.mesh_), t_.mesh_);
+      if (f == null || g == null) return Move_status::border;
+      if (f == g) return Move_status::same_face;
+      const bool convex = t_.sign(h, Convexity_at_source_expression()) == POSITIVE &&
+                          t_.sign(h, Convexity_at_target_expression()) == POSITIVE;
+      return convex ? Move_status::done : Move_status::not_convex;
+    }
+    /// flips an edge.
+    /// \return `done`, or why the edge cannot be flipped; nothing has changed then
+    Move_status flip_edge(halfedge_descriptor h) {
+      const Move_status s = flip_status(h);
+      return s == Move_status::done ? t_.flip(h) : s;
+    }
+    /// flips an edge that is known not to be locally Delaunay. \pre `!is_locally_delaunay(h)`
+    Move_status flip_non_delaunay_edge(halfedge_descriptor h) { return t_.flip(h); }
+    /// returns intervals that contain the values of the diamond of an edge with two faces, in scaled units.
+    Diamond_values<FT> diamond_values(halfedge_descriptor h) const {
+      return t_.geometry_.values(View(t_), t_.correspondence_, t_.number_.halfedge(h));
+    }
+    /// calls a function in the default floating point environment.
+    template <class Function>
+    auto suspended(Function f) const {
+      const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+      return f();
+    }
+
+  private:
+    Integer_only_triangulation& t_;
+    Protect_FPU_rounding<true> scope_;
+  };
+
+  /*!
+  \brief builds the triangulation of an input.
+  \param input see `Intrinsic_input`
+  \throws Invalid_input also if an edge has no length: mollify then
+  \complexity linear
+  */
+  explicit Integer_only_triangulation(Intrinsic_input input)
+      : Integer_only_triangulation(internal::prepare<Exact_euclidean_metric>(std::move(input))) {}
+
+  /*!
+  \brief takes connectivity, coordinates and input of an exact triangulation, and leaves its metric and the
+  history of its moves.
+  \throws Invalid_input if an edge of the input has no length
+  \complexity linear
+  */
+  explicit Integer_only_triangulation(
+      const Intrinsic_triangulation<Mesh, Exact_euclidean_traits, Integer_coordinates>& t)
+      : Integer_only_triangulation(t, t.metric().shared_input()) {}
+
+  /*!
+  \brief takes connectivity and coordinates of a triangulation in any arithmetic, and the metric of its
+  input.
+  \tparam Traits the arithmetic
+  \param t the triangulation
+  \param input what `t` was built from, with the same options
+  \throws Invalid_input if `t` was not built from `input`, as far as numbers of elements tell, or if an edge
+  of the input has no length
+  \throws std::length_error if an edge has more than `Diamond_unfolder::maximal_crossings`
+  \complexity linear
+  */
+  template <class Traits>
+  Integer_only_triangulation(const Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>& t,
+                             Intrinsic_input input)
+      : Integer_only_triangulation(
+            t, internal::prepare<Exact_euclidean_metric>(std::move(input)).metric.shared_input()) {}
+
+  /// copies everything; elements keep their numbers.
+  Integer_only_triangulation(const Integer_only_triangulation& other)
+      : mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
+        correspondence_(other.correspondence_), geometry_(other.geometry_),
+        renumbering_(other.renumbering_), report_(other.report_), statistics_(other.statistics_) {}
+  Integer_only_triangulation& operator=(const Integer_only_triangulation&) = delete;
+
+  /// returns the connectivity.
+  const Mesh& mesh() const { return mesh_; }
+  /// returns the correspondence.
+  const Integer_coordinates& correspondence() const { return correspondence_; }
+  /// returns the numbers of the elements of the mesh, and the elements with given numbers.
+  const Mesh_adaptor<Mesh>& numbers() const { return number_; }
+  /// returns what was done to the input.
+  const Input_report& report() const { return report_; }
+  /// returns how the numbering differs from the input's.
+  const Renumbering& renumbering() const { return renumbering_; }
+  /// returns the input, which defines all geometry exactly.
+  const Input_metric& input() const { return geometry_.input(); }
+  /// returns how predicates were decided.
+  const Predicate_statistics& statistics() const { return statistics_; }
+  /// returns how predicates were decided, to be reset.
+  Predicate_statistics& statistics() { return statistics_; }
+  /// returns the number of a vertex.
+  std::uint32_t index(vertex_descriptor v) const { return number_.vertex(v); }
+  /// returns the number of an edge.
+  std::uint32_t index(edge_descriptor e) const { return number_.halfedge(halfedge(e, mesh_)) / 2; }
+  /// returns the number of a face.
+  std::uint32_t index(face_descriptor f) const { return number_.face(f); }
+
+private:
+  using View = Intrinsic_view<Integer_only_triangulation>;
+
+  explicit Integer_only_triangulation(internal::Prepared_input<Exact_euclidean_metric>&& p)
+      : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_),
+        geometry_(p.metric.shared_input()), renumbering_(std::move(p.renumbering)),
+        report_(p.report) {
+    correspondence_.start(
+        std::make_shared<const Input_surface>(Input_surface::copy_of(mesh_, number_), p.metric));
+  }
+
+  template <class Triangulation>
+  Integer_only_triangulation(const Triangulation& t, std::shared_ptr<const Input_metric> input)
+      : mesh_(t.mesh()), number_(mesh_, t.numbers(), t.mesh()), correspondence_(t.correspondence()),
+        geometry_(std::move(input)), renumbering_(t.renumbering()), report_(t.report()) {
+    if (geometry_.input().number_of_faces() != correspondence_.input().mesh().number_of_faces())
+      throw Invalid_input(
+          Element_kind::none, 0,
+          "the triangulation was not built from this input: numbers of faces differ");
+    for (const edge_descriptor e : edges(mesh_))
+      if (correspondence_.normal_coordinate(index(e)) > Diamond_unfolder::maximal_crossings)
+        throw std::length_error("edge " + std::to_string(index(e)) +
+                                " crosses more input edges than can be unfolded");
+  }
+
+  Move_status flip(halfedge_descriptor h) {
+    const std::uint32_t number = number_.halfedge(h);
+    if (!correspondence_.before_flip(*this, number) ||
+        correspondence_.flipped_coordinate() > Diamond_unfolder::maximal_crossings)
+      return Move_status::crossings;
+    CGAL::Euler::flip_edge(h, mesh_);
+    correspondence_.after_flip(*this, number);
+    return Move_status::done;
+  }
+
+  template <class Expression>
+  Sign sign(halfedge_descriptor h, const Expression& expression) {
+    return geometry_.sign(View(*this), correspondence_, number_.halfedge(h), expression,
+                          statistics_);
+  }
+
+  Mesh mesh_;
+  Mesh_adaptor<Mesh> number_;
+  Integer_coordinates correspondence_;
+  Integer_geometry geometry_;
+  Renumbering renumbering_;
+  Input_report report_;
+  Predicate_statistics statistics_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTEGER_ONLY_TRIANGULATION_H
