@@ -49,12 +49,6 @@ public:
   /// returns whether a diamond was flipped that is not convex.
   std::uint64_t nonconvex_flips() const { return nonconvex_flips_; }
 
-  /// returns the exact sign of pi minus the angles opposite an edge. \pre `is_following()`
-  [[gnu::noinline]] CGAL::Sign exact_delaunay_sign(const IT::Diamond& d) {
-    const Exact::Scope scope;
-    return exact_.sign(d, IT::Delaunay_expression());
-  }
-
 private:
   using Exact = IT::Exact_euclidean_metric;
 

@@ -6,6 +6,7 @@
 #include "study_sources.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 
 #include <gmp.h>
 
@@ -32,7 +33,7 @@ struct Arithmetic {
   Study_function study;
 };
 
-constexpr std::array<Arithmetic, 12> arithmetics{{{"double", study_double},
+constexpr std::array<Arithmetic, 13> arithmetics{{{"double", study_double},
                                                   {"double-1e-12", study_double_1e_12},
                                                   {"double-1e-6", study_double_1e_6},
                                                   {"double-1e-5", study_double_1e_5},
@@ -43,7 +44,8 @@ constexpr std::array<Arithmetic, 12> arithmetics{{{"double", study_double},
                                                   {"gmpq", study_gmpq},
                                                   {"core-expr", study_core_expr},
                                                   {"lazy-core-expr", study_lazy_core_expr},
-                                                  {"exact", study_exact}}};
+                                                  {"exact", study_exact},
+                                                  {"exact-integer", study_exact_integer}}};
 
 Study_function function_of(const std::string& arithmetic) {
   for (const Arithmetic& a : arithmetics)

@@ -34,6 +34,7 @@ std::string study_line(const Json& findings) {
                             "undecided",
                             "different_decisions",
                             "nonconvex_flips",
+                            "inverted_faces",
                             "non_delaunay_edges",
                             "cocircular_edges",
                             "cycles",

@@ -11,15 +11,13 @@
 #include "study_run.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/certify_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <type_traits>
+#include <stdexcept>
 #include <utility>
 
 namespace program {
@@ -39,7 +37,6 @@ Timed_flips<Triangulation> timed_flips(const IT::Intrinsic_input& input) {
   Stopwatch watch;
   Timed_flips<Triangulation> run{Triangulation(std::move(copy)), {}, 0, 0};
   run.build = watch.lap();
-  run.triangulation.metric().statistics() = {};
   run.result = IT::flip_to_delaunay(run.triangulation);
   run.flip = watch.lap();
   return run;
@@ -49,7 +46,7 @@ Timed_flips<Triangulation> timed_flips(const IT::Intrinsic_input& input) {
 template <class Triangulation>
 Timed_flips<Triangulation> fastest_flips(const IT::Intrinsic_input& input) {
   Timed_flips<Triangulation> best = timed_flips<Triangulation>(input);
-  for (int repetitions = 1; repetitions < 9 && best.flip < 1e-3; ++repetitions) {
+  for (int repetitions = 1; repetitions < 9 && best.flip * repetitions < 0.01; ++repetitions) {
     const Timed_flips<Triangulation> again = timed_flips<Triangulation>(input);
     best.build = std::min(best.build, again.build);
     best.flip = std::min(best.flip, again.flip);
@@ -76,31 +73,32 @@ void note_drift(Study_run& run, const Triangulation& t) {
   for (std::size_t v = 0; v < after.cone_angles.size(); ++v)
     largest = std::max(largest, std::abs(after.cone_angles[v] - run.before.cone_angles[v]));
   run.findings["cone_angle_drift"] = static_cast<double>(largest);
+  run.emit();
 }
 
-/// counts edges of the result that are not Delaunay, and ties.
-/// \param sign returns the exact sign of pi minus the angles opposite the edge of a halfedge
-template <class Triangulation, class Exact_sign>
-void note_result(Json& findings, const Triangulation& t, const Exact_sign& sign) {
-  const auto& mesh = t.mesh();
-  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
-  std::size_t non_delaunay = 0, cocircular = 0;
-  for (const auto e : edges(mesh)) {
-    const auto h = halfedge(e, mesh), o = opposite(h, mesh);
-    if (face(h, mesh) == null || face(o, mesh) == null || face(h, mesh) == face(o, mesh)) continue;
-    const CGAL::Sign s = sign(h);
-    if (s == CGAL::NEGATIVE) ++non_delaunay;
-    if (s == CGAL::ZERO) ++cocircular;
+/// notes what a result is, exactly.
+inline void note_result(Json& findings, const IT::Delaunay_certificate& certificate) {
+  findings["inverted_faces"] = certificate.inverted_faces;
+  findings["non_delaunay_edges"] = certificate.non_delaunay_edges;
+  findings["cocircular_edges"] = certificate.cocircular_edges;
+}
+
+/// decides what a result is from its integer coordinates and the input, which no flip has touched.
+/// Nothing is noted of edges that cross too much of the input to be unfolded.
+template <class Triangulation>
+void certify(Study_run& run, const Triangulation& t) {
+  try {
+    note_result(run.findings, IT::certify_delaunay(t, run.input));
+  } catch (const std::length_error&) {
+    return;
   }
-  findings["non_delaunay_edges"] = non_delaunay;
-  findings["cocircular_edges"] = cocircular;
+  run.emit();
 }
 
 /*!
 \brief repeats the flips beside an exact metric, and notes where they differ.
 
-The key `comparison` is `complete`, or `until_nonconvex_flip` if the exact metric could not follow to the end:
-then nothing is said of the result.
+The key `comparison` is `complete`, or `until_nonconvex_flip` if the exact metric could not follow to the end.
 */
 template <class Traits>
 void compare(Study_run& run) {
@@ -111,48 +109,55 @@ void compare(Study_run& run) {
   run.findings["different_decisions"] = t.metric().different_decisions();
   run.findings["nonconvex_flips"] = t.metric().nonconvex_flips();
   run.findings["cycles"] = t.correspondence().cycles();
-  if (t.metric().is_following())
-    note_result(run.findings, t,
-                [&t](auto h) { return t.metric().exact_delaunay_sign(t.diamond(h)); });
   run.findings["comparison"] = t.metric().is_following() ? "complete" : "until_nonconvex_flip";
+  run.emit();
 }
 
 /*!
 \brief runs an arithmetic alone, for times and result.
-\tparam Traits a model of `IntrinsicTriangulationTraits`
+\tparam Triangulation a model of `IntrinsicTriangulation` with `Integer_coordinates`
 \param run notes what is found
-\param note_decisions called with findings and the statistics of the metric
+\param note_more called with the result, to note what else was found while flipping
 \return the result
 */
-template <class Traits, class Note_decisions>
-auto measure(Study_run& run, const Note_decisions& note_decisions) {
-  using Triangulation =
-      IT::Intrinsic_triangulation<IT::Gluing_map, Traits, IT::Integer_coordinates>;
+template <class Triangulation, class Note_more>
+Triangulation measure(Study_run& run, const Note_more& note_more) {
   Json& findings = run.findings;
   reset_peak_memory();
   Timed_flips<Triangulation> done = fastest_flips<Triangulation>(run.input);
   findings["peak_rss_mib"] = peak_memory_mib();
   findings["seconds"] = {{"build", done.build}, {"flip", done.flip}};
   note_flips(findings, done.result);
-  note_decisions(findings, done.triangulation.metric().statistics());
+  note_more(done.triangulation);
   findings["result"] = fingerprint(done.triangulation);
-  if constexpr (std::is_same_v<typename Traits::FT, CGAL::Interval_nt<false>>)
-    findings["largest_interval_width"] = largest_interval_width(done.triangulation);
-  run.emit();
-  note_drift(run, done.triangulation);
   run.emit();
   return std::move(done.triangulation);
 }
 
+/// An intrinsic triangulation whose result can be certified.
+template <class Traits>
+using Measured = IT::Intrinsic_triangulation<IT::Gluing_map, Traits, IT::Integer_coordinates>;
+
 /*!
 \brief runs an arithmetic: first alone, then compared with exact decisions.
 \tparam Traits a model of `IntrinsicTriangulationTraits`
+\param run notes what is found
+\param note_more see `measure()`
 */
+template <class Traits, class Note_more>
+void measure_and_compare(Study_run& run, const Note_more& note_more) {
+  {
+    const auto t = measure<Measured<Traits>>(run, note_more);
+    note_drift(run, t);
+    certify(run, t);
+  }
+  compare<Traits>(run);
+}
+
+/// the same, with nothing more to note
 template <class Traits>
 void measure_and_compare(Study_run& run) {
-  measure<Traits>(run, [](Json&, const IT::Predicate_statistics&) {});
-  compare<Traits>(run);
-  run.emit();
+  measure_and_compare<Traits>(run, [](const Measured<Traits>&) {});
 }
 
 } // namespace program

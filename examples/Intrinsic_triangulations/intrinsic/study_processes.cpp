@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstring>
 #include <list>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -140,7 +141,8 @@ private:
   std::pair<std::string, std::string> outcome_of(int status) const {
     const bool is_signal = WIFSIGNALED(status);
     if (is_late_ || (is_signal && WTERMSIG(status) == SIGXCPU))
-      return {"timed_out", "no result after " + digits(limits_.seconds) + " s"};
+      return {"timed_out",
+              (std::ostringstream() << "no result after " << limits_.seconds << " s").str()};
     if (is_signal) {
       const char* const name = sigabbrev_np(WTERMSIG(status));
       return {"crashed", name == nullptr ? "unknown signal" : "SIG" + std::string(name)};

@@ -50,6 +50,7 @@ void study_gmpq(Study_run& run);
 void study_core_expr(Study_run& run);
 void study_lazy_core_expr(Study_run& run);
 void study_exact(Study_run& run);
+void study_exact_integer(Study_run& run);
 
 } // namespace program
 
