@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 

@@ -117,6 +117,16 @@ class Study(Cli_test):
         self.assertEqual([line["arithmetic"] for line in self.lines()].count("core-expr"), 2)
         self.assertEqual([line["arithmetic"] for line in self.lines()].count("double"), 1)
 
+    def test_memory_limit_is_a_result(self):
+        points, faces = icosphere(4)
+        mesh = self.write_off("sphere.off", [(x, 3 * y, 0.2 * z) for x, y, z in points], faces)
+        self.study(mesh, "--arithmetic", "core-expr,exact", "--memory-limit", "64",
+                   "--time-limit", "5")
+        results = self.by_key()
+        # address sanitizers reserve so much that memory cannot be limited
+        self.assertIn(results["sphere.off", "core-expr"]["status"], ("out_of_memory", "timed_out"))
+        self.assertEqual(results["sphere.off", "exact"]["status"], "done")
+
     def test_malformed_mesh_is_refused(self):
         self.write("corpus/bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n")
         self.study("corpus", "--arithmetic", "double,exact")
