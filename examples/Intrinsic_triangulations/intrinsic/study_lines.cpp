@@ -15,6 +15,15 @@
 
 namespace program {
 
+namespace {
+
+bool is_result(const Json& line) {
+  return line.is_object() && line.value("mesh", Json()).is_string() &&
+         line.value("arithmetic", Json()).is_string() && line.value("status", Json()).is_string();
+}
+
+} // namespace
+
 std::string study_line(const Json& findings) {
   constexpr std::array keys{"mesh",
                             "family",
@@ -63,7 +72,7 @@ std::vector<Json> read_study_lines(const std::string& path, std::size_t& complet
   for (std::size_t begin = 0, number = 1; begin < complete; ++number) {
     const std::size_t end = text.find('\n', begin);
     Json line = Json::parse(text.substr(begin, end - begin), nullptr, false);
-    if (!line.is_object() || !line.contains("mesh") || !line.contains("arithmetic"))
+    if (!is_result(line))
       throw std::runtime_error(path + ": line " + std::to_string(number) +
                                " is no result of the study; remove it");
     lines.push_back(std::move(line));
