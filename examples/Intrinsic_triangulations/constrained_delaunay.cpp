@@ -17,12 +17,14 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
+//! [visitor]
 struct Progress {
   bool progress(const IT::Flip_to_delaunay_result& r) {
     std::cout << r.checks << " edges checked, " << r.flips << " flipped\n";
     return r.flips < 10000000; // false cancels
   }
 };
+//! [visitor]
 
 int main() {
   Mesh mesh;
@@ -30,7 +32,8 @@ int main() {
   using Triangulation = IT::Intrinsic_triangulation<Mesh>; // flips a Surface_mesh
   Triangulation triangulation(mesh);
 
-  // constrain the edges that are longest in their faces' neighbourhood: any edge map will do
+  //! [map]
+  // constrain long edges, of more than 10 mm
   std::vector<char> is_constrained(num_edges(triangulation.mesh()));
   for (const auto e : edges(triangulation.mesh()))
     is_constrained[triangulation.index(e)] = triangulation.squared_length(e) > 100;
@@ -38,11 +41,14 @@ int main() {
       [&](Triangulation::edge_descriptor e) {
         return is_constrained[triangulation.index(e)] != 0;
       });
+  //! [map]
 
+  //! [constrained]
   Progress progress;
   const IT::Flip_to_delaunay_result result = IT::flip_to_delaunay(
       triangulation,
       CGAL::parameters::edge_is_constrained_map(constrained).visitor(std::ref(progress)));
+  //! [constrained]
   std::cout << result.flips << " flips\n";
   return result.status == IT::Flip_to_delaunay_status::done ? 0 : 1;
 }

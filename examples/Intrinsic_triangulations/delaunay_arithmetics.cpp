@@ -14,6 +14,7 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
+//! [flip]
 template <class Traits>
 void flip(const char* name, const Mesh& mesh) {
   IT::Intrinsic_triangulation<IT::Gluing_map, Traits> triangulation(mesh);
@@ -22,12 +23,15 @@ void flip(const char* name, const Mesh& mesh) {
   std::cout << name << ": " << result.flips << " flips, " << report.cocircular_edges.size()
             << " ties, certified " << triangulation.metric().statistics().certified_zero << '\n';
 }
+//! [flip]
 
 int main(int argc, char* argv[]) {
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/part.off", mesh)) return 1;
+  //! [arithmetics]
   flip<IT::Euclidean_traits<double>>("double     ", mesh);
   flip<IT::Euclidean_traits<long double>>("long double", mesh);
   flip<IT::Exact_euclidean_traits>("exact      ", mesh);
+  //! [arithmetics]
   return 0;
 }

@@ -32,6 +32,7 @@ int main(int argc, char* argv[]) {
     std::cerr << file << ": cannot be read\n";
     return 1;
   }
+  //! [delaunay]
   IT::Intrinsic_triangulation<> triangulation(mesh); // exact predicates, connectivity of its own
   std::cout << "smallest weight before: " << smallest_weight(IT::cotangent_laplacian(triangulation))
             << '\n';
@@ -40,6 +41,7 @@ int main(int argc, char* argv[]) {
 
   // rows and columns are numbered like the vertices of the input mesh
   const Eigen::SparseMatrix<double> laplacian = IT::cotangent_laplacian(triangulation);
+  //! [delaunay]
   std::cout << "flips: " << result.flips
             << "\nsmallest weight after: " << smallest_weight(laplacian) << '\n';
   return smallest_weight(laplacian) < 0; // never: the triangulation is Delaunay, exactly

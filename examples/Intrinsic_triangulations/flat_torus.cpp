@@ -13,6 +13,7 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 
 int main() {
+  //! [torus]
   // sides 0, 1, 2 of face 0 are glued to sides 0, 1, 2 of face 1: halfedge 3 f + k is side k of f
   IT::Gluing gluing;
   gluing.number_of_vertices = 1;
@@ -23,6 +24,7 @@ int main() {
 
   IT::Intrinsic_triangulation<> torus(std::move(input));
   IT::flip_to_delaunay(torus);
+  //! [torus]
   std::cout << "squared lengths:";
   for (const auto e : edges(torus.mesh())) std::cout << ' ' << torus.squared_length(e);
 

@@ -42,12 +42,14 @@ int main(int argc, char* argv[]) {
   const Eigen::VectorXd start = Eigen::VectorXd::Unit(mass.rows(), 0);
   const Eigen::VectorXd heat = Eigen::SimplicialLDLT(implicit_step).solve(start);
 
+  //! [transfer]
   const IT::Common_subdivision subdivision =
       IT::extract_subdivision(triangulation, triangulation.correspondence());
   const Eigen::VectorXd copied = IT::copy_to_input(subdivision.number_of_input_vertices, heat);
   const IT::L2_transfer transfer(triangulation,
                                  subdivision); // factored for any number of functions
   const Eigen::VectorXd nearest = transfer(heat);
+  //! [transfer]
 
   const double error_copied = IT::L2_distance(triangulation, subdivision, heat, copied);
   const double error_nearest = IT::L2_distance(triangulation, subdivision, heat, nearest);

@@ -4,43 +4,62 @@
 // Read by doxygen only.
 
 /*!
+\class IntrinsicCorrespondence concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicCorrespondence` describes an observer of the moves of an intrinsic triangulation,
-which learns from them how the triangulation lies on the input surface.
+which learns from them how the triangulation lies on the input surface, or anything else.
 
-Every move runs in one order: what it makes is computed, the correspondence hears of it and may refuse,
-connectivity and metric change, the correspondence hears again. A move that is refused for reasons of
-connectivity or convexity is not announced. An insertion may be announced and then not be done, because
+A model is a member of `Intrinsic_triangulation`, of which it is a template parameter, and must not store
+references to that. It reads the triangulation, by numbers of elements, through a
+\itc{Intrinsic_view}.
+
+\cgalRefines{`DefaultConstructible`\, `MoveConstructible` and `MoveAssignable` of the C++ standard; also copyable\,
+if triangulations are to be copied}
+
+\cgalHasModel{\itc{No_correspondence}\,
+\itc{Integer_coordinates}\,
+\itc{Explicit_crossings}\,
+\itc{Signposts}; an observer of one's own: own_correspondence.cpp among the examples}
+
+\cgalHeading{Types}
+
+None of its own. Elements are named by numbers of type `std::uint32_t`: halfedges `2e` and `2e + 1` are the sides of
+edge `e`. Flips do not change numbers; an insertion uses the numbers of removed elements again, or the next ones.
+
+\cgalHeading{Order of calls}
+
+Every move runs in one order: what it makes is computed, the correspondence hears of it (`before_...`) and may
+refuse, connectivity and metric change, the correspondence hears again (`after_...`). A move that is refused for
+reasons of connectivity or convexity is not announced. An insertion may be announced and then not be done, because
 an inexact number type cannot hold it: then the next call announces another move.
 
-Elements are named by numbers: halfedges `2e` and `2e + 1` are the sides of edge `e`. Flips do not
-change numbers; an insertion uses the numbers of removed elements again, or the next ones. An
-`Intrinsic_view` reads the triangulation by these numbers.
+A vertex on an inner edge is inserted in a face, at distance zero from the side, which is flipped then; it is removed
+in the opposite order.
 
-A vertex on an inner edge is inserted in a face, at distance zero from the side, which is flipped then;
-it is removed in the opposite order.
-
-A model is default constructible, movable, and copyable if the triangulation is to be copied. As a
-template parameter of `Intrinsic_triangulation` it is a member of that class and must not store
-references to it.
-
-<b>Complexity.</b> Free; a move takes as long as its observer.
-
-<b>Which operation needs what.</b>
+\cgalHeading{Which operation needs what}
 
 | operation | needs |
 |---|---|
-| constructors of `Intrinsic_triangulation` | `start()` |
-| `Intrinsic_triangulation::flip_edge()`, `flip_to_delaunay()` | `before_flip()`, `after_flip()` |
-| `Intrinsic_triangulation::insert_vertex()`, `split_edge()` | those, and the four functions that hear of insertions |
-| `Intrinsic_triangulation::remove_vertex()` | those of flips, and the four functions that hear of removals |
-| `Intrinsic_triangulation::reposition_vertex()` | all |
+| constructors of \itc{Intrinsic_triangulation} | `start()` |
+| `flip_edge()`, \itf{flip_to_delaunay} | `before_flip()`, `after_flip()` |
+| `insert_vertex()`, `split_edge()` | those, and the four functions that hear of insertions |
+| `remove_vertex()` | those of flips, and the four functions that hear of removals |
+| `reposition_vertex()`, \itf{delaunay_refine}, \itf{odt_optimize} | all |
+| \itf{common_subdivision}, queries | not part of this concept: see \ref ::CurveCoordinates |
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::No_correspondence`\,
-`CGAL::Intrinsic_triangulations::Integer_coordinates`\,
-`CGAL::Intrinsic_triangulations::Explicit_crossings`\,
-`CGAL::Intrinsic_triangulations::Signposts`}
+The C++20 concept asks for all of them, so that a triangulation can make every move.
+
+\cgalHeading{Invariants}
+
+- After `start()` and after every `after_...` the model describes the triangulation that it was called with.
+- If a `before_...` returns false, nothing has changed, in the model either.
+
+\cgalHeading{Complexity}
+
+Free; a move takes as long as its observer. `No_correspondence` is empty and costs nothing.
+
+The C++20 concept \itc{IntrinsicCorrespondence} in concepts.h checks the syntax.
 */
 class IntrinsicCorrespondence {
 public:
@@ -52,6 +71,8 @@ public:
   void start(const Triangulation& t);
   /*!
   \brief hears that the edge of `h` will be flipped: mesh and metric of `t` are as before.
+  \param t the triangulation, before the flip
+  \param h a halfedge of the edge
   \return whether the flip may be done; if not, nothing has changed
   */
   template <class Triangulation>

@@ -4,39 +4,57 @@
 // Read by doxygen only.
 
 /*!
+\class IntrinsicMetric concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicMetric` describes the store of a cone metric on a triangulation: one squared
-length per edge, one quadruple area per face, and the predicates and constructions of flips on them.
+length per edge, one quadruple area per face, and the predicates and constructions of moves on them.
 
-Edges and faces are named by numbers from 0, which flips do not change. Faces and edges at an edge
-are passed as a `CGAL::Intrinsic_triangulations::Diamond`. Values are in scaled units: lengths of the
-input times 2 to the power of `scale_exponent()`.
+Whatever must be right is asked here, by numbers of edges and faces, whatever number type is behind it.
 
-<b>Invariants.</b> Areas and squared lengths are not negative. The quadruple area of a face belongs to
-the squared lengths of its sides, up to the accuracy of `FT`. If `is_exact`, predicates decide on the
-exact values.
+\cgalRefines{`DefaultConstructible`\, `MoveConstructible` and `MoveAssignable` of the C++ standard; also copyable\,
+if triangulations are to be copied}
 
-<b>Complexity.</b> Constructors are linear. Everything else takes constant time, except that an exact
-metric may need time for a decision that depends on how many flips the values went through.
+\cgalHasModel{\itc{Euclidean_metric}\,
+\itc{Tolerant_metric}\,
+\itc{Interval_metric}\,
+\itc{Exact_euclidean_metric}}
 
-<b>Which operation needs what</b>
+\cgalHeading{Types}
+
+`FT`, `Scope` and `Flipped`, below. Edges and faces are named by numbers from 0, which flips do not change. Faces and
+edges at an edge are passed as a \itc{Diamond}, those at a vertex as a
+\itc{Vertex_star} or a \itc{Border_star}. Values are in scaled
+units: lengths of the input times 2 to the power of `scale_exponent()`.
+
+\cgalHeading{Which operation needs what}
 
 | operation | needs |
 |---|---|
-| constructors of `Intrinsic_triangulation` | constructors, `is_degenerate`, `is_zero_length` |
-| `is_locally_delaunay()`, `flip_to_delaunay()` | `is_locally_delaunay`, `compute_flip`, `store_flip`, `is_exact` |
-| `is_delaunay()` | `is_locally_delaunay` |
-| `check_delaunay()`, `delaunay_sign()`, `flip_status()`, `flip_edge()` | `sign` |
-| lengths and areas | `squared_length`, `quadruple_area`, `approximate_squared_length`, `approximate_quadruple_area`, `scale_exponent` |
+| constructors of \itc{Intrinsic_triangulation} | constructors, `is_degenerate`, `is_zero_length`, `approximate_squared_length` |
+| `is_locally_delaunay()`, \itf{flip_to_delaunay} | `is_locally_delaunay`, `compute_flip`, `store_flip`, `is_exact` |
+| \itf{is_delaunay} | `is_locally_delaunay` |
+| \itf{check_delaunay}, `delaunay_sign()`, `flip_status()`, `flip_edge()` | `sign` of a diamond |
+| `squared_length()` and `area()` of the triangulation | `approximate_squared_length`, `approximate_quadruple_area`, `scale_exponent` |
 | `insert_vertex()`, `remove_vertex()` | also `compute_flip_to_zero_area`, `insert_in_face`, `insert_in_border_edge`, `remove_from_face`, `remove_from_border_edge` |
-| `locate_on_input()` | also `sign` of expressions in several faces, `sharpen` |
-| Laplacians | `cotangent_weight` |
+| \itf{delaunay_refine} | also `sign` of faces |
+| \itf{locate_on_input}, insertion with \itc{Integer_coordinates} and \itc{Explicit_crossings} | also `sign` of faces, `sharpen` |
+| \itf{cotangent_laplacian}, \itf{measure_quality} | `cotangent_weight` |
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::Euclidean_metric<FT>`\,
-`CGAL::Intrinsic_triangulations::Tolerant_metric<FT\, Tolerance>`\,
-`CGAL::Intrinsic_triangulations::Interval_metric`\,
-`CGAL::Intrinsic_triangulations::Exact_euclidean_metric`}
+The C++20 concept asks for what flips and Laplacians need; what moves of vertices need is asked for where it is used.
+
+\cgalHeading{Invariants}
+
+- Areas and squared lengths are not negative.
+- The quadruple area of a face belongs to the squared lengths of its sides, up to the accuracy of `FT`.
+- If `is_exact`, predicates decide on the exact values, and `compute_flip()` never refuses.
+
+\cgalHeading{Complexity}
+
+Constructors are linear. Everything else takes constant time, except that an exact
+metric may need time for a decision that depends on how many moves the values went through.
+
+The C++20 concept \itc{IntrinsicMetric} in concepts.h checks the syntax.
 */
 class IntrinsicMetric {
 public:
@@ -83,6 +101,37 @@ public:
   compute_flip_to_zero_area(const CGAL::Intrinsic_triangulations::Diamond& d) const;
   /// stores the values that a flip makes, under the numbers that were there before.
   void store_flip(const CGAL::Intrinsic_triangulations::Diamond& d, const Flipped& values);
+
+  /*!
+  \brief computes the values at a vertex inserted in a face, and stores them.
+  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one are stored
+  \param weights barycentric coordinates, multiples of 2^-52 that sum to 1
+  \return whether it was done; if not, nothing has changed
+  */
+  bool insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
+                      const std::array<double, 3>& weights);
+  /// stores the values of a face from which a vertex is removed, in place of the first face of the star.
+  void remove_from_face(const CGAL::Intrinsic_triangulations::Vertex_star& s);
+  /*!
+  \brief computes the values at a vertex inserted on a border edge, and stores them.
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge and face
+  \param parameter weight of `j`
+  \return whether it was done; if not, nothing has changed
+  */
+  bool insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s, double parameter);
+  /// stores the values of a border edge and its face from which a vertex is removed.
+  void remove_from_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s);
+
+  /*!
+  \brief returns the sign of an expression in the values of faces.
+  \tparam Expression a functor with a template
+    `operator()(std::span<const CGAL::Intrinsic_triangulations::Face_values<Number>>)` that uses field operations only
+  */
+  template <class Expression>
+  CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
+                  const Expression& expression);
+  /// makes the doubles that the approximate values of faces are accurate, as far as the metric can.
+  void sharpen(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces);
 
   /// tells whether the area of a face is zero.
   bool is_degenerate(std::uint32_t face) const;

@@ -4,29 +4,48 @@
 // Read by doxygen only.
 
 /*!
+\class IntrinsicTriangulation concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicTriangulation` describes what algorithms that flip edges need of a triangulation:
 its mesh, numbers for its edges, and predicates and flips in a `Session`.
 
-<b>Invariants.</b> The mesh is a valid Delta-complex. Flips change neither the set of its elements nor
-their numbers. An edge with the same face on both sides, or with one face, counts as locally Delaunay.
+There is no metric in it: a triangulation that stores none, of hyperbolic surfaces, or one whose edges are Delaunay for
+other reasons, can be a model.
 
-<b>Complexity.</b> Constant time for everything, as far as that of the arithmetic is.
+\cgalHasModel{\itc{Intrinsic_triangulation}\, \itc{Integer_only_triangulation}}
 
-<b>Which operation needs what</b>
+\cgalHeading{Types}
+
+`Mesh`, `Metric`, `halfedge_descriptor`, `edge_descriptor` and `Session`, below.
+
+\cgalHeading{Which operation needs what}
 
 | operation | needs |
 |---|---|
-| `flip_to_delaunay()` | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::flip_status` (its type), `Session::suspended` |
-| `is_delaunay()` | `mesh`, `Session::is_locally_delaunay` |
-| `check_delaunay()` | `mesh`, `Session::delaunay_sign` |
+| \itf{flip_to_delaunay} | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::flip_status` (its type), `Session::suspended` |
+| \itf{is_delaunay} | `mesh`, `Session::is_locally_delaunay` |
+| \itf{check_delaunay} | `mesh`, `Session::delaunay_sign` |
+| \itf{certify_delaunay} | an \itc{Integer_only_triangulation}, or an \itc{Intrinsic_triangulation} with \itc{Integer_coordinates} |
+| \itf{lumped_mass_matrix}, \itf{galerkin_mass_matrix} | also `face_descriptor`, `area`, `input_vertex`, `numbers`, as `Intrinsic_triangulation` has them |
+| \itf{cotangent_laplacian} and what solves equations with it | these, `metric`, and `Session::cotangent_weight` |
+| refinement, queries, common subdivisions | all of `Intrinsic_triangulation`: "an instance of" it, their pages say |
 
-\cgalHasModel{`CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Mesh\, Traits\, Correspondence>`}
+\cgalHeading{Invariants}
+
+- The mesh is a valid Delta-complex.
+- Flips change neither the set of its elements nor their numbers.
+- An edge with the same face on both sides, or with one face, counts as locally Delaunay.
+
+\cgalHeading{Complexity}
+
+Constant time for everything, as far as that of the arithmetic is.
+
+The C++20 concept \itc{IntrinsicTriangulation} in concepts.h checks the syntax.
 */
 class IntrinsicTriangulation {
 public:
-  /// The connectivity: the part of `MutableDeltaComplex` that reads.
+  /// The connectivity: the part of \ref ::MutableDeltaComplex that reads.
   typedef unspecified_type Mesh;
   /// Has a constant `static bool is_exact`: whether predicates are exact.
   typedef unspecified_type Metric;

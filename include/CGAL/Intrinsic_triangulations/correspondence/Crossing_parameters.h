@@ -122,7 +122,7 @@ unfolded, and its ends joined by a straight line.
 Nothing but the input and the connectivity of the crossings enters, so that errors do not grow with the
 number of moves.
 \param t the triangulation
-\param coordinates its normal coordinates and roundabouts
+\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
 \param crossings what `edge_crossings()` returned
 \complexity linear in the number of crossings
 */

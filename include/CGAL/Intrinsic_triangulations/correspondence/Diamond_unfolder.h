@@ -42,7 +42,7 @@ likewise. The curves that cross an edge are found in three ways:
 
 - those that emanate from a corner of one of the two faces are told by the roundabouts there;
 - those that cut off the corner i cross ij and ik in the same order;
-- others are followed to their end, over the faces around.
+- others are followed to their end, over the faces around; side by side as long as they run so.
 
 Paths are reduced words in crossings. As a diamond holds no vertex inside, the paths to its corners make one
 tree of triangles, whatever the order in which they were found.
@@ -73,7 +73,7 @@ public:
     left_ = corner_coordinates(view, coordinates, h);
     const bool has_right = !view.is_border(o);
     right_ = has_right ? corner_coordinates(view, coordinates, o) : Corner_coordinates{};
-    cross_edge(view, h, has_right);
+    cross_edge(view, h);
     for (Developed_corner& c : corners_) c.path.clear();
     corners_[0].side = corner(view, h, true);
     for (const std::uint32_t x : crossed_) append(corners_[1].path, entering(x));
@@ -152,29 +152,37 @@ private:
 
   // finds the curves that cross ij, as the input halfedges over which faces are entered
   template <class View>
-  void cross_edge(const View& view, std::uint32_t h, bool has_right) {
-    crossed_.clear();
+  void cross_edge(const View& view, std::uint32_t h) {
     const Normal_coordinate n = crossings(coordinates_->normal_coordinate(h / 2));
+    crossed_.resize(index(n));
     if (n == 0) return;
-    const std::uint32_t ki = last(view, h), mj = has_right ? last(view, h ^ 1U) : h;
-    for (Normal_coordinate p = 0; p < n; ++p) {
-      const Normal_coordinate k = p - left_.cutting[0], m = p - right_.cutting[1];
-      if (k >= 0 && k < left_.emanating[2])
-        crossed_.push_back(curve(ki, k)); // from k, on the left
-      else if (m >= 0 && m < right_.emanating[2])
-        crossed_.push_back(curve(mj, right_.emanating[2] - 1 - m) ^ 1U);
-      else
-        crossed_.push_back(followed(view, h, p));
-    }
+    const std::uint32_t ki = last(view, h);
+    const Normal_coordinate from = left_.cutting[0], to = from + left_.emanating[2];
+    for (Normal_coordinate p = from; p < to; ++p) // from k, on the left
+      crossed_[index(p)] = curve(ki, p - from);
+    follow(view, {h, 0, from, 0}, crossed_);
+    follow(view, {h, to, n - to, to}, crossed_);
   }
 
-  // The input halfedge over which the curve number `p` across `h` is crossed. It ends on the right of h; the
-  // way back runs from right to left.
+  // The input halfedges over which curves across a halfedge are crossed. They end on its right; the way
+  // back runs from right to left.
   template <class View>
-  std::uint32_t followed(const View& view, std::uint32_t h, Normal_coordinate p) const {
-    const Curve_end end =
-        follow_curve(view, *coordinates_, Curve_crossing{h, p}, [](const Curve_crossing&) {});
-    return input_halfedge(*coordinates_, end) ^ 1U;
+  void follow(const View& view, const Curve_bundle& bundle, std::vector<std::uint32_t>& crossed) {
+    follow_curves(view, *coordinates_, bundle, stack_,
+                  [&](Normal_coordinate number, const Curve_end& end) {
+                    crossed[index(number)] = input_halfedge(*coordinates_, end) ^ 1U;
+                  });
+  }
+
+  // appends the crossings of a halfedge from number `from` on
+  template <class View>
+  void append_followed(const View& view, std::uint32_t h, Normal_coordinate from,
+                       Crossing_path& path) {
+    const Normal_coordinate n = crossings(coordinates_->normal_coordinate(h / 2)) - from;
+    if (n <= 0) return;
+    others_.resize(index(n));
+    follow(view, {h, from, n, 0}, others_);
+    for (const std::uint32_t x : others_) append(path, entering(x));
   }
 
   // finds k: turns counterclockwise about i, crosses the curves that cut off i, emanate from j, cut off k
@@ -189,8 +197,7 @@ private:
       for (; p < left_.cutting[0]; ++p) append(k.path, entering(crossed_[index(p)]));
       for (Normal_coordinate c = left_.emanating[1]; c-- > 0; ++p)
         append(k.path, entering(curve(jk, c) ^ 1U));
-      const Normal_coordinate n = crossings(coordinates_->normal_coordinate(ki / 2));
-      for (; p < n; ++p) append(k.path, entering(followed(view, ki ^ 1U, p)));
+      append_followed(view, ki ^ 1U, p, k.path);
     }
     k.side = corner(view, ki, true);
   }
@@ -208,8 +215,7 @@ private:
       for (; p < right_.cutting[1]; ++p) append(m.path, entering(crossed_[index(p)]));
       for (Normal_coordinate c = 0; c < right_.emanating[0]; ++c, ++p)
         append(m.path, entering(curve(o, c)));
-      const Normal_coordinate n = crossings(coordinates_->normal_coordinate(im / 2));
-      for (; p < n; ++p) append(m.path, entering(followed(view, im, p)));
+      append_followed(view, im, p, m.path);
     }
     m.side = corner(view, im ^ 1U, false);
   }
@@ -218,7 +224,8 @@ private:
 
   const Integer_coordinates* coordinates_ = nullptr; // of the call
   Corner_coordinates left_, right_;                  // corners i, j, k and j, i, m
-  std::vector<std::uint32_t> crossed_;
+  std::vector<std::uint32_t> crossed_, others_;
+  std::vector<Curve_bundle> stack_;
   std::array<Developed_corner, 4> corners_;
   internal::Corner_unfolder unfolder_{std::numeric_limits<std::size_t>::max()};
 };

@@ -75,7 +75,7 @@ void add_curve(const View& view, const Coordinates& coordinates, const Curve_end
 /*!
 \brief follows all input edges over the intrinsic triangulation.
 \param t the triangulation
-\param coordinates its normal coordinates and roundabouts
+\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
 \throws std::length_error if there are more than 2^31 crossings
 \complexity linear in the number of edges and crossings
 */

@@ -53,7 +53,7 @@ a curve cuts it in two, but lists name the input edge and need not know.
 Flips cost time linear in the lists that they change. In return all that crosses an edge is at hand
 without following curves; see `trace_edge()`.
 
-\cgalModels{IntrinsicCorrespondence}
+\cgalModels{CurveCoordinates}
 */
 class Explicit_crossings {
 public:

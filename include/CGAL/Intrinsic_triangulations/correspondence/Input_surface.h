@@ -21,6 +21,7 @@ quadruple areas, in its numbering and its scaled units.
 
 It never changes; a correspondence shares it with its copies. All elements are named by their numbers;
 halfedges `2e` and `2e + 1` are the sides of edge `e`.
+\cgalModels{NumberedComplex}
 */
 class Input_surface {
 public:

@@ -30,7 +30,7 @@ halfedge the first input halfedge counterclockwise from it (roundabouts).
 No rounding can make these inconsistent: the common subdivision always has the right connectivity. A
 vertex that is inserted on an input edge cuts it into two curves.
 
-\cgalModels{IntrinsicCorrespondence}
+\cgalModels{CurveCoordinates}
 */
 class Integer_coordinates {
 public:

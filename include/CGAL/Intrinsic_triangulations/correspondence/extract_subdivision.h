@@ -249,7 +249,7 @@ private:
 Its connectivity follows from integers alone: it is that of a subdivision of both, whatever rounding
 does to the locations of the crossings.
 \param t the triangulation
-\param coordinates its normal coordinates and roundabouts
+\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
 \throws std::length_error if there are more than 2^31 crossings
 \complexity linear in the size of the result
 */

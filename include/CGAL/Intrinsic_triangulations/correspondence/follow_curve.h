@@ -6,8 +6,10 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/corner_coordinates.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <vector>
 
 /*!
 \file
@@ -83,6 +85,53 @@ Curve_end follow_curve(const Complex& complex, const Coordinates& coordinates,
       return {last, from_source - c.cutting[0]};
     else // around the target
       crossing = {next, crossing.position};
+  }
+}
+
+/// Curves that leave a face side by side.
+struct Curve_bundle {
+  std::uint32_t halfedge; ///< the halfedge of that face
+  Normal_coordinate
+      position;             ///< number of curves that cross it nearer to its source than the first
+  Normal_coordinate count;  ///< number of curves
+  Normal_coordinate number; ///< number of the first one, counted where following began
+};
+
+/*!
+\brief follows curves that leave a face side by side to their ends. As long as they run side by side, they
+take one step together.
+\param complex the intrinsic triangulation
+\param coordinates the normal coordinates
+\param bundle the curves
+\param stack memory to use
+\param visit called with the number of each curve and its `Curve_end`, see `follow_curve()`
+\complexity linear in the number of steps, at most that of all crossings
+*/
+template <class Complex, class Coordinates, class Visit>
+void follow_curves(const Complex& complex, const Coordinates& coordinates, Curve_bundle bundle,
+                   std::vector<Curve_bundle>& stack, Visit visit) {
+  stack.assign(1, bundle);
+  while (!stack.empty()) {
+    Curve_bundle b = stack.back();
+    stack.pop_back();
+    while (b.count > 0) {
+      const std::uint32_t h = b.halfedge ^ 1U; // enters its face
+      const Corner_coordinates c = corner_coordinates(complex, coordinates, h);
+      const std::uint32_t next = complex.next(h), last = complex.next(next);
+      const Normal_coordinate n = coordinates.normal_coordinate(h / 2), end = b.position + b.count;
+      // from the target of h on: curves about the target, to the apex, about the source
+      const Normal_coordinate to_source = n - c.cutting[0], to_apex = to_source - c.emanating[2];
+      const auto about_target = std::max(0, std::min(end, to_apex) - b.position);
+      const auto about_source = std::max(0, end - std::max(b.position, to_source));
+      for (Normal_coordinate i = about_target; i < b.count - about_source; ++i)
+        visit(b.number + i, Curve_end{last, to_source - 1 - (b.position + i)});
+      if (about_source > 0) {
+        const Normal_coordinate skipped = b.count - about_source;
+        stack.push_back({last, b.position + skipped + coordinates.normal_coordinate(last / 2) - n,
+                         about_source, b.number + skipped});
+      }
+      b = {next, b.position, about_target, b.number};
+    }
   }
 }
 

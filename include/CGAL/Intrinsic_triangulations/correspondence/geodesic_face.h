@@ -17,9 +17,7 @@
 Faces in the plane, and angles about vertices, read by number from the input or from the intrinsic
 triangulation (§2.3.7 and §2.4 of the course).
 
-A *numbered complex* names halfedges, edges, vertices and faces by numbers and has functions `next(h)`,
-`is_border(h)`, `face(h)`, `source(h)`, `target(h)`, `squared_length(e)` and `quadruple_area(f)`;
-`h ^ 1` is the other side of edge `h / 2`. Models: `Input_surface`, `Intrinsic_view`.
+What they are read from is a model of `NumberedComplex`: `Input_surface`, `Intrinsic_view`.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -48,7 +46,7 @@ struct Geodesic_face {
 
   /*!
   \brief lays out the face of `h`.
-  \tparam Complex a numbered complex
+  \tparam Complex a model of `NumberedComplex`
   \pre `h` has a face
   */
   template <class Complex>
@@ -92,7 +90,7 @@ struct Geodesic_face {
 
 /*!
 \brief returns the angle at the source of `h` in the face of `h`.
-\tparam Complex a numbered complex
+\tparam Complex a model of `NumberedComplex`
 \pre `h` has a face
 */
 template <class Complex>
@@ -114,7 +112,7 @@ std::uint32_t next_around_source(const Complex& complex, std::uint32_t h) {
 /*!
 \brief returns the sum of the angles about the source of `h`, over the fan of faces of `h` if it is a
 nonmanifold vertex.
-\tparam Complex a numbered complex
+\tparam Complex a model of `NumberedComplex`
 \param complex the complex
 \param h a halfedge
 \param is_on_border becomes true where the fan is not closed
@@ -146,7 +144,7 @@ struct Corner_direction {
 
 /*!
 \brief turns counterclockwise about the source of a halfedge, or clockwise if the angle is negative.
-\tparam Complex a numbered complex
+\tparam Complex a model of `NumberedComplex`
 \param complex the complex
 \param d where to start, and by what angle to turn: any number; replaced by the corner that is reached
 \param tolerance angle beyond the border that is taken for rounding

@@ -212,7 +212,7 @@ that ends at the target. That one is accepted if all vertices are on the side of
 have them. As it starts with nearly the same direction and has nearly the same length, it is the
 geodesic, unless a vertex is so close to it that rounding cannot tell the side: then the result is not
 certain.
-\tparam Complex a numbered complex
+\tparam Complex a model of `NumberedComplex`
 \param complex the surface
 \param walk the start
 \param target the end

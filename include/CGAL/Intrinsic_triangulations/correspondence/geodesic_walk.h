@@ -37,7 +37,7 @@ walk cannot go back and forth.
 Bounds of the first order are kept of what rounding has done to the line: `angle_error()` and
 `position_error()`. Stored squared lengths have relative errors u, thus the angle between two sides
 has error u L / (l l'), L the greatest of the face; needles make it large.
-\tparam Complex a numbered complex
+\tparam Complex a model of `NumberedComplex`
 */
 template <class Complex>
 class Geodesic_walk {

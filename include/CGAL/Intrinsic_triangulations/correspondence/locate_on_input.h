@@ -262,7 +262,7 @@ private:
 /*!
 \brief finds the point of the input at a point of an intrinsic face.
 \param t the triangulation, whose metric may get more precise
-\param coordinates a model of `IntrinsicCorrespondence` with normal coordinates and roundabouts
+\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
 \param h a halfedge of the face
 \param weights barycentric coordinates: of its source, its target, the third corner
 \return the point and the region of the face in which it lies

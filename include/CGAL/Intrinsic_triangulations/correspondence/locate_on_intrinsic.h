@@ -257,7 +257,7 @@ private:
 /*!
 \brief finds the point of the intrinsic triangulation at a point of the input.
 \param t the triangulation
-\param coordinates its normal coordinates and roundabouts
+\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
 \param p a point of the input
 \return the point; nothing only if the coordinates are not those of the triangulation
 \complexity linear in the number of intrinsic edges that cross the longest side of the input face, and

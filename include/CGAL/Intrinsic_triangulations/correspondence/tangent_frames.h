@@ -51,7 +51,7 @@ public:
 
   /*!
   \brief measures the angles of a surface.
-  \tparam Complex a numbered complex with a function `number_of_halfedges()`
+  \tparam Complex a model of `NumberedComplex` with a function `number_of_halfedges()`
   \complexity linear
   */
   template <class Complex>

@@ -58,7 +58,7 @@ It is what `Signposts` store, but each is computed for itself: from the sector t
 tells, and from the straight line through the faces of the input that the edge crosses. The error does not
 grow with the number of moves.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
-\tparam Coordinates `Integer_coordinates` or `Explicit_crossings`
+\tparam Coordinates a model of `CurveCoordinates`: `Integer_coordinates`, `Explicit_crossings`
 \param t the triangulation
 \param coordinates its correspondence
 \param frames the directions of its input, `Tangent_frames(coordinates.input())`

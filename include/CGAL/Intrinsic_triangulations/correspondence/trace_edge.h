@@ -37,12 +37,14 @@ std::vector<std::uint32_t> entered_on(const Triangulation& t, const Coordinates&
     entered.assign(list.begin(), list.end());
   } else {
     const Intrinsic_view<Triangulation> view(t);
-    for (Normal_coordinate i = 0; i < coordinates.normal_coordinate(edge); ++i) {
-      const Curve_end end = follow_curve(view, coordinates, Curve_crossing{2 * edge, i},
-                                         [](const Curve_crossing&) {});
-      // the curve crosses from left to right; the way back starts along its opposite
-      entered.push_back(input_halfedge(coordinates, end) ^ 1U);
-    }
+    const Normal_coordinate n = crossings(coordinates.normal_coordinate(edge));
+    entered.resize(static_cast<std::size_t>(n));
+    std::vector<Curve_bundle> stack;
+    follow_curves(view, coordinates, {2 * edge, 0, n, 0}, stack,
+                  [&](Normal_coordinate i, const Curve_end& end) {
+                    // the curve crosses from left to right; the way back starts along its opposite
+                    entered[static_cast<std::size_t>(i)] = input_halfedge(coordinates, end) ^ 1U;
+                  });
   }
   return entered;
 }
@@ -52,13 +54,13 @@ std::vector<std::uint32_t> entered_on(const Triangulation& t, const Coordinates&
 /*!
 \brief traces an intrinsic edge over the input, from the source of its halfedge `2 * edge`.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
-\tparam Coordinates `Explicit_crossings` or `Integer_coordinates`
+\tparam Coordinates a model of `CurveCoordinates`: `Explicit_crossings`, `Integer_coordinates`
 \param t the triangulation
 \param coordinates its correspondence
 \param edge the number of the edge
 \return its crossings, in order; none if the edge lies in one face, or runs along an input edge
-\complexity linear in the number of crossings; with `Integer_coordinates`, in the sum of the numbers of
-crossings of the curves that cross
+\complexity linear in the number of crossings; with `Integer_coordinates`, in the number of steps of
+`follow_curves()`
 */
 template <class Triangulation, class Coordinates>
 std::vector<Traced_crossing> trace_edge(const Triangulation& t, const Coordinates& coordinates,

@@ -112,7 +112,7 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, d
 
 /*!
 \brief traces a geodesic from a point.
-\tparam Complex a numbered complex: `Input_surface`, `Intrinsic_view`
+\tparam Complex a model of `NumberedComplex`: `Input_surface`, `Intrinsic_view`
 \param complex the surface
 \param start the start
 \param direction its direction there: a vector in the frame of `start.halfedge`, which runs along the
@@ -136,7 +136,7 @@ Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
 
 /*!
 \brief traces a geodesic from a vertex.
-\tparam Complex a numbered complex
+\tparam Complex a model of `NumberedComplex`
 \param complex the surface
 \param start a halfedge that starts at the vertex, and the angle from it to the geodesic,
   counterclockwise, as it is on the surface: the angles about the vertex are not scaled

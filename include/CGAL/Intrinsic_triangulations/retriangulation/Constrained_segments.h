@@ -34,13 +34,13 @@ both get vertices at the same distances (Ruppert, A Delaunay refinement algorith
 left alone (Shewchuk, Mesh generation for domains with small angles, 2000). Between segments whose angle is
 below the bound for angles no face can be expected to meet it, whatever the distances.
 
-All elements are named by numbers, lengths are those of the numbered complex.
+All elements are named by numbers, lengths are those of the complex.
 */
 class Constrained_segments {
 public:
   /*!
   \brief adds an edge; all must be added before `find_small_angles()`.
-  \tparam Complex a numbered complex
+  \tparam Complex a model of `NumberedComplex`
   \param complex the surface
   \param h a halfedge of the edge
   \param is_constrained false for an edge of the border that is nothing else

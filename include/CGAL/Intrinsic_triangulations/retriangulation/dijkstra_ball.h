@@ -20,7 +20,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief finds the vertices within a distance along edges (§4.3 of the course).
 
 In a Delaunay triangulation this is a geodesic ball up to a constant factor (§4.1.1).
-\tparam Complex a numbered complex
+\tparam Complex a model of `NumberedComplex`
 \param complex the surface
 \param center a vertex \pre it is not isolated
 \param radius the distance, in the units of `complex`

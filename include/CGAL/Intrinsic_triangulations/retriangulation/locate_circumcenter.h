@@ -82,7 +82,7 @@ Located_circumcenter arrived(Surface_point p, const Geodesic_face& face,
 \brief finds the circumcenter of a face: from its barycenter straight on.
 
 In a Delaunay triangulation the disk about it has no vertex inside, thus is flat.
-\tparam Complex a numbered complex
+\tparam Complex a model of `NumberedComplex`
 \tparam Is_segment a functor that tells of a halfedge whether its edge must not be crossed: true on the
 border
 \param complex the surface

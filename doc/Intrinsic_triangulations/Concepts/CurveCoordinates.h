@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Read by doxygen only.
+
+/*!
+\class CurveCoordinates Integer_coordinates.h <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
+\cgalConcept
+
+The concept `CurveCoordinates` describes a correspondence that knows, as integers, how the input's edges run over the
+intrinsic triangulation: they are *curves* on it (§3.5 of the course).
+
+All that asks where things are on the other triangulation is written over this concept.
+\itc{Signposts} is not a model, but
+\itf{integer_coordinates} makes one from it by tracing, which may fail, and says so.
+
+\cgalRefines{\ref ::IntrinsicCorrespondence}
+
+\cgalHasModel{\itc{Integer_coordinates}\,
+\itc{Explicit_crossings}}
+
+\cgalHeading{Types}
+
+\itc{Normal_coordinate}, a signed integer. Elements are named by numbers.
+
+\cgalHeading{Which operation needs what}
+
+| operation | needs |
+|---|---|
+| \itf{follow_curve}, \itf{corner_coordinates} | `normal_coordinate` |
+| \itf{edge_crossings} | also `number_of_edges` |
+| \itf{trace_edge} | `input`, `normal_coordinate`; the list of crossings, where there is one |
+| \itf{common_subdivision}, \itf{locate_on_input}, \itf{locate_on_intrinsic} | all |
+| \itf{vector_to_intrinsic}, \itf{vector_to_input} | `input`, `fans`, `normal_coordinate`, `roundabout` |
+| \itc{Face_vector_transfer} | `input` |
+
+\cgalHeading{Invariants}
+
+- In every face the normal coordinates of the sides are those of curves that do not cross each other and do not turn
+  back: what the corner coordinates of Eq. 9 and 10 of the course count is not negative and whole.
+- An edge along which a curve runs has coordinate -1, and no curve crosses it.
+- Roundabouts of the halfedges about a vertex of the input come in the order of its curves.
+
+\cgalHeading{Complexity}
+
+Constant time for all functions.
+*/
+class CurveCoordinates {
+public:
+  /// returns the triangulation that the intrinsic one started from.
+  const CGAL::Intrinsic_triangulations::Input_surface& input() const;
+  /// returns the numbering of the curves that start from each vertex.
+  const CGAL::Intrinsic_triangulations::Vertex_fans& fans() const;
+  /// returns a bound of the numbers of intrinsic edges.
+  std::uint32_t number_of_edges() const;
+  /// returns how many curves cross an intrinsic edge; -1 if one runs along it.
+  CGAL::Intrinsic_triangulations::Normal_coordinate normal_coordinate(std::uint32_t edge) const;
+  /// returns the slot in `fans()` of the first curve counterclockwise from an intrinsic halfedge, itself included.
+  std::uint32_t roundabout(std::uint32_t halfedge) const;
+  /// tells whether a vertex was inserted.
+  bool is_inserted(std::uint32_t vertex) const;
+  /// returns where an inserted vertex is on the input.
+  const CGAL::Intrinsic_triangulations::Surface_point& location(std::uint32_t inserted_vertex) const;
+};
