@@ -4,10 +4,12 @@
 #include "commands.h"
 #include "options.h"
 #include "output_files.h"
+#include "study_job.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -19,6 +21,7 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using program::Options;
+using program::Study_options;
 using Command = void (*)(const Options&);
 
 // Exit codes: valid usage that failed, and usage that is not valid.
@@ -160,9 +163,67 @@ void add_info(CLI::App& app, Options& options, Command& chosen) {
   command.callback([&chosen] { chosen = program::run_info; });
 }
 
+void add_study_limits(CLI::App& command, Study_options& study) {
+  command
+      .add_option("--time-limit", study.limits.seconds,
+                  "seconds that an arithmetic may take on a mesh; default 60")
+      ->check(CLI::Range(0.001, 1e9));
+  command
+      .add_option("--memory-limit", study.limits.mib,
+                  "MiB of address space that it may take; default 4096")
+      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 40U));
+}
+
+void add_study(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "study", "compare arithmetics: run each on each mesh, in a process of its own");
+  Study_options& study = options.study;
+  command
+      .add_option("CORPUS", study.corpus,
+                  "meshes, directories of meshes, stress:FAMILY[:key=value]..., or stress (the "
+                  "standard list); or results (.jsonl) to be merged into a report")
+      ->required();
+  command
+      .add_option("--arithmetic", study.arithmetics,
+                  "arithmetics, separated by commas; default all")
+      ->delimiter(',')
+      ->check(CLI::IsMember(program::study_arithmetics()));
+  command
+      .add_option("-o", options.output,
+                  "append results to this file, one JSON object per line, unless it has them; "
+                  "default study.jsonl")
+      ->check(extension(".jsonl", "JSON lines"));
+  command.add_option("--report", study.report, "write a page with tables and plots")
+      ->check(extension(".html", "pages"));
+  command.add_option("--jobs", study.jobs, "processes at a time; default 1")
+      ->check(CLI::Range(1U, 1024U));
+  add_study_limits(command, study);
+  command.callback([&chosen] { chosen = program::run_study; });
+}
+
+// What `study` starts for every mesh and arithmetic.
+void add_study_job(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand("study-job")->group("");
+  command.add_option("--source", options.study.corpus)->required()->expected(1);
+  command.add_option("--arithmetic", options.study.arithmetics)
+      ->required()
+      ->expected(1)
+      ->check(CLI::IsMember(program::study_arithmetics()));
+  add_study_limits(command, options.study);
+  command.callback([&chosen] { chosen = program::run_study_job; });
+}
+
+bool merges_wrongly(const Options& o) {
+  return program::is_study_merge(o.study) &&
+         (o.study.report.empty() || !o.output.empty() ||
+          !std::all_of(o.study.corpus.begin(), o.study.corpus.end(), [](const std::string& path) {
+            return std::filesystem::path(path).extension() == ".jsonl";
+          }));
+}
+
 bool names_a_file_twice(const Options& o) {
   std::vector<std::string> names;
-  for (const std::string& name : {o.output, o.mass, o.laplacian, o.stats, o.view})
+  for (const std::string& name : {o.output, o.mass, o.laplacian, o.stats, o.view, o.study.report})
     if (!name.empty()) names.push_back(name);
   std::sort(names.begin(), names.end());
   return std::adjacent_find(names.begin(), names.end()) != names.end();
@@ -183,6 +244,8 @@ int run(int argc, char** argv) {
   add_refine(app, options, chosen);
   add_laplacian(app, options, chosen);
   add_info(app, options, chosen);
+  add_study(app, options, chosen);
+  add_study_job(app, options, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -196,6 +259,11 @@ int run(int argc, char** argv) {
     std::cerr
         << "intrinsic: without correspondence nothing is known of the common subdivision; use "
            "--correspondence integer, or write the intrinsic triangulation to .idt\n";
+    return misused;
+  }
+  if (merges_wrongly(options)) {
+    std::cerr << "intrinsic: results are merged with nothing but results, and into a report only; "
+                 "use --report\n";
     return misused;
   }
   chosen(options);

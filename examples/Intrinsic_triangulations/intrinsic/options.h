@@ -4,6 +4,8 @@
 #ifndef INTRINSIC_OPTIONS_H
 #define INTRINSIC_OPTIONS_H
 
+#include "study_options.h"
+
 #include <CGAL/Intrinsic_triangulations/IO/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/metric/mollification.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/Refinement_options.h>
@@ -30,6 +32,7 @@ struct Options {
   bool no_flip = false;
   bool refines = false;
   CGAL::Intrinsic_triangulations::Refinement_options refinement{.minimum_angle = 30};
+  Study_options study;
   bool is_arithmetic_given = false;
   bool is_mollification_given = false;
 };

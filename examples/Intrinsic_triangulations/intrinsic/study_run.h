@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_STUDY_RUN_H
+#define INTRINSIC_STUDY_RUN_H
+
+#include "study_results.h"
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
+
+#include <nlohmann/json.hpp>
+
+namespace program {
+
+/// Findings, with keys in the order in which they are set.
+using Json = nlohmann::ordered_json;
+
+/// One arithmetic at work on one mesh: what it starts from, and what is found.
+struct Study_run {
+  /// The input, with the mollification that all arithmetics take.
+  IT::Intrinsic_input input;
+  /// What flips conserve, before any.
+  Conserved before;
+  /// What has been found so far.
+  Json findings;
+
+  /// passes on what has been found so far: it counts even if the process is ended later.
+  void emit() const;
+};
+
+/// sets the peak of resident memory back to what is resident now, where the system can.
+void reset_peak_memory();
+
+/// returns the peak of resident memory since `reset_peak_memory()`, in MiB.
+double peak_memory_mib();
+
+/// runs an arithmetic. \throws Invalid_input if it cannot hold the values of the input
+using Study_function = void (*)(Study_run&);
+
+// One function for each arithmetic; several translation units, to compile in little memory.
+void study_double(Study_run& run);
+void study_double_1e_12(Study_run& run);
+void study_double_1e_6(Study_run& run);
+void study_double_1e_5(Study_run& run);
+void study_long_double(Study_run& run);
+void study_interval(Study_run& run);
+void study_boost_100(Study_run& run);
+void study_boost_200(Study_run& run);
+void study_gmpq(Study_run& run);
+void study_core_expr(Study_run& run);
+void study_lazy_core_expr(Study_run& run);
+void study_exact(Study_run& run);
+void study_exact_integer(Study_run& run);
+
+} // namespace program
+
+#endif // INTRINSIC_STUDY_RUN_H
