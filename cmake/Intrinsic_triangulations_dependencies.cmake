@@ -7,7 +7,11 @@
 # Defines the target Intrinsic_triangulations::OpenMesh_support if OpenMesh is found; programs that
 # use OpenMesh meshes link to it beside the library.
 
-find_package(CGAL 5.5 QUIET REQUIRED)
+# Asked for 5.5, CGAL's version file refuses 6.
+find_package(CGAL QUIET REQUIRED)
+if(CGAL_VERSION VERSION_LESS 5.5)
+  message(FATAL_ERROR "Intrinsic_triangulations needs CGAL 5.5 or later, ${CGAL_VERSION} was found")
+endif()
 find_package(MPFI QUIET REQUIRED)
 find_package(Eigen3 3.3 QUIET NO_MODULE) # after CGAL, whose own find module knows no target
 find_package(OpenMesh QUIET NO_MODULE)

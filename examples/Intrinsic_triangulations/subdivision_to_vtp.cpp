@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,9 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_eucl
                                                   IT::Integer_coordinates>;
 
 int main(int argc, char* argv[]) {
+  const std::string name = "subdivision_" + std::to_string(std::random_device()()) + ".vtp";
   const std::filesystem::path file =
-      argc > 2 ? std::filesystem::path(argv[2])
-               : std::filesystem::temp_directory_path() / "example_subdivision_to_vtp.vtp";
+      argc > 2 ? std::filesystem::path(argv[2]) : std::filesystem::temp_directory_path() / name;
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/part.off", mesh)) return 1;
   Triangulation t(mesh);

@@ -55,13 +55,21 @@ constexpr Family families[] = {
   throw std::invalid_argument(spec + ": " + what);
 }
 
+// Grown, not added up: g++ 12 warns of overflows where a literal comes first.
+std::string quoted(std::string_view text) {
+  std::string result(1, '`');
+  result += text;
+  result += '`';
+  return result;
+}
+
 const Family& family_of(const std::string& spec, std::string_view name) {
   std::string known;
   for (const Family& f : families) {
     if (f.name == name) return f;
     known += std::string(known.empty() ? "" : ", ") + f.name;
   }
-  fail(spec, "there is no family `" + std::string(name) + "`; known are " + known);
+  fail(spec, quoted(name) + " is no family; known are " + known);
 }
 
 // The text of a number, without trailing zeros.
@@ -78,7 +86,7 @@ Number number(const std::string& spec, std::string_view key, std::string_view te
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, x);
   if (error != std::errc() || stop != end || !(least <= x && x <= most))
-    fail(spec, "`" + std::string(key) + "` is `" + std::string(text) + "`; give a number from " +
+    fail(spec, quoted(key) + " is " + quoted(text) + "; give a number from " +
                    text_of(static_cast<double>(least)) + " to " +
                    text_of(static_cast<double>(most)));
   return x;
@@ -93,9 +101,9 @@ void set(Parameters& p, const std::string& spec, const Family& family, std::stri
   } else if (key == "amount") {
     p.amount = number<double>(spec, key, text, family.least, family.most);
     if (family.is_whole && p.amount != std::floor(p.amount))
-      fail(spec, "`amount` is `" + std::string(text) + "`; give an integer");
+      fail(spec, quoted(key) + " is " + quoted(text) + "; give an integer");
   } else {
-    fail(spec, "there is no key `" + std::string(key) + "`; known are size, seed, amount");
+    fail(spec, quoted(key) + " is no key; known are size, seed, amount");
   }
 }
 
@@ -121,10 +129,9 @@ Mesh make(const std::string& spec) {
     const std::size_t equals = field.find('=');
     const std::string_view key = field.substr(0, equals);
     if (equals == std::string_view::npos)
-      fail(spec, "`" + std::string(field) + "` has no value; give key=value");
-    if (seen.find(" " + std::string(key) + " ") != std::string::npos)
-      fail(spec, "`" + std::string(key) + "` is given twice");
-    seen += " " + std::string(key) + " ";
+      fail(spec, quoted(field) + " has no value; give key=value");
+    if (seen.find(quoted(key)) != std::string::npos) fail(spec, quoted(key) + " is given twice");
+    seen += quoted(key);
     set(p, spec, family, key, field.substr(equals + 1));
   }
   Mesh m = family.mesh(p);

@@ -21,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations {
 using Normal_coordinate = std::int32_t;
 
 /// Greatest number of crossings of one edge: sums of a few of them do not overflow.
-inline constexpr Normal_coordinate maximal_normal_coordinate = Normal_coordinate(1) << 27;
+inline constexpr Normal_coordinate maximal_normal_coordinate = Normal_coordinate{1} << 27;
 
 /// returns the number of crossings, n^+ in the course.
 inline Normal_coordinate crossings(Normal_coordinate n) { return std::max(n, 0); }

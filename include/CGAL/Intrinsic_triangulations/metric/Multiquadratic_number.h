@@ -239,7 +239,7 @@ private:
     mp_bitcnt_t twos = ~mp_bitcnt_t(0);
     for (const internal::Multiquadratic_term& t : terms_) {
       const Gmpz& value = t.value;
-      if ((twos = std::min(twos, mp_bitcnt_t(mpz_scan1(value.mpz(), 0)))) == 0) return;
+      if ((twos = std::min(twos, mpz_scan1(value.mpz(), 0))) == 0) return;
     }
     if (terms_.empty()) return;
     for (internal::Multiquadratic_term& t : terms_) {
