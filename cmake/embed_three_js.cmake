@@ -17,6 +17,7 @@ function(embed_three_js target)
       "(Debian: libjs-three)")
   endif()
   set(source "${CMAKE_CURRENT_BINARY_DIR}/three_js.cpp")
+  set_source_files_properties("${source}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   add_custom_command(OUTPUT "${source}"
     COMMAND "${CMAKE_COMMAND}"
       "-DTHREE=${INTRINSIC_TRIANGULATIONS_THREE_JS}"

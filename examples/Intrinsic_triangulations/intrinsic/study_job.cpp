@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "study_job.h"
+
 #include "load.h"
+#include "study_run.h"
 #include "study_sources.h"
 
 #include <CGAL/Intrinsic_triangulation.h>

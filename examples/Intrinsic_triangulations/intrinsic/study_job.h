@@ -5,7 +5,7 @@
 #define INTRINSIC_STUDY_JOB_H
 
 #include "study_options.h"
-#include "study_run.h"
+#include "study_json.h"
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 #define INTRINSIC_STUDY_PROCESSES_H
 
 #include "study_options.h"
-#include "study_run.h"
+#include "study_json.h"
 #include "study_sources.h"
 
 #include <functional>

@@ -4,16 +4,12 @@
 #ifndef INTRINSIC_STUDY_RUN_H
 #define INTRINSIC_STUDY_RUN_H
 
+#include "study_json.h"
 #include "study_results.h"
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
 
-#include <nlohmann/json.hpp>
-
 namespace program {
-
-/// Findings, with keys in the order in which they are set.
-using Json = nlohmann::ordered_json;
 
 /// One arithmetic at work on one mesh: what it starts from, and what is found.
 struct Study_run {

@@ -4,10 +4,12 @@
 #ifndef INTRINSIC_STUDY_SOURCES_H
 #define INTRINSIC_STUDY_SOURCES_H
 
-#include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
-
 #include <string>
 #include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+struct Intrinsic_input;
+}
 
 namespace program {
 
