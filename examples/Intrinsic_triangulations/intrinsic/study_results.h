@@ -46,10 +46,12 @@ Conserved conserved(const Triangulation& t) {
   const auto& mesh = t.mesh();
   constexpr bool has_intervals =
       std::is_same_v<typename Triangulation::FT, CGAL::Interval_nt<false>>;
-  const auto length = [&](auto h) -> long double {
+  const auto length = [&](auto h) {
     const std::uint32_t e = t.index(edge(h, mesh));
-    if constexpr (has_intervals) return t.metric().approximate_squared_length(e);
-    return long_double_of(t.metric().squared_length(e));
+    if constexpr (has_intervals)
+      return t.metric().approximate_squared_length(e);
+    else
+      return t.metric().squared_length(e);
   };
   Conserved c{0, std::vector<long double>(num_vertices(mesh), 0)};
   for (const auto f : faces(mesh)) {
@@ -60,12 +62,14 @@ Conserved conserved(const Triangulation& t) {
       area = long_double_of(t.metric().quadruple_area(t.index(f)));
     c.quadruple_area += area;
     const auto ij = halfedge(f, mesh), jk = next(ij, mesh), ki = next(jk, mesh);
-    const std::array<long double, 3> l{length(ij), length(jk), length(ki)};
+    const std::array l{length(ij), length(jk), length(ki)};
+    using Number = typename decltype(l)::value_type;
     const std::array<std::uint32_t, 3> v{t.index(source(ij, mesh)), t.index(source(jk, mesh)),
                                          t.index(source(ki, mesh))};
-    // twice the dot product of the sides at a corner, and twice their cross product
+    // twice the dot product of the sides at a corner, which may cancel, and twice their cross product
     for (std::size_t k = 0; k < 3; ++k)
-      c.cone_angles[v[k]] += std::atan2(area, l[k] + l[(k + 2) % 3] - l[(k + 1) % 3]);
+      c.cone_angles[v[k]] +=
+          std::atan2(area, long_double_of(Number(l[k] + l[(k + 2) % 3] - l[(k + 1) % 3])));
   }
   return c;
 }
