@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What exact predicates do where their filter fails takes longer to compile than most programs that use it:
-// tests, examples and the program of this project share one compilation, `exact_instances.cpp`.
+// What exact predicates do where their filter fails, and how polygons are triangulated, takes longer to compile
+// than most programs that use it: tests, examples and the program of this project share one compilation, `exact_instances.cpp`.
 
 #ifndef INTRINSIC_TRIANGULATIONS_EXACT_INSTANCES_H
 #define INTRINSIC_TRIANGULATIONS_EXACT_INSTANCES_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Polygon_triangulator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Curve_strip.h>
 #include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
@@ -16,6 +17,8 @@
 
 #include <CGAL/Interval_nt.h>
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -59,6 +62,9 @@ INTRINSIC_TRIANGULATIONS_INSTANCE Sign Unfolded_evaluation::sign(const Input_met
                                                                  const Unfolded_diamond&,
                                                                  const Left_area_expression&,
                                                                  Predicate_statistics&);
+
+INTRINSIC_TRIANGULATIONS_INSTANCE bool internal::Polygon_triangulator<>::triangulate_delaunay(
+    std::vector<std::array<std::uint32_t, 3>>&) const;
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -131,36 +131,8 @@ private:
     }
   }
 
-  bool triangulate_delaunay(std::vector<Triangle>& result) const {
-    using Traits = CGAL::Projection_traits_3<Kernel>;
-    using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Traits>;
-    using Info_base = CGAL::Triangulation_face_base_with_info_2<bool, Traits>;
-    using Face_base = CGAL::Constrained_triangulation_face_base_2<Traits, Info_base>;
-    using Data = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
-    using Triangulation =
-        CGAL::Constrained_Delaunay_triangulation_2<Traits, Data,
-                                                   CGAL::No_constraint_intersection_tag>;
-    if (normal_ == CGAL::NULL_VECTOR) return false;
-    Triangulation plane{Traits(normal_)};
-    std::vector<typename Triangulation::Vertex_handle> vertices;
-    for (const Point& p : points_) {
-      vertices.push_back(plane.insert(p));
-      vertices.back()->info() = static_cast<std::uint32_t>(vertices.size() - 1);
-    }
-    if (plane.number_of_vertices() != points_.size()) return false;
-    try {
-      for (std::size_t i = 0; i < vertices.size(); ++i)
-        plane.insert_constraint(vertices[i], vertices[(i + 1) % vertices.size()]);
-    } catch (const typename Triangulation::Intersection_of_constraints_exception&) {
-      return false;
-    }
-    mark_outside(plane);
-    result.clear();
-    for (const auto f : plane.finite_face_handles())
-      if (!f->info())
-        result.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
-    return orient_disk(result);
-  }
+  // Not inline: it takes seconds to compile, see `extern template`.
+  bool triangulate_delaunay(std::vector<Triangle>& result) const;
 
   template <class Triangulation>
   static void mark_outside(Triangulation& plane) {
@@ -204,6 +176,38 @@ private:
   std::vector<Point> points_;
   Vector normal_;
 };
+
+template <class Kernel>
+bool Polygon_triangulator<Kernel>::triangulate_delaunay(std::vector<Triangle>& result) const {
+  using Traits = CGAL::Projection_traits_3<Kernel>;
+  using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Traits>;
+  using Info_base = CGAL::Triangulation_face_base_with_info_2<bool, Traits>;
+  using Face_base = CGAL::Constrained_triangulation_face_base_2<Traits, Info_base>;
+  using Data = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
+  using Triangulation =
+      CGAL::Constrained_Delaunay_triangulation_2<Traits, Data,
+                                                 CGAL::No_constraint_intersection_tag>;
+  if (normal_ == CGAL::NULL_VECTOR) return false;
+  Triangulation plane{Traits(normal_)};
+  std::vector<typename Triangulation::Vertex_handle> vertices;
+  for (const Point& p : points_) {
+    vertices.push_back(plane.insert(p));
+    vertices.back()->info() = static_cast<std::uint32_t>(vertices.size() - 1);
+  }
+  if (plane.number_of_vertices() != points_.size()) return false;
+  try {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      plane.insert_constraint(vertices[i], vertices[(i + 1) % vertices.size()]);
+  } catch (const typename Triangulation::Intersection_of_constraints_exception&) {
+    return false;
+  }
+  mark_outside(plane);
+  result.clear();
+  for (const auto f : plane.finite_face_handles())
+    if (!f->info())
+      result.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  return orient_disk(result);
+}
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
