@@ -28,7 +28,7 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <stdexcept>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -64,13 +64,16 @@ public:
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
             Predicate_statistics& statistics) {
     is_zero_.unfold(input, history, left, right);
-    if (is_unfolded())
+    bool zero_first = true;
+    if (is_unfolded()) {
+      const Unfolded_diamond& diamond = *is_zero_.diamond();
       if (const std::optional<Sign> s =
-              sign_in_doubles(input, *is_zero_.diamond(), expression, better, statistics))
+              sign_in_doubles(input, diamond, expression, better, statistics))
         return *s;
+      zero_first = internal::tests_zero_first(diamond.triangles.size(), expression(better));
+    }
     return internal::escalated_sign(
-        first_bits(), [&] { return values(input, history, left, right); },
-        !is_unfolded() || internal::tests_zero_first(is_zero_.diamond()->triangles.size()),
+        first_bits(), [&] { return values(input, history, left, right); }, zero_first,
         [&] { return is_zero_.decide(input, history, left, right, expression); }, expression,
         better, statistics);
   }
@@ -154,26 +157,36 @@ private:
 
   // Unfolded anew, values carry no error of the flips before: doubles may do.
   template <class Expression>
-  static std::optional<Sign>
-  sign_in_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
-                  const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-                  Predicate_statistics& statistics) {
+  std::optional<Sign> sign_in_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
+                                      const Expression& expression,
+                                      Diamond_values<Interval_nt<false>>& better,
+                                      Predicate_statistics& statistics) {
     if (Diamond_zero_test::is_tie_of_strip(input, diamond, expression)) {
       better = unknown_values();
       ++statistics.certified_zero;
       return ZERO;
     }
-    using FT = Interval_nt<false>;
-    better = diamond.values<FT>([&input](std::uint32_t f) {
-      return std::pair<std::array<FT, 3>, FT>({input.squared_length<FT>(f, 0),
-                                               input.squared_length<FT>(f, 1),
-                                               input.squared_length<FT>(f, 2)},
-                                              quadruple_area<FT>(input, f));
-    });
+    if (intervals_.size() > maximal_memory) intervals_.clear();
+    better = diamond.values<Interval_nt<false>>(
+        [&](std::uint32_t f) -> const Interval_face& { return interval_face(input, f); });
     const Uncertain<Sign> s = CGAL::sign(expression(better));
     if (!is_certain(s)) return std::nullopt;
     ++statistics.escalations[53];
     return get_certain(s);
+  }
+
+  using Interval_face = std::pair<std::array<Interval_nt<false>, 3>, Interval_nt<false>>;
+
+  // squared lengths and quadruple area of an input face; the reference stays valid
+  const Interval_face& interval_face(const Input_metric& input, std::uint32_t f) {
+    using FT = Interval_nt<false>;
+    const auto found = intervals_.find(f);
+    if (found != intervals_.end()) return found->second;
+    return intervals_
+        .emplace(f, Interval_face({input.squared_length<FT>(f, 0), input.squared_length<FT>(f, 1),
+                                   input.squared_length<FT>(f, 2)},
+                                  quadruple_area<FT>(input, f)))
+        .first->second;
   }
 
   // entries that are kept between calls, about a kilobyte each
@@ -207,6 +220,7 @@ private:
 
   Zero_test is_zero_;
   internal::Gmpfi_faces faces_;
+  std::unordered_map<std::uint32_t, Interval_face> intervals_;
   // values of each precision so far: faces made next have them as ancestors
   std::map<Gmpfi::Precision_type, History_values<Gmpfi>> memory_;
 };

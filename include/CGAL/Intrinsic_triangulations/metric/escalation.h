@@ -14,6 +14,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -83,10 +84,13 @@ private:
   static Face values(const Input_metric& input, std::uint32_t f) {
     const Gmpfi::Precision_type bits = Gmpfi::get_default_precision();
     const Gmpfi_precision wide(static_cast<unsigned>(2 * bits + 64));
-    Gmpfi d = input.squared_quadruple_area<Gmpfi>(f);
+    const std::array<Gmpfi, 3> l{input.squared_length<Gmpfi>(f, 0),
+                                 input.squared_length<Gmpfi>(f, 1),
+                                 input.squared_length<Gmpfi>(f, 2)};
+    const Gmpfi p = l[0] + l[2] - l[1];
+    Gmpfi d = Gmpfi(4) * l[0] * l[2] - p * p;
     if (!(d.inf() > 0)) d = Gmpfi(input.squared_quadruple_area<Gmpq>(f));
-    const auto length = [&](unsigned k) { return Gmpfi(input.squared_length<Gmpfi>(f, k), bits); };
-    return {{length(0), length(1), length(2)}, Gmpfi(d.sqrt(), bits)};
+    return {{Gmpfi(l[0], bits), Gmpfi(l[1], bits), Gmpfi(l[2], bits)}, Gmpfi(d.sqrt(), bits)};
   }
 
   std::map<Gmpfi::Precision_type, Faces> faces_;
@@ -105,6 +109,13 @@ inline Diamond_values<Interval_nt<false>> intervals(const Diamond_values<Gmpfi>&
 // Where the test for zero comes first: the values of a few triangles. Over long strips ties are rare, and the
 // areas of the triangles have many independent square roots, which take longer than more bits.
 inline bool tests_zero_first(std::size_t triangles) { return triangles <= 256; }
+
+// Where it comes first if there is an interval of doubles that contains the value: rounding errors of zero
+// mostly cancel, so that zero is near the middle.
+inline bool tests_zero_first(std::size_t triangles, const Interval_nt<false>& value) {
+  return tests_zero_first(triangles) &&
+         std::abs(value.inf() + value.sup()) < 0.125 * (value.sup() - value.inf());
+}
 
 /*
 Returns the sign of an expression in the values of a diamond. `values()` computes them in the default precision,
