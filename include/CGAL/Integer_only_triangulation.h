@@ -20,6 +20,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/metric/Vertex_star.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -48,7 +49,12 @@ With exact traits the moves have made the values that predicates read; here a pr
 moves have made, except integers. Hence it is an independent check of a triangulation, whatever arithmetic
 it was made with: see `certify_delaunay()`.
 
-Only edges are flipped: vertices may have been inserted before the integer coordinates came here.
+Only edges are flipped: vertices may have been inserted before the integer coordinates came here. These are where
+`Integer_coordinates::location()` says, rounded by `representable_weights()`, which moves those that were inserted
+into intrinsic faces by some 2^-52: areas of that size may come out negative.
+
+A flip is refused (`Move_status::crossings`) that makes an edge with more than
+`Diamond_unfolder::maximal_crossings`; `flip_to_delaunay()` counts it as refused.
 
 \tparam Mesh_ a model of `MutableDeltaComplex`
 \cgalModels{IntrinsicTriangulation}
@@ -95,6 +101,13 @@ public:
     Sign delaunay_sign(halfedge_descriptor h) const { return t_.sign(h, Delaunay_expression()); }
     /// returns the sign of the area of the face of a halfedge, which is positive in a triangulation.
     Sign orientation(halfedge_descriptor h) const { return t_.sign(h, Left_area_expression()); }
+    /// tells whether an edge runs straight over the input, as the edges of a triangulation do; see
+    /// `Integer_geometry::is_straight()`.
+    bool is_straight(halfedge_descriptor h) const {
+      if (face(h, t_.mesh_) == boost::graph_traits<Mesh>::null_face()) h = opposite(h, t_.mesh_);
+      return t_.geometry_.is_straight(View(t_), t_.correspondence_, t_.number_.halfedge(h),
+                                      t_.statistics_);
+    }
     /// tells whether an edge can be flipped, and if not, why.
     Move_status flip_status(halfedge_descriptor h) const {
       const face_descriptor null = boost::graph_traits<Mesh>::null_face();
@@ -111,8 +124,19 @@ public:
       const Move_status s = flip_status(h);
       return s == Move_status::done ? t_.flip(h) : s;
     }
-    /// flips an edge that is known not to be locally Delaunay. \pre `!is_locally_delaunay(h)`
-    Move_status flip_non_delaunay_edge(halfedge_descriptor h) { return t_.flip(h); }
+    /*!
+    \brief flips an edge that is known not to be locally Delaunay.
+
+    Its diamond is convex if both faces have positive areas, as in a triangulation. Where another arithmetic
+    has turned faces over, nothing is known of it: such an edge is refused, so that flipping ends.
+    \pre `!is_locally_delaunay(h)`
+    */
+    Move_status flip_non_delaunay_edge(halfedge_descriptor h) {
+      if (!t_.has_only_positive_areas_ &&
+          (orientation(h) != POSITIVE || orientation(opposite(h, t_.mesh_)) != POSITIVE))
+        return Move_status::not_convex;
+      return t_.flip(h);
+    }
     /// returns intervals that contain the values of the diamond of an edge with two faces, in scaled units.
     Diamond_values<FT> diamond_values(halfedge_descriptor h) const {
       return t_.geometry_.values(View(t_), t_.correspondence_, t_.number_.halfedge(h));
@@ -141,7 +165,7 @@ public:
   /*!
   \brief takes connectivity, coordinates and input of an exact triangulation, and leaves its metric and the
   history of its moves.
-  \throws Invalid_input if an edge of the input has no length
+  \throws Invalid_input and std::length_error as the constructor below
   \complexity linear
   */
   explicit Integer_only_triangulation(
@@ -154,8 +178,8 @@ public:
   \tparam Traits the arithmetic
   \param t the triangulation
   \param input what `t` was built from, with the same options
-  \throws Invalid_input if `t` was not built from `input`, as far as numbers of elements tell, or if an edge
-  of the input has no length
+  \throws Invalid_input if the faces of `input` are not those that `t` was built from (coordinates are not
+  compared), if an edge of the input has no length, or a vertex was inserted nearer to a corner than 2^-52
   \throws std::length_error if an edge has more than `Diamond_unfolder::maximal_crossings`
   \complexity linear
   */
@@ -169,7 +193,8 @@ public:
   Integer_only_triangulation(const Integer_only_triangulation& other)
       : mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
         correspondence_(other.correspondence_), geometry_(other.geometry_),
-        renumbering_(other.renumbering_), report_(other.report_), statistics_(other.statistics_) {}
+        renumbering_(other.renumbering_), report_(other.report_), statistics_(other.statistics_),
+        has_only_positive_areas_(other.has_only_positive_areas_) {}
   Integer_only_triangulation& operator=(const Integer_only_triangulation&) = delete;
 
   /// returns the connectivity.
@@ -201,7 +226,7 @@ private:
   explicit Integer_only_triangulation(internal::Prepared_input<Exact_euclidean_metric>&& p)
       : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_),
         geometry_(p.metric.shared_input()), renumbering_(std::move(p.renumbering)),
-        report_(p.report) {
+        report_(p.report), has_only_positive_areas_(true) {
     correspondence_.start(
         std::make_shared<const Input_surface>(Input_surface::copy_of(mesh_, number_), p.metric));
   }
@@ -210,14 +235,32 @@ private:
   Integer_only_triangulation(const Triangulation& t, std::shared_ptr<const Input_metric> input)
       : mesh_(t.mesh()), number_(mesh_, t.numbers(), t.mesh()), correspondence_(t.correspondence()),
         geometry_(std::move(input)), renumbering_(t.renumbering()), report_(t.report()) {
-    if (geometry_.input().number_of_faces() != correspondence_.input().mesh().number_of_faces())
-      throw Invalid_input(
-          Element_kind::none, 0,
-          "the triangulation was not built from this input: numbers of faces differ");
+    if (!is_metric_of(geometry_.input(), correspondence_.input()))
+      throw Invalid_input(Element_kind::none, 0,
+                          "the triangulation was not built from this input: faces differ");
     for (const edge_descriptor e : edges(mesh_))
       if (correspondence_.normal_coordinate(index(e)) > Diamond_unfolder::maximal_crossings)
         throw std::length_error("edge " + std::to_string(index(e)) +
                                 " crosses more input edges than can be unfolded");
+    for (const vertex_descriptor v : vertices(mesh_))
+      if (correspondence_.is_inserted(index(v)) &&
+          !representable_weights(correspondence_.location(index(v)).weights))
+        throw Invalid_input(Element_kind::vertex, index(v),
+                            "vertex " + std::to_string(index(v)) +
+                                " was inserted where multiples of 2^-52 of corners do not lie");
+  }
+
+  // whether the faces of a metric are those of a surface
+  static bool is_metric_of(const Input_metric& metric, const Input_surface& surface) {
+    if (metric.number_of_faces() != surface.mesh().number_of_faces()) return false;
+    for (std::uint32_t f = 0; f < metric.number_of_faces(); ++f) {
+      std::uint32_t h = surface.halfedge_of_face(f);
+      for (const std::uint32_t name : metric.sides(f)) {
+        if (name != (metric.is_embedded() ? surface.source(h) : h / 2)) return false;
+        h = surface.next(h);
+      }
+    }
+    return true;
   }
 
   Move_status flip(halfedge_descriptor h) {
@@ -243,6 +286,7 @@ private:
   Renumbering renumbering_;
   Input_report report_;
   Predicate_statistics statistics_;
+  bool has_only_positive_areas_ = false; // as far as is known
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -44,6 +44,7 @@ std::string study_line(const Json& findings) {
                             "different_decisions",
                             "nonconvex_flips",
                             "inverted_faces",
+                            "bent_edges",
                             "non_delaunay_edges",
                             "cocircular_edges",
                             "cycles",

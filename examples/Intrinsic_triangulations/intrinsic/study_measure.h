@@ -79,6 +79,7 @@ void note_drift(Study_run& run, const Triangulation& t) {
 /// notes what a result is, exactly.
 inline void note_result(Json& findings, const IT::Delaunay_certificate& certificate) {
   findings["inverted_faces"] = certificate.inverted_faces;
+  findings["bent_edges"] = certificate.bent_edges;
   findings["non_delaunay_edges"] = certificate.non_delaunay_edges;
   findings["cocircular_edges"] = certificate.cocircular_edges;
 }

@@ -90,6 +90,29 @@ public:
     return unfolder_.result();
   }
 
+  /*!
+  \brief unfolds the input triangles through which an edge runs.
+  \return the strip: corners 0 and 1 are the ends of the edge, and so are 2 and 3. Each triangle but the first is
+  entered across a curve, from left to right as seen from the edge. Valid until the next call
+  \param view, coordinates, h see the other function; `h` must have a face
+  \complexity linear in the number of crossings, and in those of the curves that are followed
+  */
+  template <class View>
+  const Unfolded_diamond& strip(const View& view, const Integer_coordinates& coordinates,
+                                std::uint32_t h) {
+    coordinates_ = &coordinates;
+    left_ = corner_coordinates(view, coordinates, h);
+    cross_edge(view, h);
+    for (Developed_corner& c : corners_) c.path.clear();
+    corners_[0].side = corner(view, h, true);
+    for (const std::uint32_t x : crossed_) append(corners_[1].path, entering(x));
+    corners_[1].side = corner(view, h ^ 1U, false);
+    corners_[2] = corners_[0];
+    corners_[3] = corners_[1];
+    unfolder_(corners_, [this](std::uint32_t node) { return insertion(node); });
+    return unfolder_.result();
+  }
+
 private:
   using Side = Flip_history::Side;
 

@@ -116,8 +116,47 @@ public:
     return rebuild(view, coordinates, h).values;
   }
 
+  /*!
+  \brief tells whether an edge runs straight: the ends of each curve that it crosses lie on its two sides, where its
+  triangles are unfolded.
+
+  Normal coordinates describe curves up to bending them; this tells that the straight one is among them.
+  \param h a halfedge that has a face
+  \complexity linear in the number of input triangles that are unfolded
+  */
+  template <class View>
+  bool is_straight(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
+                   Predicate_statistics& statistics) {
+    if (coordinates.normal_coordinate(h / 2) <= 0) return true; // in one face, or along its side
+    Unfolded_diamond strip = unfolder_.strip(view, coordinates, h);
+    for (std::uint32_t t = 1; t < strip.triangles.size(); ++t) {
+      const std::uint32_t entry = strip.triangles[t].entry;
+      for (const bool on_left :
+           {true, false}) { // area of the ends of the edge and that of the curve
+        strip.corners[2] = {t, on_left ? entry : (entry + 1) % 3};
+        const Sign s = sign_of(strip, Left_area_expression(), statistics);
+        if (s != (on_left ? POSITIVE : NEGATIVE)) return false;
+      }
+    }
+    return true;
+  }
+
 private:
   using Side = Flip_history::Side;
+
+  template <class Expression>
+  Sign sign_of(const Unfolded_diamond& d, const Expression& expression,
+               Predicate_statistics& statistics) {
+    const FT value = expression(values_of(d));
+    if (value.inf() > 0) return POSITIVE;
+    if (value.sup() < 0) return NEGATIVE;
+    ++statistics.filter_failures;
+    return evaluation_.sign(*input_, d, expression, statistics);
+  }
+
+  Diamond_values<FT> values_of(const Unfolded_diamond& d) const {
+    return d.values<FT>([this](std::uint32_t f) -> const Input_face& { return faces_[f]; });
+  }
 
   // a diamond of two input faces has their sides, another one is in the unfolder
   struct Rebuilt {
@@ -132,10 +171,7 @@ private:
         is_of_input(view, coordinates, h ^ 1U))
       return of_input(coordinates, h);
     const Unfolded_diamond& d = unfolder_(view, coordinates, h);
-    return {d.values<FT>([this](std::uint32_t f) -> const Input_face& { return faces_[f]; }),
-            &d,
-            {},
-            {}};
+    return {values_of(d), &d, {}, {}};
   }
 
   // whether the three sides of a face run along input edges, between which there is no vertex

@@ -20,11 +20,14 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief tells what a triangulation is, exactly.
+\brief tells what a triangulation is, exactly. If there are inverted faces or bent edges it is none, and the other
+numbers have no meaning.
 */
 struct Delaunay_certificate {
   /// Faces whose area is not positive: edges that meet as they should not, which rounding can make.
   std::size_t inverted_faces = 0;
+  /// Edges that do not run straight: a straight path between their ends passes vertices on another side.
+  std::size_t bent_edges = 0;
   /// Edges whose opposite angles sum to more than pi.
   std::size_t non_delaunay_edges = 0;
   /// Edges whose opposite angles sum to exactly pi.
@@ -34,7 +37,9 @@ struct Delaunay_certificate {
 
   /// tells whether the triangulation is an intrinsic Delaunay triangulation, proven unless
   /// `statistics.probable_zero` is positive.
-  bool is_delaunay() const { return inverted_faces == 0 && non_delaunay_edges == 0; }
+  bool is_delaunay() const {
+    return inverted_faces == 0 && bent_edges == 0 && non_delaunay_edges == 0;
+  }
 };
 
 /*!
@@ -50,6 +55,8 @@ Delaunay_certificate certify_delaunay(Integer_only_triangulation<Mesh>& t) {
     typename Integer_only_triangulation<Mesh>::Session session(t);
     for (const typename Integer_only_triangulation<Mesh>::face_descriptor f : faces(t.mesh()))
       if (session.orientation(halfedge(f, t.mesh())) != POSITIVE) ++certificate.inverted_faces;
+    for (const typename Integer_only_triangulation<Mesh>::edge_descriptor e : edges(t.mesh()))
+      if (!session.is_straight(halfedge(e, t.mesh()))) ++certificate.bent_edges;
   }
   const auto report = check_delaunay(t);
   certificate.non_delaunay_edges = report.non_delaunay_edges;

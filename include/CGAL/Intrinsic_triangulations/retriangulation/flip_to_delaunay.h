@@ -39,7 +39,8 @@ struct Flip_to_delaunay_result {
   std::uint64_t flips = 0;
   /// Number of edges tested.
   std::uint64_t checks = 0;
-  /// Number of flips refused because the arithmetic made an area that is not positive.
+  /// Number of flips refused: the arithmetic made an area that is not positive, or an edge crosses too much of the
+  /// input.
   std::uint64_t refused_flips = 0;
 };
 
