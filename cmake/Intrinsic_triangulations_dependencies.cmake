@@ -17,7 +17,8 @@ find_package(Eigen3 3.3 QUIET NO_MODULE) # after CGAL, whose own find module kno
 find_package(OpenMesh QUIET NO_MODULE)
 
 if(TARGET OpenMeshCore AND NOT TARGET Intrinsic_triangulations::OpenMesh_support)
-  add_library(Intrinsic_triangulations::OpenMesh_support INTERFACE IMPORTED)
+  # GLOBAL: also for the project that adds this one as a subdirectory
+  add_library(Intrinsic_triangulations::OpenMesh_support INTERFACE IMPORTED GLOBAL)
   target_link_libraries(Intrinsic_triangulations::OpenMesh_support INTERFACE OpenMeshCore)
   target_compile_definitions(Intrinsic_triangulations::OpenMesh_support
     INTERFACE _USE_MATH_DEFINES) # its headers use M_PI, which strict C++ hides

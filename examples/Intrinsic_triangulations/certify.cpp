@@ -5,19 +5,14 @@
 
 #include <CGAL/Intrinsic_triangulations.h>
 
-#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
 int main(int argc, char* argv[]) {
-  const IT::Triangle_soup soup = IT::read_triangle_soup(argc > 1 ? argv[1] : "data/part.off");
-  const IT::Gluing gluing =
-      IT::gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
-  const IT::Intrinsic_input input(IT::Gluing_map(gluing), soup.points);
-
   //! [certify]
+  const IT::Intrinsic_input input(IT::read_triangle_soup(argc > 1 ? argv[1] : "data/part.off"));
   using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
                                                     IT::Integer_coordinates>;
   Triangulation t(input);

@@ -5,6 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations.h>
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -29,14 +30,22 @@ struct Progress {
 int main() {
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh("data/part.off", mesh)) return 1;
-  using Triangulation = IT::Intrinsic_triangulation<Mesh>; // flips a Surface_mesh
+  auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 60, is_sharp);
+  using Triangulation = IT::Intrinsic_triangulation<>;
   Triangulation triangulation(mesh);
 
   //! [map]
-  // constrain long edges, of more than 10 mm
+  // before any flip every edge is the one of the mesh between its vertices, unless it cuts a polygon
+  const auto in_mesh = [&](Triangulation::vertex_descriptor v) {
+    return Mesh::Vertex_index(triangulation.input_vertex(v));
+  };
   std::vector<char> is_constrained(num_edges(triangulation.mesh()));
-  for (const auto e : edges(triangulation.mesh()))
-    is_constrained[triangulation.index(e)] = triangulation.squared_length(e) > 100;
+  for (const auto e : edges(triangulation.mesh())) {
+    const Mesh::Halfedge_index h = mesh.halfedge(in_mesh(source(e, triangulation.mesh())),
+                                                 in_mesh(target(e, triangulation.mesh())));
+    is_constrained[triangulation.index(e)] = h != Mesh::null_halfedge() && is_sharp[mesh.edge(h)];
+  }
   const auto constrained = boost::make_function_property_map<Triangulation::edge_descriptor, bool>(
       [&](Triangulation::edge_descriptor e) {
         return is_constrained[triangulation.index(e)] != 0;

@@ -16,10 +16,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
+#include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
                                                   IT::Integer_coordinates>;
 
@@ -32,18 +32,14 @@ int main(int argc, char* argv[]) {
   const IT::Integer_coordinates& coordinates = t.correspondence();
   const IT::Input_surface& input = coordinates.input();
 
-  // the corners of the face of a halfedge of the input are vertices of the mesh
+  std::vector<std::array<double, 3>> points; // of the input
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+  //! [in_space]
   const auto in_space = [&](const IT::Surface_point& p) {
-    std::array<double, 3> x{0, 0, 0};
-    std::uint32_t h = p.halfedge;
-    for (const double weight : p.weights) {
-      const auto v = IT::Gluing_map::Vertex{input.source(h)};
-      const Point corner = mesh.point(Mesh::Vertex_index(t.input_vertex(v)));
-      for (int i = 0; i < 3; ++i) x[static_cast<std::size_t>(i)] += weight * corner[i];
-      h = input.next(h);
-    }
-    return x;
+    return IT::position(IT::weighted_vertices(t, coordinates, p), points);
   };
+  //! [in_space]
 
   double greatest = 0, size = 0;
   std::size_t count = 0, lost = 0;

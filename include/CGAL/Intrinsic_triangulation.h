@@ -223,7 +223,7 @@ public:
 
   /*!
   \brief builds the triangulation of a mesh in space.
-  \tparam FaceGraph a model of `FaceListGraph` with a point map of its own
+  \tparam FaceGraph a model of `FaceListGraph` with a point map of its own, or `Triangle_soup`
   \throws Invalid_input
   \complexity linear
   */
@@ -246,8 +246,9 @@ public:
   */
   Intrinsic_triangulation(Gluing_map map, Metric metric, Renumbering renumbering,
                           const Input_report& report, std::uint32_t input_vertices)
-      : mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_), metric_(std::move(metric)),
-        renumbering_(std::move(renumbering)), report_(report), input_vertices_(input_vertices) {
+      : mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
+        metric_(std::move(metric)), renumbering_(std::move(renumbering)), report_(report),
+        input_vertices_(input_vertices) {
     correspondence_.start(*this);
   }
 
@@ -296,12 +297,13 @@ public:
   /// returns what was done to the input.
   const Input_report& report() const { return report_; }
 
-  /// returns the number that vertex `v` has in the input, in the order of iteration there.
+  /// returns the number that vertex `v` has in the input, in the order of iteration there; of an
+  /// inserted vertex, one that follows those. It is the row of `v` in all matrices of operators.
   std::uint32_t input_vertex(vertex_descriptor v) const {
     const std::uint32_t i = number_.vertex(v);
     return i < renumbering_.input_vertex.size() ? renumbering_.input_vertex[i] : i;
   }
-  /// returns how the numbering differs from the input's.
+  /// returns how the numbering of vertices and faces before the first move differs from the input's.
   const Renumbering& renumbering() const { return renumbering_; }
 
   /// returns the number of a vertex: from 0, unchanged by moves.
@@ -408,8 +410,8 @@ public:
 
 private:
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
-      : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_), metric_(std::move(p.metric)),
-        renumbering_(std::move(p.renumbering)), report_(p.report) {
+      : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_),
+        metric_(std::move(p.metric)), renumbering_(std::move(p.renumbering)), report_(p.report) {
     input_vertices_ = static_cast<std::uint32_t>(num_vertices(mesh_));
     correspondence_.start(*this);
   }

@@ -6,21 +6,28 @@
 
 /*!
 \file
-All of the package that needs neither Eigen nor OpenMesh. Operators are in
-`CGAL/Intrinsic_triangulations/operators/`, the adaptors of OpenMesh and `CGAL::Polyhedron_3` in
-`CGAL/Intrinsic_triangulations/connectivity/`.
+What most programs need of the package. To be included besides: operators, which need Eigen, from
+`CGAL/Intrinsic_triangulations/operators/`; the adaptors of OpenMesh and `CGAL::Polyhedron_3` from
+`CGAL/Intrinsic_triangulations/connectivity/`; files of intrinsic triangulations
+(`read_intrinsic_triangulation.h`, `write_intrinsic_triangulation.h`) and pages that show them
+(`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
 */
 
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/locate_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/locate_on_intrinsic.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/tangent_transfer.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/trace_edge.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/weighted_vertices.h>
 #include <CGAL/Intrinsic_triangulations/metric/Interval_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Tolerant_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/adaptive_refine.h>

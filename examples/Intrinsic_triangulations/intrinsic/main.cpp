@@ -157,8 +157,9 @@ void add_laplacian(CLI::App& app, Options& options, Command& chosen) {
 }
 
 void add_info(CLI::App& app, Options& options, Command& chosen) {
-  CLI::App& command =
-      *app.add_subcommand("info", "describe a mesh or an intrinsic triangulation as it is");
+  CLI::App& command = *app.add_subcommand(
+      "info", "describe a mesh or an intrinsic triangulation as it is, and tell "
+              "whether it is Delaunay");
   add_common_options(command, options);
   command.callback([&chosen] { chosen = program::run_info; });
 }
@@ -249,6 +250,11 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
+    if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
+      std::cerr << "intrinsic: there is no command \"" << argv[1]
+                << "\"; use delaunay, refine, laplacian, info or study, or --help\n";
+      return misused;
+    }
     return app.exit(e) == 0 ? 0 : misused;
   }
   if (names_a_file_twice(options)) {

@@ -137,8 +137,10 @@ void print_summary(std::ostream& stream, const Json& json) {
   const Json& delaunay = json["delaunay"];
   row("Delaunay") << delaunay["non_delaunay_edges"] << " edges are not, "
                   << delaunay["cocircular_edges"] << " are ties; " << delaunay["flips"]
-                  << " flips; certificate: " << json["certificate"].get<std::string>() << " ("
-                  << json["arithmetic"].get<std::string>() << " arithmetic)\n";
+                  << " flips; " << json["arithmetic"].get<std::string>() << " arithmetic";
+  if (delaunay["non_delaunay_edges"] == 0) // else there is nothing to certify
+    out << ", certificate: " << json["certificate"].get<std::string>();
+  out << '\n';
   if (json.contains("refine")) {
     const Json& refine = json["refine"];
     row("refinement") << refine["insertions"] << " vertices more, angles from "

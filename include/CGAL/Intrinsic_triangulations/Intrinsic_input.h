@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/renumbering.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/triangulate_face_graph.h>
@@ -16,8 +17,10 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,11 +35,12 @@ struct Intrinsic_input {
   Gluing_map mesh;
   /// One point per vertex; empty for an abstract metric.
   std::vector<std::array<double, 3>> points;
-  /// One squared length per edge of `mesh`; empty for a mesh in space.
+  /// One squared length per edge of `mesh`, in the order of `edges(mesh)`; empty for a mesh in space.
   std::vector<double> squared_lengths;
   /// Treatment of degenerate faces.
   Mollification mollification = Mollification::automatic;
-  /// Whether faces and vertices may be renumbered for locality.
+  /// Whether faces and vertices may be renumbered for locality; if not, vertices, faces and, of a mesh
+  /// without polygons, edges keep their numbers in the order of iteration.
   bool may_renumber = true;
   /// Number of polygonal faces that were triangulated, for the report.
   std::size_t triangulated_polygons = 0;
@@ -46,8 +50,8 @@ struct Intrinsic_input {
 
   /*!
   \brief takes an abstract metric: it need not embed anywhere.
-  \param g the connectivity
-  \param l one squared length per edge of `g`
+  \param g the connectivity; of triples of vertices by `gluing_from_triangles()`
+  \param l one squared length per edge of `g`, in the order of `edges(g)`
   \param m treatment of degenerate faces
   */
   Intrinsic_input(Gluing_map g, std::vector<double> l, Mollification m = Mollification::automatic)
@@ -57,6 +61,16 @@ struct Intrinsic_input {
   Intrinsic_input(Gluing_map g, std::vector<std::array<double, 3>> p,
                   Mollification m = Mollification::automatic)
       : mesh(std::move(g)), points(std::move(p)), mollification(m) {}
+
+  /*!
+  \brief takes points and triples of their numbers, from a file or from arrays.
+
+  Edges are found by their end vertices, see `gluing_from_triangles()`.
+  \throws Invalid_input naming faces that do not fit together, or a vertex that does not exist
+  */
+  explicit Intrinsic_input(const Triangle_soup& soup, Mollification m = Mollification::automatic)
+      : mesh(gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles)),
+        points(soup.points), mollification(m), triangulated_polygons(soup.triangulated_polygons) {}
 
   /*!
   \brief takes a mesh in space through BGL.
@@ -121,6 +135,20 @@ void mollify(Prepared_input<Metric>& p, std::shared_ptr<Input_metric> input, Mol
   p.metric = Metric(p.mesh, input);
 }
 
+// One point per vertex, or one squared length per edge: numbers of elements are indices without a check.
+inline void check_sizes(const Intrinsic_input& in) {
+  const bool embedded = in.squared_lengths.empty();
+  const std::size_t needed = embedded ? in.mesh.number_of_vertices() : in.mesh.number_of_edges();
+  const std::size_t given = embedded ? in.points.size() : in.squared_lengths.size();
+  if (given != needed)
+    throw Invalid_input(Element_kind::none, 0,
+                        "there are " + std::to_string(given) +
+                            (embedded ? " points for " : " squared lengths for ") +
+                            std::to_string(needed) +
+                            (embedded ? " vertices; give one per vertex"
+                                      : " edges; give one per edge of the gluing map"));
+}
+
 // Makes each face start at a side that is not glued to another side of the same face, so that its
 // edge names that side alone: exact metrics tell sides by their edges.
 inline void start_at_single_sides(Gluing_map& mesh) {
@@ -140,6 +168,7 @@ Prepared_input<Metric> prepare(Intrinsic_input&& in) {
     throw Invalid_input(Element_kind::none, 0,
                         "the gluing does not respect the orientation of the faces; orient them, or "
                         "take the orientation double cover of a nonorientable surface");
+  check_sizes(in);
   Prepared_input<Metric> p;
   p.mesh = std::move(in.mesh);
   p.report.triangulated_polygons = in.triangulated_polygons;

@@ -84,10 +84,12 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRan
   for (const auto& t : triangles) {
     const auto f = g.origin.size() / 3;
     for (unsigned k = 0; k < 3; ++k) {
-      if (t[k] >= number_of_vertices)
-        throw Invalid_input(Element_kind::face, f,
-                            "face " + std::to_string(f) + " refers to vertex " +
-                                std::to_string(t[k]) + ", which does not exist");
+      if (std::cmp_less(t[k], 0) || std::cmp_greater_equal(t[k], number_of_vertices))
+        throw Invalid_input(
+            Element_kind::face, f,
+            "face " + std::to_string(f) + " refers to vertex " + std::to_string(t[k]) +
+                ", but vertices are numbered from 0, and there are " +
+                std::to_string(number_of_vertices) + "; correct the number or remove the face");
       if (t[k] == t[(k + 1) % 3])
         throw Invalid_input(Element_kind::face, f,
                             "face " + std::to_string(f) + " repeats vertex " +

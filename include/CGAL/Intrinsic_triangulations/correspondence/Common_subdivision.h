@@ -132,6 +132,19 @@ private:
 };
 
 /*!
+\brief computes where a combination of vertices is in space.
+\param w vertices of the input and their weights
+\param points one point per vertex of the input
+*/
+inline std::array<double, 3> position(const Weighted_vertices& w,
+                                      std::span<const std::array<double, 3>> points) {
+  std::array<double, 3> p{0, 0, 0};
+  for (std::size_t i = 0; i < w.size; ++i)
+    for (std::size_t c = 0; c < 3; ++c) p[c] += w.weights[i] * points[w.vertices[i]][c];
+  return p;
+}
+
+/*!
 \brief computes where the vertices of a common subdivision are in space.
 \param s the subdivision
 \param points one point per vertex of the input
@@ -140,12 +153,10 @@ private:
 */
 inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
                                                     std::span<const std::array<double, 3>> points) {
-  std::vector<std::array<double, 3>> result(s.number_of_vertices(), {0, 0, 0});
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    const Weighted_vertices w = s.on_input(v);
-    for (std::size_t i = 0; i < w.size; ++i)
-      for (std::size_t c = 0; c < 3; ++c) result[v][c] += w.weights[i] * points[w.vertices[i]][c];
-  }
+  std::vector<std::array<double, 3>> result;
+  result.reserve(s.number_of_vertices());
+  for (std::size_t v = 0; v < s.number_of_vertices(); ++v)
+    result.push_back(position(s.on_input(v), points));
   return result;
 }
 

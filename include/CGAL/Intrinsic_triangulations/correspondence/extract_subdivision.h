@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/follow_curve.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/locate_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/weighted_vertices.h>
 
 #include <array>
 #include <cstddef>
@@ -75,13 +76,9 @@ private:
       return r;
     }
     const Surface_point& p = coordinates_.location(v);
-    const std::uint32_t next = input.next(p.halfedge);
     r.kind = Subdivision_vertex_kind::inserted;
     r.input_face = user_face(input.face(p.halfedge));
-    r.on_input = {3,
-                  {user_vertex(input.source(p.halfedge)), user_vertex(input.target(p.halfedge)),
-                   user_vertex(input.target(next))},
-                  p.weights};
+    r.on_input = weighted_vertices(t_, coordinates_, p);
     return r;
   }
 

@@ -23,9 +23,13 @@ namespace CGAL::Intrinsic_triangulations {
 template <class Triangulation>
 Common_subdivision common_subdivision(const Triangulation& t) {
   const auto& c = t.correspondence();
+  static_assert(
+      requires { c.input(); },
+      "without correspondence nothing is known of where edges run on the input; use "
+      "Integer_coordinates as third argument of Intrinsic_triangulation");
   if constexpr (requires { c.normal_coordinate(std::uint32_t{}); })
     return extract_subdivision(t, c);
-  else
+  else if constexpr (requires { c.input(); })
     return extract_subdivision(t, integer_coordinates(t, c)); // found by argument-dependent lookup
 }
 
