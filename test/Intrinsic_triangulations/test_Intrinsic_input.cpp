@@ -163,4 +163,30 @@ TEST(Intrinsic_input, reads_a_mesh_with_any_point_map_and_after_removals) {
   EXPECT_EQ(properties::total_area(u), 4 * properties::total_area(expected));
 }
 
+TEST(Intrinsic_input, takes_a_triangle_soup_as_the_gluing_of_its_triangles) {
+  const meshes::Mesh m = meshes::rough_grid(3, 1);
+  IT::Triangle_soup soup;
+  soup.points = m.points;
+  soup.triangles = m.triangles;
+  Exact t(soup), expected(m.input());
+  IT::flip_to_delaunay(t);
+  IT::flip_to_delaunay(expected);
+  EXPECT_EQ(properties::laplacian(t), properties::laplacian(expected));
+}
+
+TEST(Intrinsic_input, asks_for_one_point_per_vertex_and_one_length_per_edge) {
+  const meshes::Mesh m = meshes::grid(1, 1); // 4 vertices, 5 edges
+  for (const std::size_t given : {3U, 5U})
+    expect_invalid(
+        [&] {
+          IT::Intrinsic_input input = m.input();
+          input.points.resize(given);
+          return input;
+        },
+        Element_kind::none, 0, std::to_string(given) + " points for 4 vertices");
+  for (const std::size_t given : {4U, 6U})
+    expect_invalid([&] { return IT::Intrinsic_input(m.map(), std::vector<double>(given, 1.0)); },
+                   Element_kind::none, 0, std::to_string(given) + " squared lengths for 5 edges");
+}
+
 } // namespace
