@@ -24,7 +24,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -149,12 +148,6 @@ private:
   }
   unsigned first_bits() const { return is_unfolded() ? 128 : history_bits; }
 
-  static Diamond_values<Interval_nt<false>> unknown_values() {
-    const double infinity = std::numeric_limits<double>::infinity();
-    const Interval_nt<false> all(-infinity, infinity);
-    return {all, all, all, all, all, all, all};
-  }
-
   // Unfolded anew, values carry no error of the flips before: doubles may do.
   template <class Expression>
   std::optional<Sign> sign_in_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
@@ -162,7 +155,7 @@ private:
                                       Diamond_values<Interval_nt<false>>& better,
                                       Predicate_statistics& statistics) {
     if (Diamond_zero_test::is_tie_of_strip(input, diamond, expression)) {
-      better = unknown_values();
+      better = internal::unknown_values();
       ++statistics.certified_zero;
       return ZERO;
     }

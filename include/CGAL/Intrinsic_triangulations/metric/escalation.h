@@ -106,6 +106,13 @@ inline Diamond_values<Interval_nt<false>> intervals(const Diamond_values<Gmpfi>&
           interval(d.mj), interval(d.area_f), interval(d.area_g)};
 }
 
+// all reals
+inline Diamond_values<Interval_nt<false>> unknown_values() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Interval_nt<false> all(-infinity, infinity);
+  return {all, all, all, all, all, all, all};
+}
+
 // Where the test for zero comes first: the values of a few triangles. Over long strips ties are rare, and the
 // areas of the triangles have many independent square roots, which take longer than more bits.
 inline bool tests_zero_first(std::size_t triangles) { return triangles <= 256; }
@@ -127,9 +134,7 @@ template <class Values, class Is_zero, class Expression>
 Sign escalated_sign(unsigned bits, const Values& values, bool zero_first, const Is_zero& is_zero,
                     const Expression& expression, Diamond_values<Interval_nt<false>>& better,
                     Predicate_statistics& statistics) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Interval_nt<false> all(-infinity, infinity);
-  better = {all, all, all, all, all, all, all};
+  better = unknown_values();
   std::optional<Zero_answer> answer;
   for (const unsigned first = bits;; bits *= 2) {
     if (!answer && (zero_first || bits > first)) answer = is_zero();
