@@ -2,7 +2,7 @@
 # configuration file, so that both find the same things in the same way.
 #
 # Required: CGAL (which brings GMP, MPFR, Boost headers and -frounding-math), MPFI.
-# Optional: Eigen3 (headers in operators/), OpenMesh (connectivity/OpenMesh_adaptor.h).
+# Optional: Eigen3 (headers in operators/), OpenMesh (connectivity/adaptors/OpenMesh_adaptor.h).
 #
 # Defines the target Intrinsic_triangulations::OpenMesh_support if OpenMesh is found; programs that
 # use OpenMesh meshes link to it beside the library.

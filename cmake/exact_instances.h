@@ -7,13 +7,13 @@
 #ifndef INTRINSIC_TRIANGULATIONS_EXACT_INSTANCES_H
 #define INTRINSIC_TRIANGULATIONS_EXACT_INSTANCES_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Polygon_triangulator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Curve_strip.h>
-#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/face_expressions.h>
+#include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
-#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/metric/Unfolded_evaluation.h>
-#include <CGAL/Intrinsic_triangulations/metric/face_expressions.h>
 
 #include <CGAL/Interval_nt.h>
 

@@ -8,14 +8,14 @@
 
 #include "benchmark_support.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/locate_on_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/locate_on_intrinsic.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_intrinsic.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/point_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/adaptive_refine.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay_refine.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>

@@ -7,10 +7,10 @@
 
 #include "benchmark_support.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Explicit_crossings.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Signposts.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
 
 #include <nlohmann/json.hpp>
 

@@ -7,8 +7,8 @@
 
 #include "benchmark_support.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/extract_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/extract_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/transfer.h>

@@ -7,8 +7,8 @@
 
 #include "benchmark_support.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay_refine.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <nlohmann/json.hpp>
 

@@ -5,22 +5,22 @@
 #define CGAL_INTEGER_ONLY_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
-#include <CGAL/Intrinsic_triangulations/Move_status.h>
-#include <CGAL/Intrinsic_triangulations/concepts.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Mesh_adaptor.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/renumbering.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Diamond_unfolder.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Integer_geometry.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_geometry.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
-#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/metric/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/boost/graph/Euler_operations.h>

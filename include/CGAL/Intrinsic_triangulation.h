@@ -4,20 +4,20 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATION_H
 #define CGAL_INTRINSIC_TRIANGULATION_H
 
-#include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
-#include <CGAL/Intrinsic_triangulations/Move_status.h>
-#include <CGAL/Intrinsic_triangulations/concepts.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/moves.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/No_correspondence.h>
-#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
-#include <CGAL/Intrinsic_triangulations/metric/Vertex_star.h>
-#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 

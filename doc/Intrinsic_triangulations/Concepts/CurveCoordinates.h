@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class CurveCoordinates Integer_coordinates.h <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
+\class CurveCoordinates Integer_coordinates.h <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 \cgalConcept
 
 The concept `CurveCoordinates` describes a correspondence that knows, as integers, how the input's edges run over the

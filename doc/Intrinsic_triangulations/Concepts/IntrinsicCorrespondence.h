@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class IntrinsicCorrespondence concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
+\class IntrinsicCorrespondence concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicCorrespondence` describes an observer of the moves of an intrinsic triangulation,

@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class IntrinsicMetric concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
+\class IntrinsicMetric concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicMetric` describes the store of a cone metric on a triangulation: one squared

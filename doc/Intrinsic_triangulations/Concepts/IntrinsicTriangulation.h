@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class IntrinsicTriangulation concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
+\class IntrinsicTriangulation concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicTriangulation` describes what algorithms that flip edges need of a triangulation:

@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class IntrinsicTriangulationTraits concepts.h <CGAL/Intrinsic_triangulations/concepts.h>
+\class IntrinsicTriangulationTraits concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 \cgalConcept
 
 The concept `IntrinsicTriangulationTraits` chooses the arithmetic of an intrinsic triangulation: the

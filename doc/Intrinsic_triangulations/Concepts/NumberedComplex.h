@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class NumberedComplex geodesic_face.h <CGAL/Intrinsic_triangulations/correspondence/geodesic_face.h>
+\class NumberedComplex geodesic_face.h <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 \cgalConcept
 
 The concept `NumberedComplex` describes a triangulated surface with a metric that is read by the numbers of its

@@ -4,7 +4,7 @@
 #include "delaunay.h"
 #include "commands.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
 #include <stdexcept>
 

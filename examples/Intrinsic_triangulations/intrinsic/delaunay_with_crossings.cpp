@@ -3,7 +3,7 @@
 
 #include "delaunay.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 
 namespace program {
 

@@ -3,7 +3,7 @@
 
 #include "delaunay.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 
 namespace program {
 

@@ -8,8 +8,8 @@
 #include "progress.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/IO/read_intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/IO/read_triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 
 #include <array>

@@ -6,9 +6,9 @@
 
 #include "study_options.h"
 
-#include <CGAL/Intrinsic_triangulations/IO/write_common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/metric/mollification.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/Refinement_options.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/input/mollification.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
 
 #include <filesystem>
 #include <string>

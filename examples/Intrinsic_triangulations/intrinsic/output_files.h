@@ -4,7 +4,7 @@
 #ifndef INTRINSIC_OUTPUT_FILES_H
 #define INTRINSIC_OUTPUT_FILES_H
 
-#include <CGAL/Intrinsic_triangulations/IO/Replacing_file.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
 
 #include <list>
 #include <ostream>

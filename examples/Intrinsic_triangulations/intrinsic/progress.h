@@ -4,7 +4,7 @@
 #ifndef INTRINSIC_PROGRESS_H
 #define INTRINSIC_PROGRESS_H
 
-#include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <chrono>
 #include <string>

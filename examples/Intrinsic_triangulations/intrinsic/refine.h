@@ -9,8 +9,8 @@
 #include "progress.h"
 #include "statistics.h"
 
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay_refine.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/odt_optimize.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <algorithm>
 #include <array>

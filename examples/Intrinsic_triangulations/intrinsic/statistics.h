@@ -7,10 +7,10 @@
 #include "load.h"
 #include "options.h"
 
-#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/measure_quality.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <nlohmann/json.hpp>

@@ -5,9 +5,9 @@
 #define INTRINSIC_STUDY_COMPARED_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
-#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
 
 #include <cstdint>
 #include <memory>

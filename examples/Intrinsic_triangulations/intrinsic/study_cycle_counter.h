@@ -4,8 +4,8 @@
 #ifndef INTRINSIC_STUDY_CYCLE_COUNTER_H
 #define INTRINSIC_STUDY_CYCLE_COUNTER_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
 #include <algorithm>
 #include <cstdint>

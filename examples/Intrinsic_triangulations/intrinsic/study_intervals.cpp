@@ -4,10 +4,10 @@
 #include "study_measure.h"
 
 #include <CGAL/Integer_only_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Interval_traits.h>
-#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 
 #include <string>
 

@@ -4,8 +4,8 @@
 #ifndef INTRINSIC_STUDY_JOB_H
 #define INTRINSIC_STUDY_JOB_H
 
-#include "study_options.h"
 #include "study_json.h"
+#include "study_options.h"
 
 #include <string>
 #include <vector>

@@ -4,8 +4,8 @@
 #ifndef INTRINSIC_STUDY_PROCESSES_H
 #define INTRINSIC_STUDY_PROCESSES_H
 
-#include "study_options.h"
 #include "study_json.h"
+#include "study_options.h"
 #include "study_sources.h"
 
 #include <functional>

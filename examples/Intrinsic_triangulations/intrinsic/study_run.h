@@ -7,7 +7,7 @@
 #include "study_json.h"
 #include "study_results.h"
 
-#include <CGAL/Intrinsic_triangulations/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 namespace program {
 

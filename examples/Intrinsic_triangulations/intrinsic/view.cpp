@@ -4,7 +4,7 @@
 #include "view.h"
 #include "three_js.h"
 
-#include <CGAL/Intrinsic_triangulations/IO/write_html_view.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
 
 #include <algorithm>
 #include <cstddef>

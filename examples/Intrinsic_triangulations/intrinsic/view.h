@@ -8,7 +8,7 @@
 #include "options.h"
 #include "statistics.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <ostream>
 #include <vector>

@@ -5,7 +5,7 @@
 // An observer that is told after a flip only cannot know what was there before.
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/concepts.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <cstdint>
 

@@ -4,7 +4,7 @@
 
 // A metric that decides nothing.
 
-#include <CGAL/Intrinsic_triangulations/concepts.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 struct Lengths_only {
   using FT = double;

@@ -5,7 +5,7 @@
 // A mesh without a metric has no Delaunay triangulation.
 
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 
 int main() {
   CGAL::Intrinsic_triangulations::Gluing_map mesh;

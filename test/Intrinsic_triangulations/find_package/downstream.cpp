@@ -6,8 +6,8 @@
 #include "checks.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 
 #include <cmath>
 #include <iostream>

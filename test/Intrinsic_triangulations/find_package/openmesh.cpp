@@ -3,10 +3,10 @@
 
 #include "checks.h"
 
-#include <CGAL/Intrinsic_triangulations/connectivity/OpenMesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <algorithm>
 #include <cmath>

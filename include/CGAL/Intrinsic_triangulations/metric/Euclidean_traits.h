@@ -5,12 +5,12 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EUCLIDEAN_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/metric/Vertex_star.h>
-#include <CGAL/Intrinsic_triangulations/metric/initial_values.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Uncertain.h>

@@ -5,17 +5,17 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/metric/Exact_evaluation.h>
-#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/metric/Flip_history.h>
-#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/metric/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/metric/Vertex_move_values.h>
-#include <CGAL/Intrinsic_triangulations/metric/Vertex_star.h>
-#include <CGAL/Intrinsic_triangulations/metric/initial_values.h>
-#include <CGAL/Intrinsic_triangulations/metric/input_diamond_sign.h>
-#include <CGAL/Intrinsic_triangulations/metric/nonnegative_intervals.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_move_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
 #include <CGAL/Interval_nt.h>
 

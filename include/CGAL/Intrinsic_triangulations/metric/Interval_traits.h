@@ -5,11 +5,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INTERVAL_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
-#include <CGAL/Intrinsic_triangulations/metric/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/metric/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/metric/nonnegative_intervals.h>
 
 #include <CGAL/Interval_nt.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_TOLERANT_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_TOLERANT_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/metric/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 
 #include <ratio>

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_INTERPOLATION_MATRICES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <Eigen/SparseCore>
 

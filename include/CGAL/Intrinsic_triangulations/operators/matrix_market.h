@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_MATRIX_MARKET_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_MATRIX_MARKET_H
 
-#include <CGAL/Intrinsic_triangulations/IO/Replacing_file.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
 
 #include <Eigen/SparseCore>
 

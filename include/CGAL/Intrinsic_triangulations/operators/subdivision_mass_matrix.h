@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SUBDIVISION_MASS_MATRIX_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
 
 #include <Eigen/Core>

@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_TRANSFER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_TRANSFER_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/operators/interpolation_matrices.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
 

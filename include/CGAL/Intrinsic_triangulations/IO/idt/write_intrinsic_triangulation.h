@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_WRITE_INTRINSIC_TRIANGULATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_WRITE_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/Intrinsic_triangulations/IO/idt/Compact_numbers.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/Text_writer.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/intrinsic_triangulation_format.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Writes the sections of the file format in their order.
+template <class Triangulation>
+class Intrinsic_triangulation_writer {
+  using Metric = typename Triangulation::Metric;
+  using Halfedge = Gluing_map::Halfedge;
+
+public:
+  Intrinsic_triangulation_writer(std::ostream& out, const Triangulation& t)
+      : out_(out), t_(t), numbers_(t), mesh_(numbered_copy(t.mesh(), numbers_)) {
+    prefer_border_halfedges();
+  }
+
+  void run() {
+    write_header();
+    write_vertices();
+    write_edges();
+    write_faces();
+    write_border();
+    write_input_faces();
+    if constexpr (Metric::is_exact) {
+      write_input(t_.metric().input());
+      write_history(t_.metric().history());
+      write_versions();
+    }
+    out_.line("end");
+    out_.flush();
+  }
+
+private:
+  // the format asks for this at vertices, whatever a mesh does
+  void prefer_border_halfedges() {
+    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h) {
+      const Gluing_map::Vertex v = mesh_.target({h});
+      if (mesh_.face({h}).index == Gluing::none &&
+          mesh_.face(mesh_.halfedge(v)).index != Gluing::none)
+        mesh_.set_halfedge(v, {h});
+    }
+  }
+
+  void write_header() {
+    const Input_report& report = t_.report();
+    const auto kind =
+        std::find_if(mollification_names.begin(), mollification_names.end(),
+                     [&](const auto& n) { return n.first == report.mollification.kind; });
+    out_.line("IDT", intrinsic_triangulation_format_version, arithmetic_name<Metric>);
+    out_.line("scale", t_.metric().scale_exponent());
+    out_.line("degenerate_faces", report.degenerate_faces);
+    out_.line("mollification", kind->second, report.mollification.delta);
+    out_.line("renumbered", report.renumbered ? 1 : 0);
+  }
+
+  static std::uint32_t input_number(const std::vector<std::uint32_t>& map, std::uint32_t i) {
+    return map.empty() ? i : map[i];
+  }
+
+  void write_vertices() {
+    out_.line("vertices", mesh_.number_of_vertices());
+    for (std::uint32_t v = 0; v < mesh_.number_of_vertices(); ++v) {
+      if (v < t_.number_of_input_vertices())
+        out_.words(input_number(t_.renumbering().input_vertex, v));
+      else
+        out_.words("-");
+      const Halfedge h = mesh_.halfedge(Gluing_map::Vertex{v});
+      if (h.index == Gluing::none)
+        out_.line("-");
+      else
+        out_.line(h.index);
+    }
+  }
+
+  void write_edges() {
+    out_.line("edges", mesh_.number_of_edges());
+    for (std::uint32_t i = 0; i < mesh_.number_of_edges(); ++i) {
+      const std::uint32_t e = numbers_.edge_ranks().number(i);
+      if constexpr (Metric::is_exact)
+        out_.line(t_.metric().squared_length(e), t_.metric().approximate_squared_length(e));
+      else
+        out_.line(t_.metric().squared_length(e));
+    }
+  }
+
+  void write_faces() {
+    out_.line("faces", mesh_.number_of_faces());
+    for (std::uint32_t i = 0; i < mesh_.number_of_faces(); ++i) {
+      const Halfedge a = mesh_.halfedge(Gluing_map::Face{i}), b = mesh_.next(a), c = mesh_.next(b);
+      out_.words(a.index, b.index, c.index, mesh_.target(c).index, mesh_.target(a).index,
+                 mesh_.target(b).index);
+      const std::uint32_t f = numbers_.face_ranks().number(i);
+      if constexpr (Metric::is_exact)
+        out_.line(t_.metric().quadruple_area(f), t_.metric().approximate_quadruple_area(f));
+      else
+        out_.line(t_.metric().quadruple_area(f));
+    }
+  }
+
+  void write_border() {
+    std::uint32_t count = 0;
+    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h)
+      count += mesh_.face({h}).index == Gluing::none ? 1 : 0;
+    out_.line("border", count);
+    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if (mesh_.face({h}).index == Gluing::none) out_.line(h, mesh_.next({h}).index);
+  }
+
+  // nothing if faces were not renumbered
+  void write_input_faces() {
+    const std::vector<std::uint32_t>& faces = t_.renumbering().input_face;
+    out_.line("input_faces", faces.size());
+    for (const std::uint32_t f : faces) out_.line(f);
+  }
+
+  void write_input(const Input_metric& input) {
+    if (input.is_embedded()) {
+      out_.line("points", input.points().size());
+      for (const Input_metric::Point& p : input.points()) out_.line(p[0], p[1], p[2]);
+    } else {
+      out_.line("squared_lengths", input.squared_lengths().size());
+      for (const double x : input.squared_lengths()) out_.line(x);
+    }
+    out_.line("delta", input.delta());
+    out_.line("sides", input.number_of_faces());
+    for (std::uint32_t f = 0; f < input.number_of_faces(); ++f) {
+      const Input_metric::Sides& s = input.sides(f);
+      out_.line(s[0], s[1], s[2]);
+    }
+  }
+
+  void write_history(const Flip_history& history) {
+    out_.line("moves", history.number_of_flips() + history.number_of_vertex_moves());
+    for (std::uint32_t n = 0; n < history.number_of_nodes(); ++n) {
+      if (history.is_flip(n)) {
+        out_.words(flip_name);
+        write_side(history.left_parent(n));
+        write_side(history.right_parent(n));
+        out_.line();
+      } else if (history.vertex_move(n).node == n) // the first of its nodes
+        write_vertex_move(history.vertex_move(n));
+    }
+  }
+
+  void write_vertex_move(const Flip_history::Vertex_move& m) {
+    const Vertex_move_name& name =
+        *std::find_if(vertex_move_names.begin(), vertex_move_names.end(),
+                      [&](const Vertex_move_name& n) { return n.kind == m.kind; });
+    out_.words(name.name);
+    for (std::size_t k = 0; k < Flip_history::number_of_parents(m.kind); ++k)
+      write_side(m.parents[k]);
+    for (std::size_t k = 0; k < name.weights; ++k) out_.words(m.weights[k]);
+    out_.line();
+  }
+
+  void write_side(const Flip_history::Side& s) { out_.words(s.version, s.slot); }
+
+  void write_versions() {
+    out_.line("versions", mesh_.number_of_faces());
+    for (std::uint32_t i = 0; i < mesh_.number_of_faces(); ++i) {
+      const auto [version, edge] = t_.metric().version(numbers_.face_ranks().number(i));
+      out_.line(version, numbers_.edge_ranks().rank(edge));
+    }
+  }
+
+  Text_writer out_;
+  const Triangulation& t_;
+  Compact_numbers<Triangulation> numbers_;
+  Gluing_map mesh_; // with these numbers
+};
+
+} // namespace internal
+
+/*!
+\brief writes an intrinsic triangulation in the format of `intrinsic_triangulation_format.h`, without
+loss.
+
+Elements keep their order; those after removed ones move up to smaller numbers.
+\tparam Triangulation an `Intrinsic_triangulation` with `Exact_euclidean_traits` or
+  `Euclidean_traits<double>`, and any mesh
+\param out the stream
+\param t the triangulation
+\throws std::runtime_error if the stream fails
+\complexity linear in the mesh and, with exact traits, in the number of moves done
+*/
+template <class Triangulation>
+void write_intrinsic_triangulation(std::ostream& out, const Triangulation& t) {
+  static_assert(!internal::arithmetic_name<typename Triangulation::Metric>.empty(),
+                "the file format holds exact traits and Euclidean_traits<double>");
+  internal::Intrinsic_triangulation_writer<Triangulation>(out, t).run();
+  if (!out.flush())
+    throw std::runtime_error("the intrinsic triangulation cannot be written completely");
+}
+
+/*!
+\brief writes an intrinsic triangulation to a file, ordinarily with extension `.idt`.
+
+Whatever fails, the file is complete or what it was before: see `Replacing_file`.
+\tparam Triangulation see above
+\param path the file
+\param t the triangulation
+\throws std::runtime_error naming the file if it cannot be written
+\complexity see above
+*/
+template <class Triangulation>
+void write_intrinsic_triangulation(const std::filesystem::path& path, const Triangulation& t) {
+  Replacing_file file(path);
+  try {
+    write_intrinsic_triangulation(file.stream(), t);
+  } catch (const std::runtime_error&) {
+    throw std::runtime_error(path.string() +
+                             ": the file cannot be written completely; is the disk full?");
+  }
+  file.commit();
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_WRITE_INTRINSIC_TRIANGULATION_H

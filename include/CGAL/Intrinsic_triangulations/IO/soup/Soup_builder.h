@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SOUP_BUILDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SOUP_BUILDER_H
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/triangulate_polygons.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Collects the vertices and faces of a file, and refuses the first one that is unusable.
+class Soup_builder {
+public:
+  explicit Soup_builder(std::string file) : file_(std::move(file)) {}
+
+  // Line that the reader is at, from 1, for messages; 0 if the file has no lines.
+  std::size_t line = 0;
+  // Number of the first vertex in the file's own references, for messages.
+  std::int64_t first_reference = 0;
+  // Whether faces may refer to vertices that are still to come.
+  bool forward_references = false;
+
+  std::size_t number_of_vertices() const { return soup_.points.size(); }
+  std::size_t number_of_faces() const { return soup_.input_faces; }
+
+  [[noreturn]] void fail(Element_kind kind, std::size_t index, const std::string& what) const {
+    fail_at(line, kind, index, what);
+  }
+
+  void reserve(std::size_t vertices, std::size_t faces) {
+    soup_.points.reserve(vertices);
+    soup_.triangles.reserve(faces);
+  }
+
+  void add_vertex(double x, double y, double z) {
+    const std::size_t v = soup_.points.size();
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+      fail(Element_kind::vertex, v,
+           "vertex " + std::to_string(v) +
+               " has a coordinate that is not a finite number; correct the coordinate, or remove "
+               "the vertex and its faces");
+    if (v == maximal_vertices)
+      fail(Element_kind::vertex, v, "the file has more than 4294967294 vertices; split the mesh");
+    soup_.points.push_back({x, y, z});
+  }
+
+  void add_face(const std::vector<std::int64_t>& face) {
+    const std::size_t f = soup_.input_faces;
+    if (face.size() < 3)
+      fail(Element_kind::face, f,
+           name(f) + " has " + std::to_string(face.size()) +
+               (face.size() == 1 ? " vertex" : " vertices") +
+               "; a face needs at least three: remove it");
+    for (const std::int64_t v : face) check_reference(f, v);
+    if (soup_.triangles.size() + face.size() - 2 > maximal_triangles)
+      fail(Element_kind::face, f, "the file has more than 715827881 triangles; split the mesh");
+    check_distinct(f, face);
+    append(f, face);
+    ++soup_.input_faces;
+  }
+
+  // Completes the soup; polygons are triangulated here.
+  Triangle_soup finish() {
+    if (latest_reference_ >= std::int64_t(soup_.points.size()) && soup_.input_faces != 0)
+      fail_at(latest_line_, Element_kind::face, latest_face_,
+              out_of_range(latest_face_, latest_reference_));
+    if (soup_.input_faces == 0)
+      fail_at(0, Element_kind::none, 0,
+              "the file has no faces; give a surface mesh, not a point set");
+    triangulate_polygons(polygons_, soup_, [this](std::size_t f, const std::string& what) {
+      fail_at(0, Element_kind::face, f, what);
+    });
+    return std::move(soup_);
+  }
+
+private:
+  static constexpr std::size_t maximal_vertices = 4294967294U;
+  static constexpr std::size_t maximal_triangles = 715827881U;
+
+  static std::string name(std::size_t f) { return "face " + std::to_string(f); }
+
+  [[noreturn]] void fail_at(std::size_t at, Element_kind kind, std::size_t index,
+                            const std::string& what) const {
+    throw Invalid_input(kind, index,
+                        file_ + (at == 0 ? "" : ":" + std::to_string(at)) + ": " + what);
+  }
+
+  std::string out_of_range(std::size_t f, std::int64_t v) const {
+    const auto count = std::int64_t(soup_.points.size());
+    return name(f) + " refers to vertex " + std::to_string(v + first_reference) +
+           (count == 0 ? ", but the file has no vertices"
+                       : ", but vertices are numbered from " + std::to_string(first_reference) +
+                             " to " + std::to_string(count - 1 + first_reference)) +
+           "; correct the index or remove the face";
+  }
+
+  void check_reference(std::size_t f, std::int64_t v) {
+    const auto count = std::int64_t(soup_.points.size());
+    if (v < 0 || (v >= count && !forward_references) || v >= std::int64_t(maximal_vertices))
+      fail(Element_kind::face, f, out_of_range(f, v));
+    if (v >= count && v > latest_reference_) {
+      latest_reference_ = v;
+      latest_face_ = f;
+      latest_line_ = line;
+    }
+  }
+
+  void check_distinct(std::size_t f, const std::vector<std::int64_t>& face) {
+    if (face.size() == 3 && face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) return;
+    sorted_.assign(face.begin(), face.end());
+    std::sort(sorted_.begin(), sorted_.end());
+    const auto twice = std::adjacent_find(sorted_.begin(), sorted_.end());
+    if (twice == sorted_.end()) return;
+    const bool neighbours = [&] {
+      for (std::size_t i = 0; i < face.size(); ++i)
+        if (face[i] == *twice && face[(i + 1) % face.size()] == *twice) return true;
+      return false;
+    }();
+    std::string remedy = "remove the face";
+    if (face.size() > 3)
+      remedy = neighbours ? "list the vertex once"
+                          : "cut the face there into faces that each list a vertex once";
+    fail(Element_kind::face, f,
+         name(f) + " repeats vertex " + std::to_string(*twice + first_reference) + "; " + remedy);
+  }
+
+  // A polygon takes the places of its triangles and is triangulated at the end.
+  void append(std::size_t f, const std::vector<std::int64_t>& face) {
+    const auto corner = [&](std::size_t i) { return static_cast<std::uint32_t>(face[i]); };
+    if (face.size() > 3) {
+      polygons_.add(f, soup_.triangles.size());
+      for (std::size_t i = 0; i < face.size(); ++i) polygons_.corners.push_back(corner(i));
+      if (soup_.polygon_of_triangle.empty() && f > 0) {
+        soup_.polygon_of_triangle.reserve(soup_.triangles.capacity());
+        for (std::size_t t = 0; t < f; ++t)
+          soup_.polygon_of_triangle.push_back(static_cast<std::uint32_t>(t));
+      }
+      ++soup_.triangulated_polygons;
+    }
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      soup_.triangles.push_back({corner(0), corner(i - 1), corner(i)});
+      if (soup_.triangulated_polygons != 0)
+        soup_.polygon_of_triangle.push_back(static_cast<std::uint32_t>(f));
+    }
+  }
+
+  std::string file_;
+  Triangle_soup soup_;
+  Polygons polygons_;
+  std::vector<std::int64_t> sorted_;
+  std::int64_t latest_reference_ = -1;
+  std::size_t latest_face_ = 0, latest_line_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SOUP_BUILDER_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_H
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/Soup_builder.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_GOCAD.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_OBJ.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_OFF.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_PLY.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_STL.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <string>
+#include <system_error>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// The extension in lower case, without the dot.
+inline std::string extension_of(const std::string& filename) {
+  std::string extension = std::filesystem::path(filename).extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+inline void scan_mesh_file(const std::string& filename, const std::string& extension,
+                           std::uintmax_t size, Soup_builder& out) {
+  std::ifstream in(filename, std::ios::binary);
+  if (!in) out.fail(Element_kind::none, 0, "the file cannot be opened; check its permissions");
+  if (extension == "off")
+    OFF_scanner(in, size, out).run();
+  else if (extension == "obj")
+    OBJ_scanner(in, out).run();
+  else if (extension == "ply")
+    PLY_scanner(in, size, out).run();
+  else if (extension == "stl")
+    STL_scanner(in, size, out).run();
+  else if (extension == "ts")
+    scan_GOCAD(in, out);
+  else
+    out.fail(Element_kind::none, 0,
+             "the extension \"" + extension +
+                 "\" is not supported; convert the mesh to .off, .obj, .ply, .stl or .ts");
+}
+
+} // namespace internal
+
+/*!
+\brief reads a polygon mesh from a file as a soup of triangles.
+
+The format follows from the extension, in any letter case: OFF with all its prefixes (`.off`), OBJ
+(`.obj`), PLY (`.ply`), STL (`.stl`) and GOCAD (`.ts`), the formats of
+`CGAL::IO::read_polygon_soup()`; OFF, PLY and STL as text or binary. Vertices and faces keep the
+numbers they have in the file; those of STL are the distinct corners in the order in which they
+first occur. A decimal coordinate becomes the nearest `double`; where a format stores single
+precision (binary OFF and STL, properties of type `float` in PLY), it becomes that number.
+
+Faces with more than three sides are triangulated: a quadrilateral along the diagonal that
+`CGAL::Polygon_mesh_processing::triangulate_faces()` takes, others by constrained Delaunay
+triangulation in the plane normal to their vector area, or with least area where their projection to
+that plane crosses itself. As edges are later matched by their end vertices, a diagonal between two
+vertices that another edge joins is avoided by another triangulation of the polygon.
+
+\throws Invalid_input naming the file, its line where it has lines, the element and the remedy if
+  the file does not exist or cannot be read, is empty, truncated or not of its format, has a
+  coordinate that is not finite, a face with fewer than three vertices, with a repeated vertex or
+  with one out of range, or no faces, or has a polygon with no triangulation that avoids edges of
+  other faces
+\complexity linear for text and binary alike, \f$n\log n\f$ for STL and in the number of diagonals;
+  memory follows the size of the file, never a count in it
+*/
+inline Triangle_soup read_triangle_soup(const std::string& filename) {
+  internal::Soup_builder out(filename);
+  const auto fail = [&out](const std::string& what) { out.fail(Element_kind::none, 0, what); };
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(filename, error);
+  if (!std::filesystem::exists(status)) fail("the file does not exist; check the name");
+  if (std::filesystem::is_directory(status)) fail("this is a directory; name a mesh file in it");
+  const bool regular = std::filesystem::is_regular_file(status);
+  const std::uintmax_t size = regular ? std::filesystem::file_size(filename, error) : 0;
+  if (error) fail("the file cannot be examined (" + error.message() + "); check its permissions");
+  if (regular && size == 0) fail("the file is empty; get a complete copy");
+  try {
+    internal::scan_mesh_file(filename, internal::extension_of(filename), size, out);
+    return out.finish();
+  } catch (const std::bad_alloc&) {
+    out.line = 0;
+    fail("there is not enough memory to read the mesh; use a machine with more, or a smaller mesh");
+    throw;
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_OBJ_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_OBJ_H
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/Soup_builder.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Scans the vertices and faces of a Wavefront OBJ file; everything else is skipped.
+class OBJ_scanner {
+public:
+  OBJ_scanner(std::istream& in, Soup_builder& out) : in_(in), out_(out) {
+    out_.first_reference = 1;
+    out_.forward_references = true;
+  }
+
+  void run() {
+    std::string_view line;
+    while (in_.next_content_line(line, '#')) {
+      out_.line = in_.line_number();
+      // a backslash continues the line
+      if (const auto last = line.find_last_not_of(" \t\r");
+          last != std::string_view::npos && line[last] == '\\') {
+        joined_ += line.substr(0, last);
+        joined_ += ' ';
+        continue;
+      }
+      if (joined_.empty()) {
+        scan(line);
+      } else {
+        joined_ += line;
+        scan(joined_);
+        joined_.clear();
+      }
+    }
+    if (!joined_.empty()) scan(joined_);
+  }
+
+private:
+  void scan(std::string_view line) {
+    const std::string_view word = next_word(line);
+    if (word == "v")
+      scan_vertex(line);
+    else if (word == "f")
+      scan_face(line);
+    else if (!is_known(word))
+      out_.fail(Element_kind::none, 0,
+                "the line is not a statement of an OBJ file; remove it, or give the file the "
+                "extension of its format");
+  }
+
+  void scan_vertex(std::string_view line) {
+    double p[3];
+    for (double& x : p)
+      if (!parse_number(next_word(line), x))
+        out_.fail(Element_kind::vertex, out_.number_of_vertices(),
+                  "vertex " + std::to_string(out_.number_of_vertices()) +
+                      " does not have three coordinates that are numbers; correct the line, or get "
+                      "a complete copy if the file is truncated");
+    out_.add_vertex(p[0], p[1], p[2]);
+  }
+
+  // f v/vt/vn ...: negative references count back from the latest vertex.
+  void scan_face(std::string_view line) {
+    face_.clear();
+    const std::size_t f = out_.number_of_faces();
+    for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
+      const std::string_view reference = word.substr(0, word.find('/'));
+      std::int64_t v = 0;
+      if (!parse_number(reference, v) || v == 0)
+        out_.fail(Element_kind::face, f,
+                  "face " + std::to_string(f) + " refers to vertex \"" + std::string(reference) +
+                      "\"; references are whole numbers other than 0: correct the line");
+      if (v < 0 && -v > std::int64_t(out_.number_of_vertices()))
+        out_.fail(Element_kind::face, f,
+                  "face " + std::to_string(f) + " refers to vertex " + std::to_string(v) +
+                      ", but only " + std::to_string(out_.number_of_vertices()) +
+                      " vertices come before it; correct the index or remove the face");
+      face_.push_back(v > 0 ? v - 1 : std::int64_t(out_.number_of_vertices()) + v);
+    }
+    out_.add_face(face_);
+  }
+
+  static bool is_known(std::string_view word) {
+    static constexpr std::array<std::string_view, 48> statements{
+        "vt",     "vn",     "vp",         "p",      "l",         "g",      "s",      "o",
+        "mg",     "bevel",  "c_interp",   "ctech",  "d_interp",  "lod",    "usemap", "usemtl",
+        "mtllib", "maplib", "shadow_obj", "stech",  "trace_obj", "cstype", "deg",    "step",
+        "bmat",   "con",    "curv",       "curv2",  "surf",      "parm",   "trim",   "hole",
+        "scrv",   "sp",     "end",        "bsp",    "bzp",       "cdc",    "cdp",    "res",
+        "call",   "csh",    "surf_1",     "surf_2", "q0_1",      "q1_1",   "q0_2",   "q1_2"};
+    for (const std::string_view s : statements)
+      if (word == s) return true;
+    return word == "curv2d_1" || word == "curv2d_2";
+  }
+
+  Buffered_input in_;
+  Soup_builder& out_;
+  std::string joined_;
+  std::vector<std::int64_t> face_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_OBJ_H

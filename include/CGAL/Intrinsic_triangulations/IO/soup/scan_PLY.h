@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_PLY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_PLY_H
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/Soup_builder.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Scans the vertices and faces of a PLY file, text or binary of either byte order.
+class PLY_scanner {
+public:
+  PLY_scanner(std::istream& in, std::uintmax_t file_size, Soup_builder& out)
+      : in_(in), file_size_(file_size), out_(out) {}
+
+  void run() {
+    scan_header();
+    for (const Element& e : elements_) {
+      if (e.name == "vertex" || e.name == "vertices")
+        scan_vertices(e);
+      else if (e.name == "face" || e.name == "faces")
+        scan_faces(e);
+      else if (!e.properties.empty())
+        for (std::uint64_t i = 0; i < e.count; ++i) skip(e, i);
+    }
+  }
+
+private:
+  enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+  struct Property {
+    std::string name;
+    Type type;
+    bool is_list;
+    Type size_type;
+  };
+
+  struct Element {
+    std::string name;
+    std::uint64_t count;
+    std::vector<Property> properties;
+  };
+
+  [[noreturn]] void fail(const std::string& what) { out_.fail(Element_kind::none, 0, what); }
+
+  void scan_header() {
+    std::string_view line;
+    const bool is_ply = in_.next_line(line) && next_word(line) == "ply";
+    out_.line = in_.line_number();
+    if (!is_ply)
+      fail("the file does not start with the line ply; check that it is a PLY file, or give it the "
+           "extension of its format");
+    bool has_format = false;
+    while (in_.next_line(line)) {
+      out_.line = in_.line_number();
+      const std::string_view keyword = next_word(line);
+      if (keyword == "end_header") {
+        if (!has_format) fail("the header has no format line; add one, such as format ascii 1.0");
+        return;
+      }
+      if (keyword == "format") {
+        scan_format(next_word(line));
+        has_format = true;
+      }
+      if (keyword == "element") scan_element(line);
+      if (keyword == "property") scan_property(line);
+    }
+    fail("the file ends within its header; it is truncated: get a complete copy");
+  }
+
+  void scan_format(std::string_view format) {
+    text_ = format == "ascii";
+    order_ = format == "binary_big_endian" ? std::endian::big : std::endian::little;
+    if (!text_ && order_ == std::endian::little && format != "binary_little_endian")
+      fail("the format \"" + std::string(format) +
+           "\" is not one of ascii, binary_little_endian, binary_big_endian; correct the header");
+  }
+
+  void scan_element(std::string_view line) {
+    Element e{std::string(next_word(line)), 0, {}};
+    if (!parse_number(next_word(line), e.count))
+      fail("element " + e.name + " has no valid count; correct the header");
+    elements_.push_back(std::move(e));
+  }
+
+  void scan_property(std::string_view line) {
+    Property p{{}, Type::int8, false, Type::int8};
+    std::string_view type = next_word(line);
+    p.is_list = type == "list";
+    if (p.is_list) {
+      p.size_type = type_of(next_word(line));
+      type = next_word(line);
+    }
+    p.type = type_of(type);
+    p.name = next_word(line);
+    if (elements_.empty() || p.name.empty() ||
+        (p.is_list && (p.size_type == Type::float32 || p.size_type == Type::float64)))
+      fail("the property is not one of an element, with a name and an integer size; correct the "
+           "header");
+    elements_.back().properties.push_back(std::move(p));
+  }
+
+  Type type_of(std::string_view name) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> names{
+        {{"char", "int8"},
+         {"uchar", "uint8"},
+         {"short", "int16"},
+         {"ushort", "uint16"},
+         {"int", "int32"},
+         {"uint", "uint32"},
+         {"float", "float32"},
+         {"double", "float64"}}};
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (name == names[i].first || name == names[i].second) return static_cast<Type>(i);
+    fail("\"" + std::string(name) + "\" is not a type of PLY; correct the header");
+  }
+
+  // Every value of the format is exact as a double; false at the end of the file or for a word that
+  // is no number.
+  bool read(Type type, double& value) {
+    switch (type) {
+    case Type::int8:
+      return read_as<std::int8_t>(value);
+    case Type::uint8:
+      return read_as<std::uint8_t>(value);
+    case Type::int16:
+      return read_as<std::int16_t>(value);
+    case Type::uint16:
+      return read_as<std::uint16_t>(value);
+    case Type::int32:
+      return read_as<std::int32_t>(value);
+    case Type::uint32:
+      return read_as<std::uint32_t>(value);
+    case Type::float32:
+      return read_as<float>(value);
+    case Type::float64:
+      return read_as<double>(value);
+    }
+    return false;
+  }
+
+  // A text value of a float property is rounded to float, as CGAL rounds it.
+  template <class Number>
+  bool read_as(double& value) {
+    Number number{};
+    if (!text_) {
+      if (!read_binary(in_, number, order_)) return false;
+      value = static_cast<double>(number);
+      return true;
+    }
+    const std::string_view word = in_.next_word_of_file(line_);
+    if (!std::is_same_v<Number, float>) return parse_number(word, value);
+    float rounded = 0;
+    const bool good = parse_number(word, rounded);
+    value = static_cast<double>(rounded);
+    return good;
+  }
+
+  [[noreturn]] void fail_item(const Element& e, std::uint64_t i) {
+    set_line();
+    const Element_kind kind = e.name.substr(0, 4) == "face"   ? Element_kind::face
+                              : e.name.substr(0, 4) == "vert" ? Element_kind::vertex
+                                                              : Element_kind::none;
+    out_.fail(kind, static_cast<std::size_t>(i),
+              e.name + " " + std::to_string(i) + " of the " + std::to_string(e.count) +
+                  " that the header announces is missing or malformed; get a complete copy if the "
+                  "file is truncated, or correct it");
+  }
+
+  // Reads the values of one property; a scalar is a list of one. Lists grow as they are read: a
+  // wrong size must not claim memory.
+  void read_values(const Element& e, std::uint64_t i, const Property& p) {
+    values_.clear();
+    double size = 1, value = 0;
+    if (p.is_list && (!read(p.size_type, size) || size < 0)) fail_item(e, i);
+    for (double k = 0; k < size; ++k) {
+      if (!read(p.type, value)) fail_item(e, i);
+      values_.push_back(value);
+    }
+  }
+
+  void skip(const Element& e, std::uint64_t i) {
+    for (const Property& p : e.properties) read_values(e, i, p);
+  }
+
+  void set_line() { out_.line = text_ ? in_.line_number() : 0; }
+
+  // No more items than the file has room for.
+  std::size_t room(const Element& e, unsigned bytes) const {
+    return static_cast<std::size_t>(std::min<std::uint64_t>(e.count, file_size_ / bytes));
+  }
+
+  void scan_vertices(const Element& e) {
+    std::array<std::size_t, 3> where{};
+    for (unsigned k = 0; k < 3; ++k) {
+      const char name = static_cast<char>('x' + k);
+      while (
+          where[k] < e.properties.size() &&
+          (e.properties[where[k]].name != std::string(1, name) || e.properties[where[k]].is_list))
+        ++where[k];
+      if (where[k] == e.properties.size())
+        fail(std::string("vertices have no property ") + name + "; add their coordinates");
+    }
+    out_.reserve(room(e, 6), 0);
+    for (std::uint64_t i = 0; i < e.count; ++i) {
+      double xyz[3] = {0, 0, 0};
+      for (std::size_t j = 0; j < e.properties.size(); ++j) {
+        read_values(e, i, e.properties[j]);
+        for (unsigned k = 0; k < 3; ++k)
+          if (where[k] == j) xyz[k] = values_[0];
+      }
+      set_line();
+      out_.add_vertex(xyz[0], xyz[1], xyz[2]);
+    }
+  }
+
+  void scan_faces(const Element& e) {
+    std::size_t where = 0;
+    while (where < e.properties.size() &&
+           !(e.properties[where].is_list && (e.properties[where].name == "vertex_indices" ||
+                                             e.properties[where].name == "vertex_index")))
+      ++where;
+    if (where == e.properties.size())
+      fail("faces have no list property vertex_indices or vertex_index; add their vertices");
+    out_.forward_references = out_.number_of_vertices() == 0;
+    out_.reserve(0, room(e, 7));
+    std::vector<std::int64_t> face;
+    for (std::uint64_t i = 0; i < e.count; ++i) {
+      for (std::size_t j = 0; j < e.properties.size(); ++j) {
+        read_values(e, i, e.properties[j]);
+        if (j != where) continue;
+        face.clear();
+        for (const double v : values_) {
+          if (!(std::abs(v) < 0x1p53) || std::trunc(v) != v) fail_item(e, i);
+          face.push_back(static_cast<std::int64_t>(v));
+        }
+      }
+      set_line();
+      out_.add_face(face);
+    }
+  }
+
+  Buffered_input in_;
+  std::uintmax_t file_size_;
+  Soup_builder& out_;
+  std::string_view line_;
+  std::vector<Element> elements_;
+  std::vector<double> values_;
+  bool text_ = true;
+  std::endian order_ = std::endian::little;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_PLY_H

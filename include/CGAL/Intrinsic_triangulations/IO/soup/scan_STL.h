@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_STL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_STL_H
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/Soup_builder.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Scans STL, text or binary, and merges the corners with equal coordinates.
+class STL_scanner {
+public:
+  STL_scanner(std::istream& in, std::uintmax_t file_size, Soup_builder& out)
+      : stream_(in), in_(in), file_size_(file_size), out_(out) {}
+
+  void run() {
+    if (is_binary())
+      scan_binary();
+    else
+      scan_text();
+    merge();
+  }
+
+private:
+  using Point = std::array<double, 3>;
+
+  // The word solid does not tell, as many binary files start with it; the size does.
+  bool is_binary() {
+    char header[84] = {};
+    stream_.read(header, 84);
+    const bool whole = stream_.gcount() == 84;
+    stream_.clear();
+    stream_.seekg(0);
+    std::string_view text(header, 84);
+    if (next_word(text) != "solid") return true;
+    return whole && file_size_ == 84 + 50 * std::uintmax_t(count_in(header));
+  }
+
+  static std::uint32_t count_in(const char* header) {
+    std::uint32_t n = 0;
+    for (unsigned i = 0; i < 4; ++i)
+      n |= std::uint32_t(static_cast<unsigned char>(header[80 + i])) << (8 * i);
+    return n;
+  }
+
+  std::size_t facet() const { return corners_.size() / 3; }
+
+  [[noreturn]] void fail(const std::string& what) {
+    out_.fail(Element_kind::face, facet(), "facet " + std::to_string(facet()) + " " + what);
+  }
+
+  void add_corner(const Point& p) {
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+      fail("has a coordinate that is not a finite number; correct it or remove the facet");
+    if (corners_.size() >= 0xfffffffcU) fail("is too many; split the mesh");
+    corners_.push_back(p);
+  }
+
+  void scan_binary() {
+    char header[84];
+    if (!in_.read(header, 84))
+      out_.fail(Element_kind::none, 0,
+                "the file is neither a text STL file, which starts with the word solid, nor long "
+                "enough to be a binary one; get a complete copy");
+    const std::uint32_t count = count_in(header);
+    corners_.reserve(
+        static_cast<std::size_t>(3 * std::min<std::uintmax_t>(count, file_size_ / 50)));
+    for (std::uint32_t i = 0; i < count; ++i) {
+      float numbers[12];
+      char attribute[2];
+      for (float& x : numbers)
+        if (!read_binary(in_, x, std::endian::little)) fail_short(count);
+      if (!in_.read(attribute, 2)) fail_short(count);
+      for (unsigned k = 3; k < 12; k += 3)
+        add_corner({static_cast<double>(numbers[k]), static_cast<double>(numbers[k + 1]),
+                    static_cast<double>(numbers[k + 2])});
+    }
+  }
+
+  [[noreturn]] void fail_short(std::uint32_t count) {
+    fail("of the " + std::to_string(count) +
+         " that the header announces is missing; the file is truncated, get a complete copy, or it "
+         "is no STL file");
+  }
+
+  void scan_text() {
+    bool in_solid = false, in_facet = false;
+    for (auto word = next(); !word.empty(); word = next()) {
+      if (in_facet && word == "vertex") scan_corner();
+      if (in_facet && word == "endfacet") {
+        in_facet = false;
+        if (corners_.size() != 3 * ++facets_) {
+          corners_.resize(3 * (facets_ - 1));
+          fail("does not have three vertices; divide it into triangles");
+        }
+      }
+      if (!in_facet && word == "solid") in_solid = true;
+      if (!in_facet && word == "endsolid") in_solid = false;
+      if (in_solid && word == "facet") in_facet = true;
+    }
+    if (in_solid)
+      out_.fail(Element_kind::face, facets_,
+                "the file ends before facet " + std::to_string(facets_) +
+                    " is complete or the solid is closed; it is truncated: get a complete copy");
+  }
+
+  std::string_view next() {
+    const std::string_view word = in_.next_word_of_file(line_);
+    out_.line = in_.line_number();
+    return word;
+  }
+
+  void scan_corner() {
+    Point p;
+    for (double& x : p)
+      if (!parse_number(next(), x))
+        fail("has a vertex without three coordinates that are numbers; correct it, or get a "
+             "complete copy if the file is truncated");
+    add_corner(p);
+  }
+
+  // Vertices are numbered in the order in which they first occur.
+  void merge() {
+    out_.line = 0;
+    std::vector<std::uint32_t> order(corners_.size()), first(corners_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
+      return std::tie(corners_[a], a) < std::tie(corners_[b], b);
+    });
+    for (std::size_t i = 0; i < order.size(); ++i)
+      first[order[i]] =
+          i > 0 && corners_[order[i]] == corners_[order[i - 1]] ? first[order[i - 1]] : order[i];
+    order = {};
+    std::vector<std::int64_t> face;
+    for (std::size_t c = 0; c < corners_.size(); ++c) {
+      if (first[c] == c) {
+        first[c] = static_cast<std::uint32_t>(out_.number_of_vertices());
+        out_.add_vertex(corners_[c][0], corners_[c][1], corners_[c][2]);
+      } else {
+        first[c] = first[first[c]]; // an earlier corner, whose entry is its vertex by now
+      }
+      face.push_back(first[c]);
+      if (face.size() < 3) continue;
+      out_.add_face(face);
+      face.clear();
+    }
+  }
+
+  std::istream& stream_;
+  Buffered_input in_;
+  std::uintmax_t file_size_;
+  Soup_builder& out_;
+  std::vector<Point> corners_;
+  std::string_view line_;
+  std::size_t facets_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_STL_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H
+
+#include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
+#include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The faces of a soup with more than three sides. The triangles of polygon i are
+// first_triangle[i], ...; its corners are corners[first_corner[i]], ...
+struct Polygons {
+  std::vector<std::uint32_t> face, first_triangle, first_corner, corners;
+
+  // Its corners are to be appended next.
+  void add(std::size_t f, std::size_t triangle) {
+    face.push_back(static_cast<std::uint32_t>(f));
+    first_triangle.push_back(static_cast<std::uint32_t>(triangle));
+    first_corner.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  std::size_t size() const { return face.size(); }
+  std::size_t sides(std::size_t i) const {
+    return (i + 1 < size() ? first_corner[i + 1] : corners.size()) - first_corner[i];
+  }
+  std::uint32_t corner(std::size_t i, std::size_t k) const { return corners[first_corner[i] + k]; }
+};
+
+// Triangulates the polygons of a soup such that no diagonal joins two vertices that another edge
+// joins already: edges are later matched by their end vertices.
+template <class Fail>
+class Soup_triangulator {
+public:
+  Soup_triangulator(const Polygons& polygons, Triangle_soup& soup, Fail fail)
+      : polygons_(polygons), soup_(soup), fail_(fail) {}
+
+  void run() {
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+      load(i);
+      if (!triangulator_.triangulate(triangles_))
+        fail(i, "cannot be triangulated; divide it into triangles in the file");
+      write(i);
+      for_each_diagonal(i, [&](std::uint32_t u, std::uint32_t v) {
+        diagonals_.push_back({u, v, static_cast<std::uint32_t>(i)});
+      });
+    }
+    sort_diagonals();
+    if (find_conflicts()) resolve_conflicts();
+  }
+
+private:
+  struct Diagonal {
+    std::uint32_t lower, upper, polygon;
+    bool operator<(const Diagonal& other) const {
+      return std::tie(lower, upper, polygon) < std::tie(other.lower, other.upper, other.polygon);
+    }
+  };
+
+  void fail(std::size_t i, const std::string& what) const {
+    fail_(polygons_.face[i], "face " + std::to_string(polygons_.face[i]) + " with " +
+                                 std::to_string(polygons_.sides(i)) + " sides " + what);
+  }
+
+  void load(std::size_t i) {
+    triangulator_.load(polygons_.sides(i),
+                       [&](std::size_t k) { return soup_.points[polygons_.corner(i, k)]; });
+  }
+
+  void write(std::size_t i) {
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (unsigned k = 0; k < 3; ++k)
+        soup_.triangles[polygons_.first_triangle[i] + t][k] = polygons_.corner(i, triangles_[t][k]);
+  }
+
+  // Calls f(u, v) for each diagonal of polygon i, as just triangulated, with u < v.
+  template <class Function>
+  void for_each_diagonal(std::size_t i, Function f) const {
+    const auto n = static_cast<std::uint32_t>(polygons_.sides(i));
+    for (const auto& triangle : triangles_)
+      for (unsigned k = 0; k < 3; ++k) {
+        const std::uint32_t a = triangle[k], b = triangle[(k + 1) % 3];
+        const std::uint32_t apart = a < b ? b - a : a - b;
+        if (a > b || apart == 1 || apart == n - 1) continue; // each diagonal has two directions
+        const std::uint32_t u = polygons_.corner(i, a), v = polygons_.corner(i, b);
+        f(std::min(u, v), std::max(u, v));
+      }
+  }
+
+  void sort_diagonals() {
+    std::sort(diagonals_.begin(), diagonals_.end());
+    first_diagonal_.assign(soup_.points.size() + 1, 0);
+    for (const Diagonal& d : diagonals_) ++first_diagonal_[d.lower + 1];
+    for (std::size_t v = 1; v < first_diagonal_.size(); ++v)
+      first_diagonal_[v] += first_diagonal_[v - 1];
+  }
+
+  // Calls f(u, v) for the sides of all faces of the input, with u < v.
+  template <class Function>
+  void for_each_side(Function f) const {
+    const auto side = [&f](std::uint32_t u, std::uint32_t v) { f(std::min(u, v), std::max(u, v)); };
+    std::size_t t = 0;
+    for (std::size_t i = 0; i <= polygons_.size(); ++i) {
+      const std::size_t end =
+          i < polygons_.size() ? polygons_.first_triangle[i] : soup_.triangles.size();
+      for (; t < end; ++t)
+        for (unsigned k = 0; k < 3; ++k)
+          side(soup_.triangles[t][k], soup_.triangles[t][(k + 1) % 3]);
+      if (i == polygons_.size()) break;
+      const std::size_t n = polygons_.sides(i);
+      for (std::size_t k = 0; k < n; ++k)
+        side(polygons_.corner(i, k), polygons_.corner(i, (k + 1) % n));
+      t += n - 2;
+    }
+  }
+
+  // Marks the polygons that have to give way: to a side of a face, or to an earlier polygon.
+  bool find_conflicts() {
+    in_conflict_.assign(polygons_.size(), 0);
+    bool any = false;
+    const auto mark = [&](std::uint32_t i) {
+      in_conflict_[i] = 1;
+      any = true;
+    };
+    for (std::size_t d = 1; d < diagonals_.size(); ++d)
+      if (diagonals_[d].lower == diagonals_[d - 1].lower &&
+          diagonals_[d].upper == diagonals_[d - 1].upper)
+        mark(diagonals_[d].polygon);
+    for_each_side([&](std::uint32_t u, std::uint32_t v) {
+      const auto first = diagonals_.begin() + first_diagonal_[u];
+      const auto last = diagonals_.begin() + first_diagonal_[u + 1];
+      for (auto d = std::lower_bound(first, last, Diagonal{u, v, 0}); d != last && d->upper == v;
+           ++d)
+        mark(d->polygon);
+    });
+    return any;
+  }
+
+  static std::uint64_t key(std::uint32_t u, std::uint32_t v) {
+    return std::uint64_t(std::min(u, v)) << 32 | std::max(u, v);
+  }
+
+  void resolve_conflicts() {
+    std::unordered_set<std::uint64_t> taken;
+    for_each_side([&](std::uint32_t u, std::uint32_t v) { taken.insert(key(u, v)); });
+    for (const Diagonal& d : diagonals_)
+      if (!in_conflict_[d.polygon]) taken.insert(key(d.lower, d.upper));
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+      if (!in_conflict_[i]) continue;
+      load(i);
+      const auto is_free = [&](std::size_t j, std::size_t k) {
+        return taken.count(key(polygons_.corner(i, j), polygons_.corner(i, k))) == 0;
+      };
+      if (!triangulator_.triangulate_least_area(is_free, true, triangles_))
+        fail(i, "cannot be triangulated without a second edge between two of its vertices that an "
+                "edge of the mesh joins already; divide it, or that other face, in the file");
+      write(i);
+      for_each_diagonal(i, [&](std::uint32_t u, std::uint32_t v) { taken.insert(key(u, v)); });
+    }
+  }
+
+  const Polygons& polygons_;
+  Triangle_soup& soup_;
+  Fail fail_;
+  Polygon_triangulator<> triangulator_;
+  std::vector<Polygon_triangulator<>::Triangle> triangles_;
+  std::vector<Diagonal> diagonals_;
+  std::vector<std::uint32_t> first_diagonal_;
+  std::vector<char> in_conflict_;
+};
+
+// Triangulates the polygons of `soup` in place; calls fail(face, what), which throws, on failure.
+template <class Fail>
+void triangulate_polygons(const Polygons& polygons, Triangle_soup& soup, Fail fail) {
+  if (polygons.size() != 0) Soup_triangulator<Fail>(polygons, soup, fail).run();
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H

@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_H
+
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_input.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Base64_writer.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/drawn_edges.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/html_view_program.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <ostream>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief tells what a page shows besides an intrinsic triangulation, and the scripts that it needs.
+*/
+struct Html_view {
+  /// Title of the page.
+  std::string_view title;
+  /// Text under the title.
+  std::string_view description;
+  /// Text of three.js, revision 111 or near: it is copied into the page, with its licence notice.
+  std::string_view three;
+  /// Text of the classic script `TrackballControls.js` of the same distribution.
+  std::string_view trackball_controls;
+  /// A field to be shown as colours; without values the intrinsic faces have their own.
+  Vertex_field field{};
+};
+
+namespace internal {
+
+/// Writes the parts of a page.
+class Html_view_writer {
+  using Point = std::array<double, 3>;
+
+public:
+  Html_view_writer(std::ostream& out, const Common_subdivision& s, std::span<const Point> points,
+                   const Html_view& view)
+      : out_(out), s_(s), points_(points), view_(view) {}
+
+  void write() {
+    out_.text("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>");
+    escaped(view_.title);
+    out_.text("</title>\n", html_view_style, "<div id=\"panel\"><h1>");
+    escaped(view_.title);
+    out_.text("</h1><p>");
+    escaped(view_.description);
+    out_.text("</p>\n", html_view_controls);
+    out_.text(three_js_licence);
+    script(view_.three);
+    script(view_.trackball_controls);
+    write_data();
+    out_.text(html_view_program);
+    if (!out_.flush()) throw std::runtime_error("the page cannot be written");
+  }
+
+private:
+  void escaped(std::string_view text) {
+    for (const char c : text) switch (c) {
+      case '<':
+        out_.text("&lt;");
+        break;
+      case '>':
+        out_.text("&gt;");
+        break;
+      case '&':
+        out_.text("&amp;");
+        break;
+      case '"':
+        out_.text("&quot;");
+        break;
+      default:
+        out_.text(c);
+      }
+  }
+
+  // An end tag inside a script would end it, in capitals too; in a string of JavaScript <\/ is </.
+  void script(std::string_view text) {
+    out_.text("<script>\n");
+    for (std::size_t i = text.find("</"); i != std::string_view::npos; i = text.find("</")) {
+      out_.text(text.substr(0, i),
+                i + 2 < text.size() && (text[i + 2] | 32) == 's' ? "<\\/" : "</");
+      text.remove_prefix(i + 2);
+    }
+    out_.text(text, "\n</script>\n");
+  }
+
+  template <class Write>
+  void data(std::string_view id, Write write) {
+    open_data(id);
+    out_.text(">");
+    close_data(write);
+  }
+  void open_data(std::string_view id) {
+    out_.text("<script type=\"application/octet-stream;base64\" id=\"", id, "\"");
+  }
+  template <class Write>
+  void close_data(Write write) {
+    Base64_writer base64(out_);
+    write(base64);
+    base64.finish();
+    out_.text("</script>\n");
+  }
+
+  // A fan for each convex polygon; the visitor takes the polygon and three vertices.
+  template <class Visit>
+  void for_each_triangle(Visit visit) const {
+    for (std::size_t f = 0; f < s_.number_of_faces(); ++f) {
+      const std::span<const std::uint32_t> v = s_.face(f);
+      for (std::size_t k = 2; k < v.size(); ++k) visit(f, std::array{v[0], v[k - 1], v[k]});
+    }
+  }
+
+  void write_data() {
+    write_points();
+    data("triangles", [&](Base64_writer& out) {
+      for_each_triangle([&](std::size_t, const std::array<std::uint32_t, 3>& t) {
+        for (const std::uint32_t v : t) out.put(v);
+      });
+    });
+    const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
+    data("colors", [&](Base64_writer& out) {
+      for_each_triangle([&](std::size_t f, const auto&) {
+        for (const std::uint8_t c : colors[s_.intrinsic_face[f]]) out.put(c);
+      });
+    });
+    data("sources", [&](Base64_writer& out) {
+      for_each_triangle([&](std::size_t f, const auto&) {
+        out.put(s_.intrinsic_face[f]);
+        out.put(s_.input_face[f]);
+      });
+    });
+    write_vertices();
+    write_edges("input-edges", "input-edges-room", &Common_subdivision::Side::input_edge,
+                s_.input_face);
+    write_edges("intrinsic-edges", "intrinsic-edges-room",
+                &Common_subdivision::Side::intrinsic_edge, s_.intrinsic_face);
+    write_field();
+  }
+
+  void write_edges(std::string_view id, std::string_view room_id,
+                   std::uint32_t Common_subdivision::Side::*edge_of,
+                   const std::vector<std::uint32_t>& face_of) {
+    const Drawn_edges edges = Drawn_edges_builder(s_, scaled_, edge_of, face_of).build();
+    data(id, [&](Base64_writer& out) {
+      for (const std::uint32_t v : edges.ends) out.put(v);
+    });
+    data(room_id, [&](Base64_writer& out) {
+      for (const float x : edges.room) out.put(x);
+    });
+  }
+
+  // What is told of a vertex: its kind, its intrinsic element, and its input element.
+  void write_vertices() {
+    data("kinds", [&](Base64_writer& out) {
+      for (std::size_t v = 0; v < s_.number_of_vertices(); ++v)
+        out.put(static_cast<std::uint8_t>(s_.kind(v)));
+    });
+    data("labels", [&](Base64_writer& out) {
+      for (const Common_subdivision::Vertex& v : s_.vertices) {
+        out.put(v.intrinsic);
+        out.put(v.kind == Subdivision_vertex_kind::input ? v.on_input.vertices[0] : v.input_face);
+      }
+      for (const Common_subdivision::Crossing& x : s_.crossings) {
+        out.put(x.on_intrinsic.edge);
+        out.put(x.on_input.edge);
+      }
+    });
+  }
+
+  // Values from 0 to 1 in single precision, and their range; halves, so that nothing overflows.
+  void write_field() {
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for (const double x : view_.field.values)
+      if (std::isfinite(x)) {
+        least = std::min(least, x);
+        greatest = std::max(greatest, x);
+      }
+    if (greatest < least) least = greatest = 0;
+    const double range = greatest / 2 - least / 2;
+    open_data("scalars");
+    out_.text(" data-name=\"");
+    escaped(view_.field.name);
+    out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\">");
+    close_data([&](Base64_writer& out) {
+      for (const double x : view_.field.values)
+        out.put(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()
+                : range > 0       ? static_cast<float>((x / 2 - least / 2) / range)
+                                  : 0.f);
+    });
+  }
+
+  // Centred and scaled to the unit ball before they are rounded to single precision; half of each
+  // coordinate is taken first, so that no difference overflows.
+  void write_points() {
+    Point low{0, 0, 0};
+    if (!points_.empty()) low = halved(points_.front());
+    Point high = low;
+    for (const Point& p : points_)
+      for (std::size_t c = 0; c < 3; ++c) {
+        low[c] = std::min(low[c], p[c] / 2);
+        high[c] = std::max(high[c], p[c] / 2);
+      }
+    const Point extent{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+    const double greatest = std::max({extent[0], extent[1], extent[2]});
+    const double unit = greatest > 0 ? greatest : 1;
+    const auto centred = [&](const Point& p, std::size_t c) {
+      return ((p[c] / 2 - low[c]) - extent[c] / 2) / unit;
+    };
+    double radius = 0;
+    for (const Point& p : points_)
+      radius = std::max(radius, std::hypot(centred(p, 0), centred(p, 1), centred(p, 2)));
+    if (radius == 0) radius = 1;
+    scaled_.reserve(points_.size());
+    for (const Point& p : points_) {
+      std::array<float, 3>& q = scaled_.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) q[c] = static_cast<float>(centred(p, c) / radius);
+    }
+    data("points", [&](Base64_writer& out) {
+      for (const std::array<float, 3>& q : scaled_)
+        for (const float x : q) out.put(x);
+    });
+    write_axes(extent);
+  }
+
+  static Point halved(const Point& p) { return {p[0] / 2, p[1] / 2, p[2] / 2}; }
+
+  // Look mostly along the shortest side of the bounding box; y is up unless that is along y.
+  void write_axes(const Point& extent) {
+    const auto shortest =
+        static_cast<std::size_t>(std::min_element(extent.begin(), extent.end()) - extent.begin());
+    const bool is_flat = extent[shortest] <= 1e-6 * std::max({extent[0], extent[1], extent[2]});
+    Point eye{0.45, 0.4, 0.55};
+    eye[shortest] = is_flat ? 2 : 0.8;
+    if (is_flat) eye[(shortest + 1) % 3] = eye[(shortest + 2) % 3] = 0;
+    const double length = std::hypot(eye[0], eye[1], eye[2]);
+    data("view-axes", [&](Base64_writer& out) {
+      for (const double x : eye) out.put(static_cast<float>(x / length));
+      for (std::size_t c = 0; c < 3; ++c)
+        out.put(static_cast<float>(c == (shortest == 1 ? 2 : 1) ? 1 : 0));
+    });
+  }
+
+  Output_buffer out_;
+  const Common_subdivision& s_;
+  std::span<const Point> points_;
+  const Html_view& view_;
+  std::vector<std::array<float, 3>> scaled_;
+};
+
+} // namespace internal
+
+/*!
+\brief writes a page that shows an intrinsic triangulation on the surface: one file that needs no
+network.
+
+Intrinsic faces have colours that differ between neighbours, intrinsic edges are dark, input edges
+light; a field replaces the colours. The pointer shows the numbers of the faces under it.
+\param out the stream
+\param s the common subdivision
+\param points the position of each vertex, see `positions()`
+\param view title, scripts, field
+\throws Invalid_input if `points` or the field do not have one value for each vertex, or scripts are
+  missing
+\throws std::runtime_error if the stream fails
+\complexity linear
+*/
+inline void write_html_view(std::ostream& out, const Common_subdivision& s,
+                            std::span<const std::array<double, 3>> points, const Html_view& view) {
+  if (view.field.values.empty())
+    internal::check_output(s, points, {});
+  else
+    internal::check_output(s, points, std::span(&view.field, 1));
+  if (view.three.empty() || view.trackball_controls.empty())
+    throw Invalid_input(Element_kind::none, 0,
+                        "the page needs three.js and its TrackballControls.js; Debian's package "
+                        "libjs-three has them");
+  internal::Html_view_writer(out, s, points, view).write();
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_H

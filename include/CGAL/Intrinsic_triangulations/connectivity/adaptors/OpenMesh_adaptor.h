@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ADAPTORS_OPENMESH_ADAPTOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ADAPTORS_OPENMESH_ADAPTOR_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
+#include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/*!
+\file
+The only header that includes OpenMesh. OpenMesh needs `_USE_MATH_DEFINES` to be defined.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief reads the coordinates of an OpenMesh vertex in full.
+
+The point map that CGAL 5.5 has for OpenMesh rounds coordinates to `float`.
+\tparam Mesh an OpenMesh mesh
+*/
+template <class Mesh>
+struct OpenMesh_coordinate_map {
+  /// \cond
+  using key_type = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  using value_type = typename Mesh::Point;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+  friend reference get(const OpenMesh_coordinate_map& m, key_type v) { return m.mesh->point(v); }
+  const Mesh* mesh;
+  /// \endcond
+};
+
+/*!
+\brief numbers the elements of an OpenMesh mesh by their handles.
+
+OpenMesh marks elements as deleted and leaves them until `garbage_collection()`; BGL's ranges skip
+them. `reuse_vertex()`, ... bring them back, so that a mesh in which vertices are inserted and removed in
+turn does not grow.
+\tparam Mesh an OpenMesh mesh
+*/
+template <class Mesh>
+class OpenMesh_adaptor {
+  using Traits = boost::graph_traits<Mesh>;
+  using Vertex = typename Traits::vertex_descriptor;
+  using Halfedge = typename Traits::halfedge_descriptor;
+  using Edge = typename Traits::edge_descriptor;
+  using Face = typename Traits::face_descriptor;
+
+public:
+  /// numbers the elements of `mesh`.
+  explicit OpenMesh_adaptor(const Mesh&) {}
+
+  /// numbers the elements of a mesh that the caller may change.
+  explicit OpenMesh_adaptor(Mesh& mesh) {
+    if (mesh.has_vertex_status())
+      find_deleted<OpenMesh::VertexHandle>(mesh, mesh.n_vertices(), free_vertices_);
+    if (mesh.has_edge_status())
+      find_deleted<OpenMesh::EdgeHandle>(mesh, mesh.n_edges(), free_edges_);
+    if (mesh.has_face_status())
+      find_deleted<OpenMesh::FaceHandle>(mesh, mesh.n_faces(), free_faces_);
+  }
+
+  /// numbers the elements of `copy`, a copy of `original`, as those of `original` are numbered;
+  /// `original` may have been moved from.
+  OpenMesh_adaptor([[maybe_unused]] Mesh& copy, const OpenMesh_adaptor& numbers,
+                   [[maybe_unused]] const Mesh& original)
+      : OpenMesh_adaptor(numbers) {}
+
+  /// returns the number of a vertex.
+  std::uint32_t vertex(Vertex v) const { return static_cast<std::uint32_t>(v.idx()); }
+  /// returns the number of a halfedge.
+  std::uint32_t halfedge(Halfedge h) const { return static_cast<std::uint32_t>(h.idx()); }
+  /// returns the number of a face.
+  std::uint32_t face(Face f) const { return static_cast<std::uint32_t>(f.idx()); }
+
+  /// returns the vertex with a number.
+  Vertex vertex_at(std::uint32_t i) const { return Vertex(static_cast<int>(i)); }
+  /// returns the halfedge with a number.
+  Halfedge halfedge_at(std::uint32_t i) const { return Halfedge(static_cast<int>(i)); }
+  /// returns the face with a number.
+  Face face_at(std::uint32_t i) const { return Face(static_cast<int>(i)); }
+
+  /// numbers an element that was added to the mesh.
+  template <class Descriptor>
+  void add(Descriptor, const Mesh&) {}
+  /// remembers a vertex that is going to be removed from the mesh.
+  void remove(Vertex v, const Mesh&) { free_vertices_.push_back(v.idx()); }
+  /// remembers an edge that is going to be removed from the mesh.
+  void remove(Edge e, const Mesh& mesh) {
+    free_edges_.push_back(mesh.edge_handle(e.halfedge()).idx());
+  }
+  /// remembers a face that is going to be removed from the mesh.
+  void remove(Face f, const Mesh&) { free_faces_.push_back(f.idx()); }
+
+  /// brings back the vertex that was removed last; returns the null vertex if there is none.
+  Vertex reuse_vertex(Mesh& mesh) { return revive<OpenMesh::VertexHandle>(mesh, free_vertices_); }
+  /// brings back the edge that was removed last; returns its first halfedge, null if there is none.
+  Halfedge reuse_edge(Mesh& mesh) {
+    const auto e = revive<OpenMesh::EdgeHandle>(mesh, free_edges_);
+    if (!e.is_valid()) return Halfedge();
+    for (const unsigned side : {0U, 1U})
+      mesh.status(mesh.halfedge_handle(e, side)).set_deleted(false);
+    return mesh.halfedge_handle(e, 0);
+  }
+  /// brings back the face that was removed last; returns the null face if there is none.
+  Face reuse_face(Mesh& mesh) { return revive<OpenMesh::FaceHandle>(mesh, free_faces_); }
+
+  /// returns a bound of the numbers of vertices, those of removed ones included.
+  std::uint32_t vertex_capacity(const Mesh& mesh) const {
+    return static_cast<std::uint32_t>(num_vertices(mesh));
+  }
+  /// returns a bound of the numbers of edges; twice as many are one for halfedges.
+  std::uint32_t edge_capacity(const Mesh& mesh) const {
+    return static_cast<std::uint32_t>(num_edges(mesh));
+  }
+  /// returns a bound of the numbers of faces.
+  std::uint32_t face_capacity(const Mesh& mesh) const {
+    return static_cast<std::uint32_t>(num_faces(mesh));
+  }
+
+  /// reads the coordinates of a point as doubles.
+  template <class Point>
+  static std::array<double, 3> coordinates(const Point& p) {
+    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+  }
+
+  /// returns a point map without loss.
+  static OpenMesh_coordinate_map<Mesh> point_map(const Mesh& mesh) { return {&mesh}; }
+
+private:
+  template <class Handle>
+  static void find_deleted(const Mesh& mesh, std::size_t count, std::vector<int>& deleted) {
+    for (int i = 0; i < static_cast<int>(count); ++i)
+      if (mesh.status(Handle(i)).deleted()) deleted.push_back(i);
+  }
+
+  template <class Handle>
+  static Handle revive(Mesh& mesh, std::vector<int>& deleted) {
+    if (deleted.empty()) return Handle();
+    const Handle revived(deleted.back());
+    deleted.pop_back();
+    mesh.status(revived).set_deleted(false);
+    return revived;
+  }
+
+  std::vector<int> free_vertices_, free_edges_, free_faces_;
+};
+
+/// adapts OpenMesh triangle meshes
+template <class T>
+class Mesh_adaptor<OpenMesh::TriMesh_ArrayKernelT<T>>
+    : public OpenMesh_adaptor<OpenMesh::TriMesh_ArrayKernelT<T>> {
+public:
+  using OpenMesh_adaptor<OpenMesh::TriMesh_ArrayKernelT<T>>::OpenMesh_adaptor;
+};
+
+/// adapts OpenMesh polygon meshes
+template <class T>
+class Mesh_adaptor<OpenMesh::PolyMesh_ArrayKernelT<T>>
+    : public OpenMesh_adaptor<OpenMesh::PolyMesh_ArrayKernelT<T>> {
+public:
+  using OpenMesh_adaptor<OpenMesh::PolyMesh_ArrayKernelT<T>>::OpenMesh_adaptor;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ADAPTORS_OPENMESH_ADAPTOR_H

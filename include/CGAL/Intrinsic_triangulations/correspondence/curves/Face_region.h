@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_REGION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_REGION_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief names one of the regions into which curves cut a face, or a curve between two of them.
+
+Corners and sides are those of `Corner_coordinates`.
+*/
+struct Face_region {
+  /// Number of curves that cut off each corner from the region.
+  std::array<Normal_coordinate, 3> cutting{0, 0, 0};
+  /// Number of curves emanating from a corner that have the region on their left.
+  Normal_coordinate right_of_fan = 0;
+  /// The corner from which curves emanate, or 3.
+  unsigned fan_corner = 3;
+  /// Whether the point is on a curve: curve `cutting[corner]` about `corner`, or if `corner` is
+  /// `fan_corner` emanating curve `right_of_fan`.
+  bool is_on_curve = false;
+  /// The corner of that curve.
+  unsigned corner = 3;
+};
+
+/*!
+\brief counts the curves, among `count` that do not cross each other, that have a point strictly on
+their left; the curves are ordered so that those come first.
+\param count number of curves
+\param side a functor that returns on which side of curve number `i` the point lies
+\param is_on set if the point is on the curve next to those counted
+\complexity logarithmic
+*/
+template <class Side>
+Normal_coordinate count_curves_passed(Normal_coordinate count, Side side, bool& is_on) {
+  Normal_coordinate passed = 0, bound = count; // passed are passed, from bound on are not
+  while (passed < bound) {
+    const Normal_coordinate middle = passed + (bound - passed) / 2;
+    const Sign s = side(middle);
+    if (s == POSITIVE)
+      passed = middle + 1;
+    else
+      bound = middle;
+    if (s == ZERO) {
+      is_on = true;
+      return middle;
+    }
+  }
+  return passed;
+}
+
+/*!
+\brief finds the region of a face that contains a point.
+\param c how curves run in the face
+\param sides the sides of the face
+\param side a functor that takes a `Curve_crossing` with a side of the face and returns POSITIVE if
+the point is on the left of the curve that leaves the face there, ZERO if it is on the curve
+\complexity logarithmic in the number of curves
+*/
+template <class Side>
+Face_region find_region(const Corner_coordinates& c, const std::array<std::uint32_t, 3>& sides,
+                        Side side) {
+  Face_region r;
+  for (unsigned k = 0; k < 3; ++k)
+    if (c.emanating[k] > 0) r.fan_corner = k;
+  for (unsigned k = 0; k < 3; ++k) {
+    const auto about_corner = [&](Normal_coordinate i) {
+      return side(Curve_crossing{sides[k], i});
+    };
+    r.cutting[k] = count_curves_passed(c.cutting[k], about_corner, r.is_on_curve);
+    if (r.is_on_curve) r.corner = k;
+    if (r.cutting[k] == c.cutting[k]) continue;
+    for (unsigned l = k + 1; l < 3; ++l) r.cutting[l] = c.cutting[l];
+    // whoever is cut off with another corner sees all curves of the fan on one side
+    if (r.fan_corner < 3)
+      r.right_of_fan = k == (r.fan_corner + 1) % 3 ? 0 : c.emanating[r.fan_corner];
+    return r;
+  }
+  if (r.fan_corner == 3) return r;
+  const unsigned k = r.fan_corner, next = (k + 1) % 3;
+  const auto in_fan = [&](Normal_coordinate i) {
+    return side(Curve_crossing{sides[next], c.cutting[next] + i});
+  };
+  r.right_of_fan = count_curves_passed(c.emanating[k], in_fan, r.is_on_curve);
+  if (r.is_on_curve) r.corner = k;
+  return r;
+}
+
+/*!
+\brief returns the normal coordinates of the edges from the corners of a face to a new vertex in a
+region of it: -1 if the edge runs along a curve.
+*/
+inline std::array<Normal_coordinate, 3> inserted_normal_coordinates(const Corner_coordinates& c,
+                                                                    const Face_region& r) {
+  std::array<Normal_coordinate, 3> n = r.cutting;
+  for (unsigned k = 0; k < 3; ++k) {
+    const Normal_coordinate on = r.is_on_curve && r.corner == k && r.fan_corner != k ? 1 : 0;
+    const Normal_coordinate beyond = c.cutting[k] - r.cutting[k] - on;
+    n[(k + 1) % 3] += beyond;
+    n[(k + 2) % 3] += beyond;
+  }
+  if (r.fan_corner == 3) return n;
+  const unsigned k = r.fan_corner;
+  const Normal_coordinate on = r.is_on_curve && r.corner == k ? 1 : 0;
+  n[(k + 1) % 3] += r.right_of_fan;
+  n[(k + 2) % 3] += c.emanating[k] - r.right_of_fan - on;
+  if (on != 0) n[k] = -1;
+  return n;
+}
+
+/*!
+\brief tells whether the edges to a vertex in a face are crossed as they are if the vertex is in one of
+the regions of the face: then the face can do without it.
+\param c how curves run in the face without the vertex
+\param normal normal coordinates of the edges from the corners to the vertex
+\param is_on_curve whether the vertex is on a curve
+*/
+inline bool has_region(const Corner_coordinates& c, const std::array<Normal_coordinate, 3>& normal,
+                       bool is_on_curve) {
+  Face_region middle;
+  middle.cutting = c.cutting;
+  for (unsigned k = 0; k < 3; ++k)
+    if (c.emanating[k] > 0) middle.fan_corner = k;
+  const unsigned fan = middle.fan_corner;
+  const auto is = [&](const Face_region& r) { return inserted_normal_coordinates(c, r) == normal; };
+  for (unsigned k = 0; k < 3; ++k) { // beyond an arc about corner k, or on one
+    if (normal[k] < 0 || normal[k] >= c.cutting[k]) continue;
+    Face_region r = middle;
+    r.cutting[k] = normal[k];
+    if (fan < 3) r.right_of_fan = k == (fan + 1) % 3 ? 0 : c.emanating[fan];
+    r.is_on_curve = is_on_curve;
+    r.corner = k;
+    if (is(r)) return true;
+  }
+  if (fan == 3) return !is_on_curve && is(middle);
+  const unsigned next = (fan + 1) % 3;
+  middle.right_of_fan = normal[next] - c.cutting[next];
+  middle.is_on_curve = is_on_curve;
+  middle.corner = fan;
+  return middle.right_of_fan >= 0 &&
+         middle.right_of_fan + (is_on_curve ? 1 : 0) <= c.emanating[fan] && is(middle);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_REGION_H

@@ -1,0 +1,258 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_DIAMOND_UNFOLDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_DIAMOND_UNFOLDER_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Crossing_path.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/unfold_corners.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// returns the face of an input halfedge and its slot there. \pre it has a face
+inline Flip_history::Side input_side(const Input_surface& input, std::uint32_t halfedge) {
+  const std::uint32_t f = input.face(halfedge), first = input.halfedge_of_face(f);
+  if (halfedge == first) return {f, 0};
+  return {f, halfedge == input.next(first) ? 1U : 2U};
+}
+
+/*!
+\brief finds the input triangles over which a diamond of an intrinsic triangulation lies, from normal
+coordinates, roundabouts and the input alone (ch. 7 of the course): integers only.
+
+Let ij be the edge, with faces ijk on its left and jim on its right. The corners are reached from the input
+face in which ij starts: j by crossing the curves (input edges) that cross ij; k by turning about i
+across the curves that emanate from i into the face ijk, and then crossing those that cross ik; and m
+likewise. The curves that cross an edge are found in three ways:
+
+- those that emanate from a corner of one of the two faces are told by the roundabouts there;
+- those that cut off the corner i cross ij and ik in the same order;
+- others are followed to their end, over the faces around; side by side as long as they run so.
+
+Paths are reduced words in crossings. As a diamond holds no vertex inside, the paths to its corners make one
+tree of triangles, whatever the order in which they were found.
+
+Its memory stays from call to call.
+*/
+class Diamond_unfolder {
+public:
+  /// Most crossings of an edge that can be unfolded.
+  static constexpr Normal_coordinate maximal_crossings = Normal_coordinate(1) << 15;
+
+  /*!
+  \brief unfolds the diamond of an edge, or the face on its left if there is none on its right: then corner
+  m is corner i.
+  \tparam View `Intrinsic_view`
+  \param view the triangulation
+  \param coordinates its coordinates; no edge has more than `maximal_crossings`
+  \param h a halfedge that has a face, not the same one as its opposite
+  \return the diamond, valid until the next call
+  \complexity linear in the number of crossings of its edges, and in those of the curves that are
+  followed
+  */
+  template <class View>
+  const Unfolded_diamond& operator()(const View& view, const Integer_coordinates& coordinates,
+                                     std::uint32_t h) {
+    coordinates_ = &coordinates;
+    const std::uint32_t ki = last(view, h), o = h ^ 1U;
+    left_ = corner_coordinates(view, coordinates, h);
+    const bool has_right = !view.is_border(o);
+    right_ = has_right ? corner_coordinates(view, coordinates, o) : Corner_coordinates{};
+    cross_edge(view, h);
+    for (Developed_corner& c : corners_) c.path.clear();
+    corners_[0].side = corner(view, h, true);
+    for (const std::uint32_t x : crossed_) append(corners_[1].path, entering(x));
+    corners_[1].side = corner(view, o, false);
+    reach_left(view, h, ki);
+    if (has_right)
+      reach_right(view, h);
+    else
+      corners_[3].side = corners_[0].side;
+    for (Developed_corner& c : corners_) c.trim();
+    while (internal::move_base(corners_)) {
+    }
+    unfolder_(corners_, [this](std::uint32_t node) { return insertion(node); });
+    return unfolder_.result();
+  }
+
+  /*!
+  \brief unfolds the input triangles through which an edge runs.
+  \return the strip: corners 0 and 1 are the ends of the edge, and so are 2 and 3. Each triangle but the first is
+  entered across a curve, from left to right as seen from the edge. Valid until the next call
+  \param view, coordinates, h see the other function; `h` must have a face
+  \complexity linear in the number of crossings, and in those of the curves that are followed
+  */
+  template <class View>
+  const Unfolded_diamond& strip(const View& view, const Integer_coordinates& coordinates,
+                                std::uint32_t h) {
+    coordinates_ = &coordinates;
+    left_ = corner_coordinates(view, coordinates, h);
+    cross_edge(view, h);
+    for (Developed_corner& c : corners_) c.path.clear();
+    corners_[0].side = corner(view, h, true);
+    for (const std::uint32_t x : crossed_) append(corners_[1].path, entering(x));
+    corners_[1].side = corner(view, h ^ 1U, false);
+    corners_[2] = corners_[0];
+    corners_[3] = corners_[1];
+    unfolder_(corners_, [this](std::uint32_t node) { return insertion(node); });
+    return unfolder_.result();
+  }
+
+private:
+  using Side = Flip_history::Side;
+
+  const Input_surface& input() const { return coordinates_->input(); }
+
+  template <class View>
+  static std::uint32_t last(const View& view, std::uint32_t h) {
+    return view.next(view.next(h));
+  }
+
+  bool is_along_curve(std::uint32_t h) const { return coordinates_->normal_coordinate(h / 2) < 0; }
+
+  // the input halfedge that is `count` curves counterclockwise of those that start in a corner, whose
+  // first side is `h`
+  std::uint32_t curve(std::uint32_t h, Normal_coordinate count) const {
+    return input_halfedge(*coordinates_, Curve_end{h, count});
+  }
+
+  // the first curve counterclockwise from a halfedge, itself included
+  std::uint32_t first_curve(std::uint32_t h) const {
+    return coordinates_->fans().halfedge(coordinates_->roundabout(h));
+  }
+
+  Side side(std::uint32_t input_halfedge) const { return input_side(input(), input_halfedge); }
+
+  // the crossing by which the face of an input halfedge is entered over it
+  Crossing entering(std::uint32_t input_halfedge) const {
+    return {side(input_halfedge ^ 1U), side(input_halfedge)};
+  }
+
+  // The source of an intrinsic halfedge, in the input face in which it starts; beside the halfedge, on its
+  // left or right, if it runs along a curve.
+  template <class View>
+  Side corner(const View& view, std::uint32_t h, bool on_left) const {
+    const std::uint32_t v = view.source(h), slot = coordinates_->roundabout(h);
+    const bool is_inserted = coordinates_->is_inserted(v);
+    if (slot == Gluing::none) return node(v, false); // inserted inside a face
+    const std::uint32_t c = coordinates_->fans().halfedge(slot);
+    const std::uint32_t in_face = is_along_curve(h) && on_left ? c : c ^ 1U;
+    if (is_inserted) return node(v, in_face != coordinates_->location(v).halfedge);
+    return side(in_face == c ? c : input().next(in_face));
+  }
+
+  // An inserted vertex, seen from the face of the halfedge of its location or from the opposite one.
+  static Side node(std::uint32_t vertex, bool is_opposite) {
+    return {2 * vertex + (is_opposite ? 1U : 0U), Developed_corner::inserted};
+  }
+
+  Developed_insertion insertion(std::uint32_t node) const {
+    const Surface_point& p = coordinates_->location(node / 2);
+    std::array<double, 3> weights = representable_weights(p.weights).value_or(p.weights);
+    std::uint32_t h = p.halfedge;
+    if (node % 2 == 1) {
+      h ^= 1U;
+      std::swap(weights[0], weights[1]);
+    }
+    const Side s = side(h);
+    return {s.version, {{{{}, s}, {{}, next_side(s)}, {{}, last_side(s)}}}, weights};
+  }
+
+  // finds the curves that cross ij, as the input halfedges over which faces are entered
+  template <class View>
+  void cross_edge(const View& view, std::uint32_t h) {
+    const Normal_coordinate n = crossings(coordinates_->normal_coordinate(h / 2));
+    crossed_.resize(index(n));
+    if (n == 0) return;
+    const std::uint32_t ki = last(view, h);
+    const Normal_coordinate from = left_.cutting[0], to = from + left_.emanating[2];
+    for (Normal_coordinate p = from; p < to; ++p) // from k, on the left
+      crossed_[index(p)] = curve(ki, p - from);
+    follow(view, {h, 0, from, 0}, crossed_);
+    follow(view, {h, to, n - to, to}, crossed_);
+  }
+
+  // The input halfedges over which curves across a halfedge are crossed. They end on its right; the way
+  // back runs from right to left.
+  template <class View>
+  void follow(const View& view, const Curve_bundle& bundle, std::vector<std::uint32_t>& crossed) {
+    follow_curves(view, *coordinates_, bundle, stack_,
+                  [&](Normal_coordinate number, const Curve_end& end) {
+                    crossed[index(number)] = input_halfedge(*coordinates_, end) ^ 1U;
+                  });
+  }
+
+  // appends the crossings of a halfedge from number `from` on
+  template <class View>
+  void append_followed(const View& view, std::uint32_t h, Normal_coordinate from,
+                       Crossing_path& path) {
+    const Normal_coordinate n = crossings(coordinates_->normal_coordinate(h / 2)) - from;
+    if (n <= 0) return;
+    others_.resize(index(n));
+    follow(view, {h, from, n, 0}, others_);
+    for (const std::uint32_t x : others_) append(path, entering(x));
+  }
+
+  // finds k: turns counterclockwise about i, crosses the curves that cut off i, emanate from j, cut off k
+  template <class View>
+  void reach_left(const View& view, std::uint32_t h, std::uint32_t ki) {
+    Developed_corner& k = corners_[2];
+    for (Normal_coordinate c = 0; c < left_.emanating[0]; ++c)
+      append(k.path, entering(curve(h, c)));
+    if (!is_along_curve(ki)) {
+      const std::uint32_t jk = view.next(h);
+      Normal_coordinate p = 0;
+      for (; p < left_.cutting[0]; ++p) append(k.path, entering(crossed_[index(p)]));
+      for (Normal_coordinate c = left_.emanating[1]; c-- > 0; ++p)
+        append(k.path, entering(curve(jk, c) ^ 1U));
+      append_followed(view, ki ^ 1U, p, k.path);
+    }
+    k.side = corner(view, ki, true);
+  }
+
+  // finds m: turns clockwise about i, crosses the curves that cut off i, emanate from j, cut off m
+  template <class View>
+  void reach_right(const View& view, std::uint32_t h) {
+    Developed_corner& m = corners_[3];
+    const std::uint32_t o = h ^ 1U, im = view.next(o);
+    const auto turn_across = [&](std::uint32_t c) { append(m.path, {side(c), side(c ^ 1U)}); };
+    if (is_along_curve(h)) turn_across(first_curve(h));
+    for (Normal_coordinate c = right_.emanating[1]; c-- > 0;) turn_across(curve(im, c));
+    if (!is_along_curve(im)) {
+      Normal_coordinate p = 0;
+      for (; p < right_.cutting[1]; ++p) append(m.path, entering(crossed_[index(p)]));
+      for (Normal_coordinate c = 0; c < right_.emanating[0]; ++c, ++p)
+        append(m.path, entering(curve(o, c)));
+      append_followed(view, im, p, m.path);
+    }
+    m.side = corner(view, im ^ 1U, false);
+  }
+
+  static std::size_t index(Normal_coordinate p) { return static_cast<std::size_t>(p); }
+
+  const Integer_coordinates* coordinates_ = nullptr; // of the call
+  Corner_coordinates left_, right_;                  // corners i, j, k and j, i, m
+  std::vector<std::uint32_t> crossed_, others_;
+  std::vector<Curve_bundle> stack_;
+  std::array<Developed_corner, 4> corners_;
+  internal::Corner_unfolder unfolder_{std::numeric_limits<std::size_t>::max()};
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_DIAMOND_UNFOLDER_H

@@ -1,0 +1,281 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_CROSSINGS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_CROSSINGS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_crossing_lists.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_curve_order.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_edge_lists.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief represents how an intrinsic triangulation lies on the input by the crossings themselves (§3.3 of
+the course): each intrinsic edge lists the input edges that it crosses, in order.
+
+This is the overlay of Fisher et al. 2007 with its faces left implicit: in one intrinsic face the curves
+do not cross each other, so that the numbers of crossings on its three sides tell which of them are
+joined (Eq. 9 and 10), and thus all vertices, edges and faces of the overlay in it. The overlay's edges
+along a side are the gaps of its list, and those along curves join two crossings, or a corner and a
+crossing. What no list tells, where curves start from vertices and along which edges they run, is kept
+as in `Integer_coordinates`.
+
+In this form the overlay has more than flips, which are all that has been described. A flip of ij
+to km changes the list of that edge alone: a curve crosses km if it joins the two sides of the quad that
+km separates, and where it meets those sides it is in their lists, in the order along km. A vertex inserted
+in a face lies in one of the overlay's faces there, or on a curve: an edge from a corner to it crosses the
+curves that separate the two, which meet the sides of the face, and runs along the curve if that starts
+from the corner. Removal of a vertex of degree three undoes this. A vertex on an edge is one in a face of
+no area, followed by a flip; a vertex on the border needs one new edge, which is found in the same
+way. Whatever the new edge, its list is made of a few ranges of the lists of sides of faces. A vertex on
+a curve cuts it in two, but lists name the input edge and need not know.
+
+Flips cost time linear in the lists that they change. In return all that crosses an edge is at hand
+without following curves; see `trace_edge()`.
+
+\cgalModels{CurveCoordinates}
+*/
+class Explicit_crossings {
+public:
+  /// What the representation is called by programs.
+  static constexpr const char* name = "crossings";
+
+  /// observes the triangulation that the input is: every edge runs along itself.
+  /// \complexity linear
+  template <class Triangulation>
+  void start(const Triangulation& t) {
+    integers_.start(t);
+    lists_ = internal::Crossing_lists(integers_.number_of_edges());
+  }
+
+  /// returns the input.
+  const Input_surface& input() const { return integers_.input(); }
+  /// returns the curves at the vertices.
+  const Vertex_fans& fans() const { return integers_.fans(); }
+  /// returns the bound of the numbers of intrinsic edges.
+  std::uint32_t number_of_edges() const { return integers_.number_of_edges(); }
+  /// returns the number of crossings of an intrinsic edge, or -1 if it runs along an input edge.
+  Normal_coordinate normal_coordinate(std::uint32_t edge) const {
+    return integers_.normal_coordinate(edge);
+  }
+  /// returns the slot of the first curve counterclockwise from an intrinsic halfedge, itself included;
+  /// none if no curve starts from its source.
+  std::uint32_t roundabout(std::uint32_t halfedge) const { return integers_.roundabout(halfedge); }
+  /// tells whether a vertex was inserted.
+  bool is_inserted(std::uint32_t vertex) const { return integers_.is_inserted(vertex); }
+  /// returns where an inserted vertex is on the input, see `Integer_coordinates`.
+  const Surface_point& location(std::uint32_t inserted_vertex) const {
+    return integers_.location(inserted_vertex);
+  }
+
+  /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
+  std::span<const std::uint32_t> entered_on(std::uint32_t edge) const { return lists_[edge]; }
+  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position` others.
+  std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
+    const std::span<const std::uint32_t> list = lists_[h / 2];
+    const auto p = static_cast<std::size_t>(position);
+    return h % 2 == 0 ? list[p] : list[list.size() - 1 - p] ^ 1U;
+  }
+  /// returns the input halfedge that intrinsic halfedge `h` runs along, or along a part of which; none
+  /// if it runs across faces.
+  std::uint32_t along(std::uint32_t h) const {
+    return normal_coordinate(h / 2) < 0 ? fans().halfedge(roundabout(h)) : Gluing::none;
+  }
+
+  /// observes a flip before it is done. \return whether the number of crossings stays in bounds
+  /// \complexity linear in the number of crossings of the new edge
+  template <class Triangulation>
+  bool before_flip(const Triangulation& t, std::uint32_t h) {
+    const Intrinsic_view<Triangulation> view(t);
+    const internal::Quad_sides q{sides_of_face(view, h), sides_of_face(view, h ^ 1U)};
+    const Normals left = normals(q.left), right = normals(q.right);
+    const Corner_coordinates f = corner_coordinates(left), g = corner_coordinates(right);
+    if (!integers_.before_flip(h, f, g)) return false;
+    std::vector<std::uint32_t>& list = announced_[0];
+    list.clear();
+    internal::find_crossings_of_flipped_edge(q, left, right, f, g, Appender{*this, list},
+                                             [&] { list.push_back(along(h ^ 1U)); });
+    return true;
+  }
+
+  /// observes a flip after it was done.
+  template <class Triangulation>
+  void after_flip(const Triangulation& t, std::uint32_t h) {
+    integers_.after_flip(t, h);
+    store(h, announced_[0]);
+  }
+
+  /// observes the insertion of a vertex into the face of `h` before it is done.
+  /// \return true
+  template <class Triangulation>
+  bool before_insert_in_face(Triangulation& t, std::uint32_t h,
+                             const std::array<double, 3>& weights) {
+    if (!integers_.before_insert_in_face(t, h, weights)) return false;
+    find_spokes(t, h);
+    return true;
+  }
+
+  /// observes the insertion of a vertex into a face after it was done; see `split_face()`.
+  template <class Triangulation>
+  void after_insert_in_face(const Triangulation& t, std::uint32_t h) {
+    integers_.after_insert_in_face(t, h);
+    lists_.grow(number_of_edges());
+    const std::array<std::uint32_t, 3> to =
+        Integer_coordinates::spokes(Intrinsic_view<Triangulation>(t), h);
+    for (std::size_t k = 0; k < 3; ++k) store(to[k], announced_[k]);
+  }
+
+  /// observes the insertion of a vertex on the border edge of `h` before it is done.
+  /// \return true
+  template <class Triangulation>
+  bool before_insert_in_border_edge(Triangulation& t, std::uint32_t h, double parameter) {
+    if (!integers_.before_insert_in_border_edge(t, h, parameter)) return false;
+    find_spokes(t, h);
+    return true;
+  }
+
+  /// observes the insertion of a vertex on a border edge after it was done; see
+  /// `split_border_edge()`.
+  template <class Triangulation>
+  void after_insert_in_border_edge(const Triangulation& t, std::uint32_t h) {
+    integers_.after_insert_in_border_edge(t, h);
+    lists_.grow(number_of_edges()); // parts of the border edge are crossed by nothing
+    store(Intrinsic_view<Triangulation>(t).next(h) ^ 1U, announced_[2]);
+  }
+
+  /// observes the removal of a vertex of degree three before it is done; see
+  /// `remove_degree_3_vertex()`.
+  template <class Triangulation>
+  bool before_remove(const Triangulation& t, std::uint32_t h) {
+    if (!integers_.before_remove(t, h)) return false;
+    for (const std::uint32_t s : Integer_coordinates::spokes(Intrinsic_view<Triangulation>(t), h))
+      lists_.clear(s / 2);
+    return true;
+  }
+
+  /// observes the removal of a vertex after it was done.
+  template <class Triangulation>
+  void after_remove(const Triangulation& t, std::uint32_t h) {
+    integers_.after_remove(t, h);
+  }
+
+  /// observes the removal of a vertex on the border before it is done; see `remove_border_vertex()`.
+  template <class Triangulation>
+  bool before_remove_from_border(const Triangulation& t, std::uint32_t h) {
+    if (!integers_.before_remove_from_border(t, h)) return false;
+    lists_.clear(Intrinsic_view<Triangulation>(t).next(h) / 2);
+    return true;
+  }
+
+  /// observes the removal of a vertex on the border after it was done.
+  template <class Triangulation>
+  void after_remove_from_border(const Triangulation& t, std::uint32_t h) {
+    integers_.after_remove_from_border(t, h);
+  }
+
+private:
+  using Normals = std::array<Normal_coordinate, 3>;
+
+  // Appends input halfedges entered by a halfedge to a list.
+  struct Appender {
+    const Explicit_crossings& from;
+    std::vector<std::uint32_t>& list;
+
+    void operator()(std::uint32_t h, Normal_coordinate first, Normal_coordinate last) {
+      if (first >= last) return;
+      const std::span<const std::uint32_t> all = from.lists_[h / 2];
+      if (h % 2 == 0) {
+        list.insert(list.end(), all.begin() + first, all.begin() + last);
+      } else {
+        for (Normal_coordinate i = first; i < last; ++i)
+          list.push_back(all[all.size() - 1 - static_cast<std::size_t>(i)] ^ 1U);
+      }
+    }
+  };
+
+  Normals normals(const std::array<std::uint32_t, 3>& sides) const {
+    return {normal_coordinate(sides[0] / 2), normal_coordinate(sides[1] / 2),
+            normal_coordinate(sides[2] / 2)};
+  }
+
+  template <class Triangulation>
+  void find_spokes(const Triangulation& t, std::uint32_t h) {
+    const std::array<std::uint32_t, 3> sides = sides_of_face(Intrinsic_view<Triangulation>(t), h);
+    const Normals n = normals(sides);
+    const Corner_coordinates c = corner_coordinates(n);
+    for (unsigned k = 0; k < 3; ++k) {
+      announced_[k].clear();
+      internal::find_crossings_of_spoke(k, sides, n, c, integers_.region_of_insertion(),
+                                        Appender{*this, announced_[k]});
+    }
+  }
+
+  // lists are stored along even halfedges
+  void store(std::uint32_t h, std::vector<std::uint32_t>& list) {
+    CGAL_assertion(list.size() ==
+                   static_cast<std::size_t>(crossings(normal_coordinate(h / 2)))); // Eq. 13
+    if (h % 2 != 0) {
+      std::reverse(list.begin(), list.end());
+      for (std::uint32_t& x : list) x ^= 1U;
+    }
+    lists_.assign(h / 2, list);
+  }
+
+  Integer_coordinates integers_;
+  internal::Crossing_lists lists_;
+  // lists of new edges of the move that has been announced
+  std::array<std::vector<std::uint32_t>, 3> announced_;
+};
+
+/*!
+\brief lists for every intrinsic edge the input edges that it crosses, and for every input edge the
+crossings along it: the lists are there, and only the order along curves is to be found.
+\param t the triangulation
+\param coordinates its crossings
+\throws std::length_error if there are more than 2^31 crossings
+\complexity linear in the number of edges and crossings
+*/
+template <class Triangulation>
+Edge_crossings edge_crossings(const Triangulation& t, const Explicit_crossings& coordinates) {
+  Edge_crossings result;
+  std::size_t count = 0;
+  result.begin.reserve(coordinates.number_of_edges() + std::size_t{1});
+  for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e) {
+    result.begin.push_back(static_cast<std::uint32_t>(count));
+    count += coordinates.entered_on(e).size();
+    if (count >> 31U != 0)
+      throw std::length_error("input and intrinsic edges cross more than 2^31 times");
+  }
+  result.begin.push_back(static_cast<std::uint32_t>(count));
+  result.entered.reserve(count);
+  for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e) {
+    const std::span<const std::uint32_t> list = coordinates.entered_on(e);
+    result.entered.insert(result.entered.end(), list.begin(), list.end());
+  }
+  internal::order_crossings_on_curves(t, coordinates, result);
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_CROSSINGS_H

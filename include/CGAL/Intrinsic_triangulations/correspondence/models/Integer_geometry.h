@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_INTEGER_GEOMETRY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_INTEGER_GEOMETRY_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief decides predicates on the diamonds of an intrinsic triangulation from integers and the input: no
+length of an intrinsic edge is stored.
+
+A diamond of two input faces is read from the input. Others are unfolded (see `Diamond_unfolder`) in
+interval arithmetic; where that leaves a sign open, the triangles decide exactly (see
+`Unfolded_evaluation`).
+
+All members but the constructors and accessors ask for a live `Protect_FPU_rounding<true>`.
+*/
+class Integer_geometry {
+public:
+  /// Number type of the filter.
+  using FT = Interval_nt<false>;
+
+  /*!
+  \brief evaluates the input in interval arithmetic.
+  \throws Invalid_input if an edge has no length, across which nothing can be unfolded
+  \complexity linear
+  */
+  explicit Integer_geometry(std::shared_ptr<const Input_metric> input) : input_(std::move(input)) {
+    const Protect_FPU_rounding<true> upward;
+    const std::vector<FT> areas = quadruple_areas<FT>(*input_);
+    faces_.reserve(areas.size());
+    for (std::uint32_t f = 0; f < areas.size(); ++f) {
+      Input_face face{{}, areas[f]};
+      for (unsigned k = 0; k < 3; ++k) {
+        const FT l = input_->squared_length<FT>(f, k);
+        if (l.sup() <= 0)
+          throw Invalid_input(Element_kind::face, f,
+                              "face " + std::to_string(f) +
+                                  " has a side without length; build with mollification");
+        face.first[k] = l;
+      }
+      faces_.push_back(face);
+    }
+  }
+
+  /// returns the input.
+  const Input_metric& input() const { return *input_; }
+
+  /*!
+  \brief returns the exact sign of an expression in the values of the diamond of an edge.
+  \tparam View `Intrinsic_view`
+  \tparam Expression a functor with a template `operator()(const Diamond_values<Number>&)`, odd or even in
+    the areas
+  \param view the triangulation
+  \param coordinates its coordinates
+  \param h a halfedge, see `Diamond_unfolder`
+  \param expression the expression
+  \param statistics counts how the sign was decided
+  \complexity linear in the number of input triangles that are unfolded; if the filter fails, see
+  `Diamond_zero_test`
+  */
+  template <class View, class Expression>
+  Sign sign(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
+            const Expression& expression, Predicate_statistics& statistics) {
+    const Rebuilt d = rebuild(view, coordinates, h);
+    const FT value = expression(d.values);
+    if (value.inf() > 0) return POSITIVE;
+    if (value.sup() < 0) return NEGATIVE;
+    if (value.inf() == 0 && value.sup() == 0) return ZERO;
+    return exact_sign(view, coordinates, h, d, expression, statistics);
+  }
+
+  /// tells whether the angles opposite an edge sum to at most pi.
+  /// \pre the edge has two faces
+  template <class View>
+  bool is_locally_delaunay(const View& view, const Integer_coordinates& coordinates,
+                           std::uint32_t h, Predicate_statistics& statistics) {
+    ++statistics.checks;
+    const Rebuilt r = rebuild(view, coordinates, h);
+    const FT q_f = left_cotangent_numerator(r.values), q_g = right_cotangent_numerator(r.values);
+    if (q_f.inf() >= 0 && q_g.inf() >= 0) return true; // areas do not matter
+    const FT value = q_f * r.values.area_g + q_g * r.values.area_f;
+    if (value.inf() >= 0) return true;
+    if (value.sup() < 0) return false;
+    return exact_sign(view, coordinates, h, r, Delaunay_expression(), statistics) != NEGATIVE;
+  }
+
+  /// returns intervals that contain the values of the diamond of an edge, in scaled units.
+  template <class View>
+  Diamond_values<FT> values(const View& view, const Integer_coordinates& coordinates,
+                            std::uint32_t h) {
+    return rebuild(view, coordinates, h).values;
+  }
+
+  /*!
+  \brief tells whether an edge runs straight: the ends of each curve that it crosses lie on its two sides, where its
+  triangles are unfolded.
+
+  Normal coordinates describe curves up to bending them; this tells that the straight one is among them.
+  \param h a halfedge that has a face
+  \complexity linear in the number of input triangles that are unfolded
+  */
+  template <class View>
+  bool is_straight(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
+                   Predicate_statistics& statistics) {
+    if (coordinates.normal_coordinate(h / 2) <= 0) return true; // in one face, or along its side
+    Unfolded_diamond strip = unfolder_.strip(view, coordinates, h);
+    for (std::uint32_t t = 1; t < strip.triangles.size(); ++t) {
+      const std::uint32_t entry = strip.triangles[t].entry;
+      for (const bool on_left :
+           {true, false}) { // area of the ends of the edge and that of the curve
+        strip.corners[2] = {t, on_left ? entry : (entry + 1) % 3};
+        const Sign s = sign_of(strip, Left_area_expression(), statistics);
+        if (s != (on_left ? POSITIVE : NEGATIVE)) return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  using Side = Flip_history::Side;
+
+  template <class Expression>
+  Sign sign_of(const Unfolded_diamond& d, const Expression& expression,
+               Predicate_statistics& statistics) {
+    const FT value = expression(values_of(d));
+    if (value.inf() > 0) return POSITIVE;
+    if (value.sup() < 0) return NEGATIVE;
+    ++statistics.filter_failures;
+    return evaluation_.sign(*input_, d, expression, statistics);
+  }
+
+  Diamond_values<FT> values_of(const Unfolded_diamond& d) const {
+    return d.values<FT>([this](std::uint32_t f) -> const Input_face& { return faces_[f]; });
+  }
+
+  // a diamond of two input faces has their sides, another one is in the unfolder
+  struct Rebuilt {
+    Diamond_values<FT> values;
+    const Unfolded_diamond* diamond;
+    Side left, right;
+  };
+
+  template <class View>
+  Rebuilt rebuild(const View& view, const Integer_coordinates& coordinates, std::uint32_t h) {
+    if (!coordinates.has_inserted_vertices() && is_of_input(view, coordinates, h) &&
+        is_of_input(view, coordinates, h ^ 1U))
+      return of_input(coordinates, h);
+    const Unfolded_diamond& d = unfolder_(view, coordinates, h);
+    return {values_of(d), &d, {}, {}};
+  }
+
+  // whether the three sides of a face run along input edges, between which there is no vertex
+  template <class View>
+  static bool is_of_input(const View& view, const Integer_coordinates& coordinates,
+                          std::uint32_t h) {
+    if (coordinates.normal_coordinate(h / 2) >= 0 || view.is_border(h)) return false;
+    const std::uint32_t n = view.next(h);
+    return coordinates.normal_coordinate(n / 2) < 0 &&
+           coordinates.normal_coordinate(view.next(n) / 2) < 0;
+  }
+
+  Rebuilt of_input(const Integer_coordinates& coordinates, std::uint32_t h) const {
+    const std::uint32_t x = coordinates.fans().halfedge(coordinates.roundabout(h));
+    const Side f = input_side(coordinates.input(), x), g = input_side(coordinates.input(), x ^ 1U);
+    const auto length = [this](Side s, std::uint32_t k) {
+      return faces_[s.version].first[(s.slot + k) % 3];
+    };
+    return {{length(f, 0), length(f, 1), length(f, 2), length(g, 1), length(g, 2),
+             faces_[f.version].second, faces_[g.version].second},
+            nullptr,
+            f,
+            g};
+  }
+
+  // Not inline: what the filter cannot decide is rare.
+  template <class View, class Expression>
+  Sign exact_sign(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
+                  const Rebuilt& r, const Expression& expression,
+                  Predicate_statistics& statistics) {
+    ++statistics.filter_failures;
+    if (r.diamond != nullptr) return evaluation_.sign(*input_, *r.diamond, expression, statistics);
+    if (const std::optional<Sign> s = input_diamond_sign(*input_, r.left, r.right, expression)) {
+      ++(*s == ZERO ? statistics.certified_zero : statistics.integer);
+      return *s;
+    }
+    return evaluation_.sign(*input_, unfolder_(view, coordinates, h), expression, statistics);
+  }
+
+  using Input_face = std::pair<std::array<FT, 3>, FT>; // squared lengths, quadruple area
+
+  std::shared_ptr<const Input_metric> input_;
+  std::vector<Input_face> faces_;
+  Diamond_unfolder unfolder_;
+  Unfolded_evaluation evaluation_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_INTEGER_GEOMETRY_H

@@ -1,0 +1,330 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_SIGNPOSTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_SIGNPOSTS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_location.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/trace_signpost.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+#include <CGAL/Intrinsic_triangulations/tracing/tangent_frames.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief represents how an intrinsic triangulation lies on the input by the direction of each intrinsic
+halfedge at its source (§3.4 of the course).
+
+At a vertex of the input the direction is a cone angle in the frame of the input
+(`Tangent_frames`); at an inserted vertex it is an angle in the frame of the halfedge of its location on the
+input. A flip costs two arc tangents (Eq. 7, unscaled). Paths, points and vectors are found by tracing
+geodesics. Angles are rounded: whether a path was found, and is certain, is always reported.
+
+\cgalModels{IntrinsicCorrespondence}
+*/
+class Signposts {
+public:
+  /// What the representation is called by programs.
+  static constexpr const char* name = "signposts";
+
+  /// observes the triangulation that the input is.
+  /// \complexity linear
+  template <class Triangulation>
+  void start(const Triangulation& t) {
+    input_ = std::make_shared<const Input_surface>(t);
+    frames_ = std::make_shared<const Tangent_frames>(*input_);
+    location_.clear();
+    signpost_.resize(input_->number_of_halfedges());
+    outgoing_.resize(frames_->number_of_fans());
+    for (std::uint32_t h = 0; h < signpost_.size(); ++h) {
+      signpost_[h] = {frames_->cone_angle(h), frames_->fan_of(h)};
+    }
+    for (std::uint32_t f = 0; f < outgoing_.size(); ++f)
+      outgoing_[f] = frames_->halfedge(frames_->fan(f).begin);
+  }
+
+  /// returns the input.
+  const Input_surface& input() const { return *input_; }
+  /// returns the input, to be shared.
+  std::shared_ptr<const Input_surface> shared_input() const { return input_; }
+  /// returns the directions of the input at its vertices.
+  const Tangent_frames& frames() const { return *frames_; }
+  /// tells whether a vertex was inserted.
+  bool is_inserted(std::uint32_t vertex) const { return vertex >= input_->number_of_vertices(); }
+  /// returns where an inserted vertex is on the input.
+  const Surface_point& location(std::uint32_t inserted_vertex) const {
+    return location_[inserted_vertex - input_->number_of_vertices()];
+  }
+  /// returns the direction of an intrinsic halfedge at its source: a cone angle at a vertex of the
+  /// input, an angle in the frame of the location at an inserted vertex.
+  double angle(std::uint32_t h) const { return signpost_[h].angle; }
+
+  /// returns the end of a traced geodesic that ends at a vertex.
+  Geodesic_target target(std::uint32_t vertex) const {
+    return is_inserted(vertex) ? Geodesic_target::at_point(*input_, location(vertex))
+                               : Geodesic_target::at_vertex(vertex);
+  }
+
+  /// returns the directions at the source of an intrinsic halfedge: those of the input, or of the
+  /// plane at an inserted vertex.
+  Tangent_frames::Fan fan(std::uint32_t h) const { return fan_of(signpost_[h].fan); }
+
+  /*!
+  \brief takes a tangent vector at a vertex to the frame of an intrinsic halfedge that starts there.
+
+  At a vertex of the input the polar coordinates are those of the input: vectors need no transfer. At
+  an inserted vertex they are those of the frame of its location.
+  */
+  Planar_vector<double> planar(std::uint32_t h, const Polar_vector& v) const {
+    return planar_vector(fan(h), angle(h), v);
+  }
+  /// takes a tangent vector from the frame of an intrinsic halfedge to its source.
+  Polar_vector polar(std::uint32_t h, const Planar_vector<double>& v) const {
+    return polar_vector(fan(h), angle(h), v);
+  }
+
+  /// starts a geodesic on the input from the source of an intrinsic halfedge.
+  /// \param h the halfedge
+  /// \param turn the angle from it to the geodesic, counterclockwise
+  Geodesic_walk<Input_surface> walk(std::uint32_t h, double turn = 0) const {
+    const std::uint32_t f = signpost_[h].fan, fans = number_of_fans();
+    const double a = reduced(f, signpost_[h].angle + turn);
+    if (f < fans) return {*input_, frames_->corner(f, a)};
+    return {*input_, location_[(f - fans) / 2], {std::cos(a), std::sin(a)}};
+  }
+
+  /*!
+  \brief finds a direction at a vertex of the input among the intrinsic halfedges.
+  \param view the triangulation
+  \param h a halfedge of the input
+  \param turn the angle from it, within the corner of its face
+  \return the direction, from an intrinsic halfedge
+  \complexity linear in the degree
+  */
+  template <class View>
+  Corner_direction intrinsic_direction(const View& view, std::uint32_t h, double turn) const {
+    const std::uint32_t f = frames_->fan_of(h);
+    const double a = reduced(f, frames_->cone_angle(h) + turn);
+    const std::uint32_t first = outgoing_[f];
+    std::uint32_t best = first;
+    double least = 2 * frames_->fan(f).angle; // the angle from `best`
+    std::uint32_t g = first;
+    do {
+      if (view.is_border(g)) break;
+      double d = a - signpost_[g].angle;
+      if (d < 0 && !frames_->fan(f).is_on_border) d += frames_->fan(f).angle;
+      if (d >= 0 && d < least) least = d, best = g;
+      g = next_around_source(view, g);
+    } while (g != first);
+    if (view.is_border(next_around_source(view, best)))
+      least = std::min(least, angle_at_source(view, best));
+    return {best, least}; // beyond the corner of `best` if that is thinner than rounding
+  }
+
+  /// observes a flip before it is done. \return true
+  template <class Triangulation>
+  bool before_flip(const Triangulation& t, std::uint32_t h) {
+    const Intrinsic_view<Triangulation> view(t);
+    leave(h, view.next(h ^ 1U));
+    leave(h ^ 1U, view.next(h));
+    return true;
+  }
+
+  /// observes a flip after it was done.
+  template <class Triangulation>
+  void after_flip(const Triangulation& t, std::uint32_t h) {
+    const Intrinsic_view<Triangulation> view(t);
+    set_next(view, view.next(h ^ 1U));
+    set_next(view, view.next(h));
+  }
+
+  /// observes the insertion of a vertex into the face of `h` before it is done.
+  /// \return whether the place on the input was found
+  template <class Triangulation>
+  bool before_insert_in_face(const Triangulation& t, std::uint32_t h,
+                             const std::array<double, 3>& weights) {
+    const Intrinsic_view<Triangulation> view(t);
+    if (weights[2] != 0 || !place_on_edge(t, h, weights[1]))
+      inserted_ = find_on_input(t, *this, {h, weights});
+    if (!inserted_.is_found) return false;
+    const Planar_vector<double> to_source =
+        inserted_.transfer(Geodesic_face(view, h).to_corner(weights, 0));
+    inserted_angle_ = std::atan2(to_source[1], to_source[0]);
+    return true;
+  }
+
+  /// observes the insertion of a vertex into a face after it was done; see `split_face()`.
+  template <class Triangulation>
+  void after_insert_in_face(const Triangulation& t, std::uint32_t h) {
+    const Intrinsic_view<Triangulation> view(t);
+    const std::uint32_t jp = view.next(h), pi = view.next(jp), pj = jp ^ 1U, jk = view.next(pj),
+                        kp = view.next(jk), ki = view.next(kp ^ 1U);
+    for (const std::uint32_t s : {jp, pi, kp}) grow(s);
+    const std::uint32_t f = add_location(view.source(pi), false);
+    signpost_[pi] = {reduced(f, inserted_angle_), f};
+    for (const std::uint32_t g : {pi, pj, h, jk, ki}) set_next(view, g);
+  }
+
+  /// observes the insertion of a vertex on the border edge of `h` before it is done.
+  /// \return true
+  template <class Triangulation>
+  bool before_insert_in_border_edge(const Triangulation& t, std::uint32_t h, double parameter) {
+    const Intrinsic_view<Triangulation> view(t);
+    const std::uint32_t i = view.source(h), j = view.target(h);
+    const std::uint32_t g = is_inserted(i)
+                                ? location(i).halfedge
+                                : frames_->halfedge(frames_->fan(signpost_[h].fan).begin);
+    const double from = is_inserted(i) ? location(i).weights[1] : 0;
+    const double to = is_inserted(j) ? location(j).weights[1] : 1;
+    place(g, from + parameter * (to - from));
+    return true;
+  }
+
+  /// observes the insertion of a vertex on a border edge after it was done; see
+  /// `split_border_edge()`.
+  template <class Triangulation>
+  void after_insert_in_border_edge(const Triangulation& t, std::uint32_t h) {
+    const Intrinsic_view<Triangulation> view(t);
+    const std::uint32_t pk = view.next(h), pj = view.next(pk ^ 1U);
+    for (const std::uint32_t s : {pk, pj}) grow(s);
+    const std::uint32_t f = add_location(view.target(h), true);
+    signpost_[pj ^ 1U] = signpost_[h ^ 1U];
+    signpost_[pj] = {0, f};
+    signpost_[h ^ 1U] = {std::numbers::pi, f};
+    set_next(view, pj);
+    set_next(view, view.next(pk));
+  }
+
+  /// observes the removal of a vertex of degree three before it is done; see
+  /// `remove_degree_3_vertex()`.
+  template <class Triangulation>
+  bool before_remove(const Triangulation& t, std::uint32_t h) {
+    const Intrinsic_view<Triangulation> view(t);
+    const std::uint32_t jp = view.next(h), ip = view.next(jp) ^ 1U, jk = view.next(jp ^ 1U),
+                        kp = view.next(jk), ki = view.next(kp ^ 1U);
+    leave(ip, h);
+    leave(jp, jk);
+    leave(kp, ki);
+    return true;
+  }
+
+  /// observes the removal of a vertex after it was done.
+  template <class Triangulation>
+  void after_remove(const Triangulation&, std::uint32_t) {}
+
+  /// observes the removal of a vertex on the border before it is done; see `remove_border_vertex()`.
+  template <class Triangulation>
+  bool before_remove_from_border(const Triangulation& t, std::uint32_t h) {
+    const Intrinsic_view<Triangulation> view(t);
+    const std::uint32_t pk = view.next(h), pj = view.next(pk ^ 1U);
+    leave(pk ^ 1U, view.next(pk));
+    signpost_[h ^ 1U] = signpost_[pj ^ 1U];
+    return true;
+  }
+
+  /// observes the removal of a vertex on the border after it was done.
+  template <class Triangulation>
+  void after_remove_from_border(const Triangulation&, std::uint32_t) {}
+
+private:
+  // Fans from number_of_fans() on are those of inserted vertices: one more on the border, two for each.
+  struct Signpost {
+    double angle;
+    std::uint32_t fan;
+  };
+
+  std::uint32_t number_of_fans() const {
+    return static_cast<std::uint32_t>(frames_->number_of_fans());
+  }
+
+  Tangent_frames::Fan fan_of(std::uint32_t f) const {
+    if (f < number_of_fans()) return frames_->fan(f);
+    const bool is_on_border = (f - number_of_fans()) % 2 == 1;
+    return {0, 0, (is_on_border ? 1 : 2) * std::numbers::pi, is_on_border};
+  }
+
+  double reduced(std::uint32_t f, double angle) const {
+    const Tangent_frames::Fan fan = fan_of(f);
+    if (fan.is_on_border) return std::clamp(angle, 0.0, fan.angle);
+    if (angle >= fan.angle) angle -= fan.angle;
+    if (angle < 0) angle += fan.angle;
+    if (angle >= 0 && angle < fan.angle) return angle;
+    return 0;
+  }
+
+  // the halfedge after `g` at its source is an angle of the metric away (Eq. 7)
+  template <class View>
+  void set_next(const View& view, std::uint32_t g) {
+    const Signpost& s = signpost_[g];
+    signpost_[next_around_source(view, g)] = {reduced(s.fan, s.angle + angle_at_source(view, g)),
+                                              s.fan};
+  }
+
+  // `h` will no longer start from where it does
+  void leave(std::uint32_t h, std::uint32_t replacement) {
+    const std::uint32_t f = signpost_[h].fan;
+    if (f < number_of_fans() && outgoing_[f] == h) outgoing_[f] = replacement;
+  }
+
+  void grow(std::uint32_t h) {
+    if ((h | 1U) >= signpost_.size()) signpost_.resize((h | 1U) + std::size_t{1});
+  }
+
+  std::uint32_t add_location(std::uint32_t vertex, bool is_on_border) {
+    const std::uint32_t i = vertex - input_->number_of_vertices();
+    if (i >= location_.size()) location_.resize(i + std::size_t{1});
+    location_[i] = inserted_.point;
+    return number_of_fans() + 2 * i + (is_on_border ? 1 : 0);
+  }
+
+  // the next vertex will be inserted on an input edge
+  void place(std::uint32_t input_halfedge, double parameter) {
+    inserted_ = {};
+    inserted_.is_found = true;
+    inserted_.point = {input_halfedge, {1 - parameter, parameter, 0}};
+  }
+
+  // where a vertex is on an input halfedge that an intrinsic edge from or to it runs along
+  double parameter_on(std::uint32_t input_halfedge, std::uint32_t vertex, double otherwise) const {
+    if (!is_inserted(vertex)) return otherwise;
+    const Surface_point& p = location(vertex);
+    return p.halfedge == input_halfedge ? p.weights[1] : p.weights[0];
+  }
+
+  template <class Triangulation>
+  bool place_on_edge(const Triangulation& t, std::uint32_t h, double parameter) {
+    const Intrinsic_view<Triangulation> view(t);
+    std::vector<Geodesic_crossing> crossings;
+    const std::uint32_t g = trace_signpost(t, *this, h, crossings).along;
+    if (g == Gluing::none) return false;
+    const double from = parameter_on(g, view.source(h), 0), to = parameter_on(g, view.target(h), 1);
+    place(g, from + parameter * (to - from));
+    return true;
+  }
+
+  std::shared_ptr<const Input_surface> input_;
+  std::shared_ptr<const Tangent_frames> frames_;
+  std::vector<Signpost> signpost_;      // per intrinsic halfedge
+  std::vector<std::uint32_t> outgoing_; // per fan of the input: an intrinsic halfedge of it
+  std::vector<Surface_point> location_; // per inserted vertex
+  Signpost_location inserted_;          // of the vertex that is being inserted
+  double inserted_angle_ = 0;           // from it to the source of the halfedge
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_SIGNPOSTS_H

@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_COMMON_SUBDIVISION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_COMMON_SUBDIVISION_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// What a vertex of the common subdivision is.
+enum class Subdivision_vertex_kind : std::uint8_t {
+  input,    ///< a vertex of the input, and of the intrinsic triangulation
+  inserted, ///< a vertex that was inserted into the intrinsic triangulation
+  crossing  ///< the crossing of an input edge and an intrinsic edge
+};
+
+/*!
+\brief is an affine combination of up to three vertices of one face of a triangulation.
+
+The first `size` entries are in use; their weights sum to 1.
+*/
+struct Weighted_vertices {
+  std::size_t size = 0;                  ///< number of vertices
+  std::array<std::uint32_t, 3> vertices; ///< their numbers
+  std::array<double, 3> weights;         ///< their weights
+};
+
+/*!
+\brief holds the common subdivision of the input and an intrinsic triangulation (§3.6 of the course):
+the coarsest polygon mesh in which every edge of both is a path.
+
+Vertices are numbered from 0: first the vertices of the intrinsic triangulation, then the crossings,
+those on one intrinsic edge together. Faces are convex polygons on the faces of both triangulations,
+counterclockwise, those in one intrinsic face together. Vertices, faces of the input have the numbers
+that they have for the user; intrinsic elements and input edges have the numbers that the intrinsic
+triangulation and its input have.
+*/
+struct Common_subdivision {
+  /// A number that names nothing.
+  static constexpr std::uint32_t none = Gluing::none;
+
+  /// A point on an edge: `(1 - parameter) * vertices[0] + parameter * vertices[1]`.
+  struct Edge_point {
+    std::uint32_t edge = none;             ///< number of the edge
+    std::array<std::uint32_t, 2> vertices; ///< its ends
+    double parameter = 0;                  ///< weight of the second end
+  };
+
+  /// A vertex of the intrinsic triangulation.
+  struct Vertex {
+    std::uint32_t intrinsic = none;                                ///< its number there
+    Subdivision_vertex_kind kind = Subdivision_vertex_kind::input; ///< input or inserted
+    std::uint32_t input_face = none; ///< a face of the input that contains it
+    Weighted_vertices on_input;      ///< its location on the input
+  };
+
+  /// The crossing of an edge of the input with an edge of the intrinsic triangulation.
+  struct Crossing {
+    Edge_point on_input;     ///< location on the input
+    Edge_point on_intrinsic; ///< location on the intrinsic triangulation
+  };
+
+  /// The edges that a side of a face lies on; `none` for one that it does not lie on.
+  struct Side {
+    std::uint32_t input_edge = none;     ///< edge of the input
+    std::uint32_t intrinsic_edge = none; ///< edge of the intrinsic triangulation
+  };
+
+  /// Number of vertices of the input: columns of the matrix that interpolates from it.
+  std::uint32_t number_of_input_vertices = 0;
+  /// Bound of the numbers of intrinsic vertices: columns of the matrix that interpolates from them.
+  std::uint32_t number_of_intrinsic_vertices = 0;
+  /// Vertices of the intrinsic triangulation: vertices 0, 1, ... of the subdivision.
+  std::vector<Vertex> vertices;
+  /// Crossings: the vertices of the subdivision after those.
+  std::vector<Crossing> crossings;
+  /// For each face the index of its first corner, and one entry more.
+  std::vector<std::uint32_t> face_begin{0};
+  /// The vertex at each corner.
+  std::vector<std::uint32_t> corner;
+  /// What lies along the side from each corner to the next one of its face.
+  std::vector<Side> side;
+  /// The halfedge of the intrinsic face that each corner lies on, at its source or inside.
+  std::vector<std::uint32_t> intrinsic_halfedge;
+  /// The face of the input that contains each face.
+  std::vector<std::uint32_t> input_face;
+  /// The intrinsic face that contains each face.
+  std::vector<std::uint32_t> intrinsic_face;
+  /// Number of sides of faces that are on the border.
+  std::size_t number_of_border_edges = 0;
+
+  /// returns the number of vertices.
+  std::size_t number_of_vertices() const { return vertices.size() + crossings.size(); }
+  /// returns the number of edges.
+  std::size_t number_of_edges() const { return (corner.size() + number_of_border_edges) / 2; }
+  /// returns the number of faces.
+  std::size_t number_of_faces() const { return face_begin.size() - 1; }
+  /// returns the vertices of face `f`, counterclockwise.
+  std::span<const std::uint32_t> face(std::size_t f) const {
+    return {corner.data() + face_begin[f], face_begin[f + 1] - face_begin[f]};
+  }
+  /// returns what lies along the sides of face `f`; side `k` runs from its vertex `k` to the next.
+  std::span<const Side> sides(std::size_t f) const {
+    return {side.data() + face_begin[f], face_begin[f + 1] - face_begin[f]};
+  }
+  /// returns what vertex `v` is.
+  Subdivision_vertex_kind kind(std::size_t v) const {
+    return v < vertices.size() ? vertices[v].kind : Subdivision_vertex_kind::crossing;
+  }
+  /// returns where vertex `v` is on the input.
+  Weighted_vertices on_input(std::size_t v) const {
+    return v < vertices.size() ? vertices[v].on_input
+                               : weighted(crossings[v - vertices.size()].on_input);
+  }
+  /// returns where vertex `v` is on the intrinsic triangulation.
+  Weighted_vertices on_intrinsic(std::size_t v) const {
+    if (v < vertices.size()) return {1, {vertices[v].intrinsic, none, none}, {1, 0, 0}};
+    return weighted(crossings[v - vertices.size()].on_intrinsic);
+  }
+
+private:
+  static Weighted_vertices weighted(const Edge_point& p) {
+    return {2, {p.vertices[0], p.vertices[1], none}, {1 - p.parameter, p.parameter, 0}};
+  }
+};
+
+/*!
+\brief computes where a combination of vertices is in space.
+\param w vertices of the input and their weights
+\param points one point per vertex of the input
+*/
+inline std::array<double, 3> position(const Weighted_vertices& w,
+                                      std::span<const std::array<double, 3>> points) {
+  std::array<double, 3> p{0, 0, 0};
+  for (std::size_t i = 0; i < w.size; ++i)
+    for (std::size_t c = 0; c < 3; ++c) p[c] += w.weights[i] * points[w.vertices[i]][c];
+  return p;
+}
+
+/*!
+\brief computes where the vertices of a common subdivision are in space.
+\param s the subdivision
+\param points one point per vertex of the input
+\return one point per vertex of the subdivision
+\complexity linear
+*/
+inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
+                                                    std::span<const std::array<double, 3>> points) {
+  std::vector<std::array<double, 3>> result;
+  result.reserve(s.number_of_vertices());
+  for (std::size_t v = 0; v < s.number_of_vertices(); ++v)
+    result.push_back(position(s.on_input(v), points));
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_COMMON_SUBDIVISION_H

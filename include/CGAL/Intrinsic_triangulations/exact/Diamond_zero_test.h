@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_DIAMOND_ZERO_TEST_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_DIAMOND_ZERO_TEST_H
+
+#include <CGAL/Intrinsic_triangulations/exact/Zero_answer.h>
+#include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_bound.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_evaluator.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Limited_multiquadratic_number.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Prime_field.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief decides whether expressions in the values of a diamond that is unfolded from the input are
+exactly zero.
+
+Every value is a polynomial in the square roots of the areas of some input faces, with rational
+coefficients. The expression is evaluated in finite fields of p^2 elements, for all choices of signs of
+independent square roots.
+
+Most ties are proven before that, in integers of fixed size: see `is_cocircular_strip()`.
+
+- A value that is not zero there proves that the expression is not zero; the first one mostly does.
+- Let y be the expression times an integer that makes y an algebraic integer, P the product of the
+  primes p done. None divides a representative d_g of the square classes; hence the images for all
+  choices of signs vanish only if y / p is an algebraic integer as well, and so is y / P. If y is
+  not zero then the norm of y / P is an integer, not zero, thus some conjugate of y is at least P
+  in absolute value. So when P exceeds the bound on all conjugates (see `Conjugate_bound`), the
+  value is zero.
+
+The cost is that of b / 62 * 2^k evaluations in a finite field, k the number of independent square
+roots, b the bits of the bound. No number grows on the way. With more than a few square roots, images
+for one choice of signs are taken first, then the terms of the value are added up, which are few in
+strips of rectangles (see `Limited_multiquadratic_number`). Where there are many, beyond
+`maximal_dimension` square roots, what vanishes in several fields counts as *probably* zero; beyond the
+64 that a `Square_class_basis` holds, everything does.
+*/
+class Diamond_zero_test {
+public:
+  /// Outcome of the test.
+  using Answer = Zero_answer;
+
+  /// Number of independent square roots up to which zero is proven.
+  static constexpr std::size_t maximal_dimension = 12;
+
+  /*!
+  \brief decides about an expression in the values of a diamond.
+  \param input the input, always the same
+  \param diamond the diamond
+  \param expression the expression, see `Conjugate_bound::bits()`; odd or even in the areas
+  \return nothing if there are too many square roots, or a triangle is entered by a side without length
+  */
+  template <class Expression>
+  std::optional<Answer> operator()(const Input_metric& input, const Unfolded_diamond& diamond,
+                                   const Expression& expression) {
+    if (faces_.size() > maximal_memory) faces_ = {};
+    const bool in_space = Integer_faces::is_in_space(input);
+    if (is_tie_of_strip(input, diamond, expression)) return Answer::zero;
+    if (!find_shapes(input, diamond)) return std::nullopt;
+    if (basis_.dimension() > few_roots) {
+      if (!vanishes(diamond, expression, probable_bits, false)) return Answer::not_zero;
+      if (is_zero_by_terms(input, diamond, expression)) return Answer::zero;
+      if (basis_.dimension() > maximal_dimension) return Answer::probably_zero;
+    }
+    const double bits = Conjugate_bound(diamond, metric_, in_space).bits(expression);
+    return vanishes(diamond, expression, bits, true) ? Answer::zero : Answer::not_zero;
+  }
+
+  /// tells whether an expression is proven to be zero in integers of fixed size, which takes a microsecond.
+  template <class Expression>
+  static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
+                              const Expression&) {
+    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
+      return Integer_faces::is_in_space(input) && is_cocircular_strip(input, diamond);
+    else
+      return false;
+  }
+
+  /// tells whether a diamond can be unfolded: no triangle is entered by a side without length.
+  bool is_defined(const Input_metric& input, const Unfolded_diamond& diamond) {
+    return std::none_of(diamond.triangles.begin(), diamond.triangles.end(),
+                        [&](const Unfolded_diamond::Triangle& t) {
+                          return faces_(input, t.face).squared_lengths[t.entry].sign() == ZERO;
+                        });
+  }
+
+private:
+  // entries that are kept between calls, some hundred bytes each
+  static constexpr std::size_t maximal_memory = 50000;
+  // number of square roots up to which trying all signs is the fastest proof
+  static constexpr std::size_t few_roots = 6;
+  // four primes
+  static constexpr double probable_bits = 3.5 * Prime_fields::bits;
+
+  // evaluates modulo primes whose product has more than `bits` bits
+  template <class Expression>
+  bool vanishes(const Unfolded_diamond& diamond, const Expression& expression, double bits,
+                bool for_all_signs) {
+    double done = 0;
+    for (std::size_t i = 0; done <= bits; ++i) {
+      Conjugate_evaluator images(diamond, shapes_, metric_.front()->exponent, basis_, fields_[i]);
+      if (!images.is_defined()) continue;
+      do
+        if (!expression(images.values()).is_zero()) return false;
+      while (for_all_signs && images.next());
+      done += Prime_fields::bits;
+    }
+    return true;
+  }
+
+  // adds up the terms of the expression, if they are not too many
+  template <class Expression>
+  bool is_zero_by_terms(const Input_metric& input, const Unfolded_diamond& diamond,
+                        const Expression& expression) {
+    using Number = Limited_multiquadratic_number;
+    const auto face = [&](std::uint32_t f) {
+      const Integer_face& values = faces_(input, f);
+      Gmpq unit(1); // 4^exponent
+      if (values.exponent >= 0)
+        mpq_mul_2exp(unit.mpq(), unit.mpq(), static_cast<mp_bitcnt_t>(2 * values.exponent));
+      else
+        mpq_div_2exp(unit.mpq(), unit.mpq(), static_cast<mp_bitcnt_t>(-2 * values.exponent));
+      const auto length = [&](unsigned k) {
+        return Number(Multiquadratic_number(Gmpq(values.squared_lengths[k]) / unit));
+      };
+      Square_root root = *basis_.sqrt_of(values.radicand);
+      root.factor *= Gmpq(values.area_factor);
+      const Multiquadratic_number area(basis_, root);
+      return std::pair<std::array<Number, 3>, Number>({length(0), length(1), length(2)},
+                                                      area / Multiquadratic_number(unit));
+    };
+    return expression(diamond.template values<Number>(face)).is_proven_zero();
+  }
+
+  // false if the diamond cannot be evaluated
+  bool find_shapes(const Input_metric& input, const Unfolded_diamond& diamond) {
+    basis_ = {};
+    metric_.clear();
+    shapes_.clear();
+    for (const Unfolded_diamond::Triangle& t : diamond.triangles) {
+      const Integer_face& face = faces_(input, t.face);
+      const std::optional<Square_root> area = basis_.sqrt_of(face.radicand);
+      if (!area || face.squared_lengths[t.entry].sign() == ZERO) return false;
+      metric_.push_back(&face);
+      shapes_.push_back({&face.squared_lengths, &face.area_factor, *area});
+    }
+    return true;
+  }
+
+  Integer_faces faces_;
+  Prime_fields fields_;
+  // of the last call
+  Square_class_basis basis_;
+  std::vector<const Integer_face*> metric_;
+  std::vector<Conjugate_evaluator::Shape> shapes_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_DIAMOND_ZERO_TEST_H

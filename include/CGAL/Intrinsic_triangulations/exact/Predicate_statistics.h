@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PREDICATE_STATISTICS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PREDICATE_STATISTICS_H
+
+#include <cstdint>
+#include <map>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief counts how predicates were decided.
+*/
+struct Predicate_statistics {
+  /// Edges that were tested for the Delaunay property.
+  std::uint64_t checks = 0;
+  /// Predicates that the floating point filter could not decide.
+  std::uint64_t filter_failures = 0;
+  /// Predicates in two input faces that integer arithmetic proved not to be zero.
+  std::uint64_t integer = 0;
+  /// Predicates decided by interval arithmetic of so many bits; 53: doubles, unfolded anew from the input.
+  std::map<unsigned, std::uint64_t> escalations;
+  /// Values proven to be zero by exact arithmetic.
+  std::uint64_t certified_zero = 0;
+  /// Values taken for zero because they vanish modulo several large primes, without proof.
+  std::uint64_t probable_zero = 0;
+  /// Predicates left open by intervals that have nothing to escalate to.
+  std::uint64_t undecided = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PREDICATE_STATISTICS_H

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_ESCALATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_ESCALATION_H
+
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/Zero_answer.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <CGAL/Gmpfi.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+
+/*!
+\file
+Signs in multi-precision intervals, with more bits until they show.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// sets the precision of `Gmpfi` for a lifetime.
+class Gmpfi_precision {
+public:
+  /// sets the precision to `bits`.
+  explicit Gmpfi_precision(unsigned bits) : previous_(Gmpfi::set_default_precision(bits)) {}
+  /// restores the precision.
+  ~Gmpfi_precision() { Gmpfi::set_default_precision(previous_); }
+  Gmpfi_precision(const Gmpfi_precision&) = delete;
+  Gmpfi_precision& operator=(const Gmpfi_precision&) = delete;
+
+private:
+  Gmpfi::Precision_type previous_;
+};
+
+namespace internal {
+
+// precision at which a value that is probably zero is taken for zero
+inline constexpr unsigned maximal_probable_bits = 1024;
+
+// whether a value that may be zero is taken for zero instead of computing it in so many bits
+inline bool gives_up(Zero_answer answer, unsigned bits) {
+  if (answer == Zero_answer::probably_zero) return bits > maximal_probable_bits;
+  if (bits <= (1U << 20)) return false;
+  throw std::logic_error("a value that was proven not to be zero shows no sign at 2^20 bits; "
+                         "please report this with the mesh");
+}
+
+// The squared lengths and the quadruple area of input faces in multi-precision intervals, remembered per
+// precision.
+class Gmpfi_faces {
+public:
+  using Face = std::pair<std::array<Gmpfi, 3>, Gmpfi>;
+
+  // returns a functor from a face to its values in the default precision, valid until the next call
+  auto of(const Input_metric& input) {
+    Faces& faces = faces_[Gmpfi::get_default_precision()];
+    if (faces.size() > maximal_memory) faces.clear();
+    return [&input, &faces](std::uint32_t f) -> const Face& {
+      const auto found = faces.find(f);
+      return found != faces.end() ? found->second
+                                  : faces.emplace(f, values(input, f)).first->second;
+    };
+  }
+
+private:
+  using Faces = std::unordered_map<std::uint32_t, Face>;
+  static constexpr std::size_t maximal_memory = 20000; // a kilobyte each
+
+  // More bits leave enough of them where a thin face loses some; rational numbers, which take ten times as
+  // long, do the rest.
+  static Face values(const Input_metric& input, std::uint32_t f) {
+    const Gmpfi::Precision_type bits = Gmpfi::get_default_precision();
+    const Gmpfi_precision wide(static_cast<unsigned>(2 * bits + 64));
+    const std::array<Gmpfi, 3> l{input.squared_length<Gmpfi>(f, 0),
+                                 input.squared_length<Gmpfi>(f, 1),
+                                 input.squared_length<Gmpfi>(f, 2)};
+    const Gmpfi p = l[0] + l[2] - l[1];
+    Gmpfi d = Gmpfi(4) * l[0] * l[2] - p * p;
+    if (!(d.inf() > 0)) d = Gmpfi(input.squared_quadruple_area<Gmpq>(f));
+    return {{Gmpfi(l[0], bits), Gmpfi(l[1], bits), Gmpfi(l[2], bits)}, Gmpfi(d.sqrt(), bits)};
+  }
+
+  std::map<Gmpfi::Precision_type, Faces> faces_;
+};
+
+inline Interval_nt<false> interval(const Gmpfi& x) {
+  const std::pair<double, double> i = x.to_interval();
+  return Interval_nt<false>(i.first, i.second);
+}
+
+inline Diamond_values<Interval_nt<false>> intervals(const Diamond_values<Gmpfi>& d) {
+  return {interval(d.ij), interval(d.jk),     interval(d.ki),    interval(d.im),
+          interval(d.mj), interval(d.area_f), interval(d.area_g)};
+}
+
+// all reals
+inline Diamond_values<Interval_nt<false>> unknown_values() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Interval_nt<false> all(-infinity, infinity);
+  return {all, all, all, all, all, all, all};
+}
+
+// Where the test for zero comes first: the values of a few triangles. Over long strips ties are rare, and the
+// areas of the triangles have many independent square roots, which take longer than more bits.
+inline bool tests_zero_first(std::size_t triangles) { return triangles <= 256; }
+
+// Where it comes first if there is an interval of doubles that contains the value: rounding errors of zero
+// mostly cancel, so that zero is near the middle.
+inline bool tests_zero_first(std::size_t triangles, const Interval_nt<false>& value) {
+  return tests_zero_first(triangles) &&
+         std::abs(value.inf() + value.sup()) < 0.125 * (value.sup() - value.inf());
+}
+
+/*
+Returns the sign of an expression in the values of a diamond. `values()` computes them in the default precision,
+which is `bits` first; `is_zero()` tells whether the value is zero, before or after that. If it is not, the
+precision is doubled until the sign shows, which must happen if that is proven. `better` is set to
+intervals that contain the values, all reals if none were computed.
+*/
+template <class Values, class Is_zero, class Expression>
+Sign escalated_sign(unsigned bits, const Values& values, bool zero_first, const Is_zero& is_zero,
+                    const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                    Predicate_statistics& statistics) {
+  better = unknown_values();
+  std::optional<Zero_answer> answer;
+  for (const unsigned first = bits;; bits *= 2) {
+    if (!answer && (zero_first || bits > first)) answer = is_zero();
+    if (answer == Zero_answer::zero) {
+      ++statistics.certified_zero;
+      return ZERO;
+    }
+    if (answer && gives_up(*answer, bits)) {
+      ++statistics.probable_zero;
+      return ZERO;
+    }
+    const Gmpfi_precision precision(bits);
+    const Diamond_values<Gmpfi> d = values();
+    better = intervals(d);
+    const Uncertain<Sign> s = expression(d).sign();
+    if (is_certain(s)) {
+      ++statistics.escalations[bits];
+      return get_certain(s);
+    }
+  }
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_ESCALATION_H

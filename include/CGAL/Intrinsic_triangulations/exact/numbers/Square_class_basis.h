@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_SQUARE_CLASS_BASIS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_SQUARE_CLASS_BASIS_H
+
+#include <CGAL/Intrinsic_triangulations/exact/numbers/modular_arithmetic.h>
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Gmpz.h>
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a square root of a rational number, relative to a `Square_class_basis`: factor times the
+square root of the product of the representatives whose bits are set in `radical`.
+*/
+struct Square_root {
+  Gmpq factor;               ///< rational, not negative
+  std::uint64_t radical = 0; ///< zero iff the number is the square of a rational
+};
+
+/*!
+\brief writes square roots of rationals as rational multiples of products of independent ones.
+
+Two positive rationals are in one square class if their product is the square of a rational; classes
+form a vector space over GF(2) under multiplication. The basis holds representatives d_0, d_1, ...
+of independent classes, integers > 1, and takes in another whenever a root is asked for that those
+so far do not express. The products of sqrt(d_i) over all sets of indices are then linearly
+independent over the rationals (Besicovitch, On the linear independence of fractional powers of
+integers, 1940), which is what makes `Multiquadratic_number::is_zero()` exact.
+
+<b>Method, and why no answer is ever wrong.</b> For an odd prime p let chi_p(n) be the Legendre
+symbol of n with all factors p removed. chi_p is multiplicative, and 1 on squares: it is a linear
+functional on square classes. The basis keeps for each d_i a prime p_i and the product e_i of d_i
+with earlier representatives, such that chi_{p_i}(e_i) = -1 and chi_{p_j}(e_i) = 1 for all j < i.
+The matrix is unitriangular, so forward substitution finds for any n the *only* set S for which n
+d_S has all symbols 1. If n d_S is a perfect square, which is tested in integers, sqrt(n) = sqrt(n
+d_S) / d_S sqrt(d_S). If not, n is independent of the basis: n d_T is not a square for T = S by the
+test, nor for any other set T, which has a symbol -1. Then d_k = n and e_k = n d_S enter the basis,
+and since e_k is not a square, half of all primes have chi_p(e_k) = -1, so that p_k is found by
+trying.
+
+Representatives are never changed: roots stay valid while the basis grows. Not safe to share between
+threads, not even `product()`, which remembers.
+*/
+class Square_class_basis {
+public:
+  /// Set of representatives, as bits.
+  using Mask = std::uint64_t;
+  /// Largest number of representatives.
+  static constexpr std::size_t max_dimension = 64;
+
+  /// constructs the basis of the trivial class.
+  Square_class_basis() = default;
+
+  /*!
+  \brief writes the square root of `x` in the basis, which grows if it must.
+  \pre `x` is not negative
+  \return the root, or nothing if it needs a new representative and there are `max_dimension`
+  \complexity one Legendre symbol for each representative and the root of one integer
+  */
+  std::optional<Square_root> sqrt_of(const Gmpq& x) {
+    CGAL_precondition(x.sign() != NEGATIVE);
+    if (x.sign() == ZERO) return Square_root{};
+    auto [n, factor] = to_integer(x);
+    std::optional<Square_root> root = sqrt_of(n);
+    if (root) root->factor *= factor;
+    return root;
+  }
+
+  /*!
+  \brief writes the square root of a positive integer in the basis; fast where it is a representative.
+  \return as for rationals
+  */
+  std::optional<Square_root> sqrt_of(const Gmpz& n) {
+    if (n == one_) return Square_root{Gmpq(1), 0};
+    for (std::size_t i = 0; i < dimension(); ++i)
+      if (generators_[i].d == n) return Square_root{Gmpq(1), Mask(1) << i};
+    const Mask candidate = find_candidate(n);
+    const Gmpz square = n * product(candidate);
+    if (mpz_perfect_square_p(square.mpz()) != 0)
+      return Square_root{Gmpq(sqrt_of_square(square), product(candidate)), candidate};
+    if (dimension() == max_dimension) return std::nullopt;
+    append(n, candidate, square);
+    return Square_root{Gmpq(1), Mask(1) << (dimension() - 1)};
+  }
+
+  /// divides `n` by a square that is cheap to find, and returns its root. \pre `n` is positive
+  static Gmpz extract_square(Gmpz& n) {
+    if (mpz_perfect_square_p(n.mpz()) != 0) return sqrt_of_square(std::exchange(n, Gmpz(1)));
+    const unsigned long twos = mpz_scan1(n.mpz(), 0) / 2;
+    Gmpz rest, root(1);
+    mpz_fdiv_q_2exp(rest.mpz(), n.mpz(), 2 * twos);
+    mpz_mul_2exp(root.mpz(), root.mpz(), twos);
+    for (const unsigned long p : {3UL, 5UL, 7UL, 11UL, 13UL, 17UL, 19UL, 23UL, 29UL, 31UL})
+      while (mpz_divisible_ui_p(rest.mpz(), p * p) != 0) {
+        mpz_divexact_ui(rest.mpz(), rest.mpz(), p * p);
+        mpz_mul_ui(root.mpz(), root.mpz(), p);
+      }
+    n = rest;
+    return root;
+  }
+
+  /// returns the number of representatives.
+  std::size_t dimension() const { return generators_.size(); }
+
+  /*!
+  \brief returns representative number `i`.
+  \pre i < `dimension()`
+  */
+  const Gmpz& representative(std::size_t i) const {
+    CGAL_precondition(i < dimension());
+    return generators_[i].d;
+  }
+
+  /*!
+  \brief returns the product of a set of representatives, and remembers it.
+  \pre all bits are below `dimension()`
+  \return a reference that stays valid until a new representative enters
+  */
+  const Gmpz& product(Mask mask) const {
+    if (mask == 0) return one_;
+    if (std::has_single_bit(mask)) return generators_[std::size_t(std::countr_zero(mask))].d;
+    const auto found = products_.find(mask);
+    if (found != products_.end()) return found->second;
+    Gmpz p(1);
+    for (Mask rest = mask; rest != 0; rest &= rest - 1)
+      p *= generators_[std::size_t(std::countr_zero(rest))].d;
+    return products_.emplace(mask, p).first->second;
+  }
+
+private:
+  struct Generator {
+    Gmpz d;              // representative
+    unsigned long prime; // chi_prime(e) = -1 for e = e_of
+    Mask e_of;           // e as a product of representatives; the highest bit is this generator's
+    Mask symbols;        // bit i is set iff chi_{p_i}(e) = -1; no bit below this generator's
+  };
+
+  // returns n and c with sqrt(x) = c sqrt(n)
+  static std::pair<Gmpz, Gmpq> to_integer(const Gmpq& x) {
+    Gmpz n = x.numerator(), m = x.denominator();
+    const Gmpz a = extract_square(n), b = extract_square(m);
+    return {n * m, Gmpq(a, b * m)};
+  }
+
+  static Gmpz sqrt_of_square(const Gmpz& n) {
+    Gmpz root;
+    mpz_sqrt(root.mpz(), n.mpz());
+    return root;
+  }
+
+  // tells whether chi_p(n) = -1
+  static bool is_negative_symbol(const Gmpz& n, unsigned long p) {
+    const int symbol = mpz_kronecker_ui(n.mpz(), p);
+    if (symbol != 0) return symbol < 0;
+    const Gmpz factor(p);
+    Gmpz rest;
+    mpz_remove(rest.mpz(), n.mpz(), factor.mpz());
+    return mpz_kronecker_ui(rest.mpz(), p) < 0;
+  }
+
+  // the largest prime that is at most p, from a list if it is close to 2^31
+  static unsigned long prime_up_to(unsigned long p) {
+    static constexpr auto primes = [] {
+      std::array<unsigned long, 48> list{};
+      unsigned long q = 2147483647UL;
+      for (unsigned long& x : list) {
+        while (!is_prime(q)) q -= 2;
+        x = q;
+        q -= 2;
+      }
+      return list;
+    }();
+    for (const unsigned long q : primes)
+      if (q <= p) return q;
+    while (!is_prime(p)) p -= 2;
+    return p;
+  }
+
+  // returns the only set S for which n d_S can be a square
+  Mask find_candidate(const Gmpz& n) const {
+    Mask symbols = 0, candidate = 0;
+    for (std::size_t i = 0; i < dimension(); ++i)
+      if (is_negative_symbol(n, generators_[i].prime)) symbols |= Mask(1) << i;
+    for (std::size_t i = 0; i < dimension(); ++i)
+      if ((symbols >> i & 1) != 0) {
+        symbols ^= generators_[i].symbols;
+        candidate ^= generators_[i].e_of;
+      }
+    CGAL_postcondition(symbols == 0);
+    return candidate;
+  }
+
+  // makes n a representative; e = n d_S with S the candidate is not a square
+  void append(const Gmpz& n, Mask candidate, const Gmpz& e) {
+    const std::size_t k = dimension();
+    const Mask bit = Mask(1) << k;
+    unsigned long p = k == 0 ? 2147483647UL : generators_.back().prime - 2; // fits 32 bits
+    p = prime_up_to(p);
+    while (!is_negative_symbol(e, p)) p = prime_up_to(p - 2);
+    Mask negative = 0; // representatives with chi_p(d) = -1
+    for (std::size_t i = 0; i < k; ++i)
+      if (is_negative_symbol(generators_[i].d, p)) negative |= Mask(1) << i;
+    if (is_negative_symbol(n, p)) negative |= bit;
+    generators_.push_back({n, p, candidate | bit, bit});
+    for (std::size_t i = 0; i < k; ++i)
+      if (std::popcount(generators_[i].e_of & negative) % 2 != 0) generators_[i].symbols |= bit;
+  }
+
+  std::vector<Generator> generators_;
+  Gmpz one_ = Gmpz(1);
+  mutable std::unordered_map<Mask, Gmpz> products_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_SQUARE_CLASS_BASIS_H

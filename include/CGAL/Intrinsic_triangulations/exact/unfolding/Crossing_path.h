@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_CROSSING_PATH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_CROSSING_PATH_H
+
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+
+#include <cstdint>
+#include <vector>
+
+/*!
+\file
+Paths over the input from face to face: reduced words in the crossings of input edges, which form a
+groupoid. A crossing followed by its inverse cancels.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// A crossing of an input edge, from a side of an input face to the side that is glued to it.
+struct Crossing {
+  Flip_history::Side from; ///< the side on the near side
+  Flip_history::Side to;   ///< the side on the far side
+};
+
+/// Crossings, the first one first; no crossing is followed by its inverse.
+using Crossing_path = std::vector<Crossing>;
+
+/// tells whether two sides are the same.
+inline bool is_same(Flip_history::Side s, Flip_history::Side t) {
+  return s.version == t.version && s.slot == t.slot;
+}
+
+/// returns the side that follows a side in its face.
+inline Flip_history::Side next_side(Flip_history::Side s) { return {s.version, (s.slot + 1) % 3}; }
+
+/// returns the side before a side in its face.
+inline Flip_history::Side last_side(Flip_history::Side s) { return {s.version, (s.slot + 2) % 3}; }
+
+/// appends a crossing.
+inline void append(Crossing_path& p, const Crossing& c) {
+  if (!p.empty() && is_same(p.back().to, c.from) && is_same(p.back().from, c.to))
+    p.pop_back();
+  else
+    p.push_back(c);
+}
+
+/// returns path `p` and then path `q`.
+inline Crossing_path product(Crossing_path p, const Crossing_path& q) {
+  for (const Crossing& c : q) append(p, c);
+  return p;
+}
+
+/// returns path `p` and then path `q` backwards.
+inline Crossing_path product_with_inverse(Crossing_path p, const Crossing_path& q) {
+  for (auto c = q.rbegin(); c != q.rend(); ++c) append(p, {c->to, c->from});
+  return p;
+}
+
+/*!
+\brief locates a vertex in the plane into which the input is unfolded along a path.
+*/
+struct Developed_corner {
+  /// Value of `slot` for a vertex that was inserted.
+  static constexpr std::uint32_t inserted = 3;
+
+  /// From a face to the one in which the vertex is found.
+  Crossing_path path;
+  /// The vertex: where this side of an input face starts. If `slot` is `inserted`, the vertex that node
+  /// number `version` of the history inserted.
+  Flip_history::Side side;
+
+  /// tells whether the vertex was inserted.
+  bool is_inserted() const { return side.slot == inserted; }
+
+  /// makes the path as short as it can be: an end of the last edge crossed is seen before crossing it.
+  void trim() {
+    while (!path.empty()) {
+      const auto [from, to] = path.back();
+      if (is_same(side, to))
+        side = next_side(from);
+      else if (!is_inserted() && is_same(side, next_side(to)))
+        side = from;
+      else
+        return;
+      path.pop_back();
+    }
+  }
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_CROSSING_PATH_H

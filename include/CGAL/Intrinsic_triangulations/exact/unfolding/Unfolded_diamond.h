@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_UNFOLDED_DIAMOND_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_UNFOLDED_DIAMOND_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a tree of input triangles, to be unfolded into a plane, that reaches all corners of a
+diamond, and vertices that were inserted there.
+
+Points 0 and 1 are the ends of side 0 of the first triangle. Triangle number n adds point n + 2, the
+corner opposite the side by which it is entered. With that side from z_t to z_u, squared lengths
+L_t of the side, L_u of the next and L_v of the last, and D = 4 L_t L_v - p^2, p = L_t + L_v - L_u,
+
+    z_v = z_t + (z_u - z_t) w,     w = (p + sqrt(-D)) / (2 L_t),
+
+in complex numbers. Nothing is ever divided by but squared lengths of the input, and the figure does
+not depend on the flips that made the diamond.
+
+A vertex that was inserted is a combination of three points with rational weights. With N triangles,
+combination number n is point N + 2 + n.
+*/
+struct Unfolded_diamond {
+  /// An input triangle in the tree.
+  struct Triangle {
+    std::uint32_t face;                 ///< input face
+    std::uint32_t entry;                ///< slot of the side by which it is entered; 0 in the first
+    std::uint32_t parent;               ///< triangle on the other side of it; itself in the first
+    std::array<std::uint32_t, 3> point; ///< points in the corners, where sides 0, 1, 2 start
+
+    /// returns the point where the entry starts.
+    std::uint32_t start() const { return point[entry]; }
+    /// returns the point where the entry ends.
+    std::uint32_t end() const { return point[(entry + 1) % 3]; }
+  };
+
+  /// A corner of a triangle, or a combination.
+  struct Corner {
+    std::uint32_t index; ///< triangle in the tree, or combination
+    std::uint32_t slot;  ///< corner in the triangle, or 3: it is a combination
+    /// tells whether it is a combination.
+    bool is_combination() const { return slot == 3; }
+  };
+
+  /// A vertex that was inserted.
+  struct Combination {
+    std::array<Corner, 3> corners; ///< of the face into which it was inserted
+    std::array<double, 3> weights; ///< barycentric coordinates
+  };
+
+  /// The tree, parents first.
+  std::vector<Triangle> triangles;
+  /// Inserted vertices, each after those that it refers to.
+  std::vector<Combination> combinations;
+  /// Corners i, j, k, m of the diamond.
+  std::array<Corner, 4> corners;
+
+  /// returns the triangle that is glued along slot `entry` to slot `exit` of triangle `parent`, to
+  /// be added to the tree.
+  Triangle beyond(std::uint32_t parent, std::uint32_t exit, std::uint32_t face,
+                  std::uint32_t entry) const {
+    const std::array<std::uint32_t, 3>& p = triangles[parent].point;
+    Triangle t{face, entry, parent, {}};
+    t.point[entry] = p[(exit + 1) % 3];
+    t.point[(entry + 1) % 3] = p[exit];
+    t.point[(entry + 2) % 3] = static_cast<std::uint32_t>(triangles.size()) + 2;
+    return t;
+  }
+
+  /// returns the number of a point.
+  std::uint32_t point(const Corner& c) const {
+    return c.is_combination() ? static_cast<std::uint32_t>(triangles.size()) + 2 + c.index
+                              : triangles[c.index].point[c.slot];
+  }
+  /// returns the number of the point in corner `c` of the diamond.
+  std::uint32_t point(std::size_t c) const { return point(corners[c]); }
+
+  /*!
+  \brief evaluates the diamond by unfolding.
+  \tparam FT a model of `Field`
+  \tparam Input_values a functor from the number of an input face to a pair of its three squared
+  lengths and its quadruple area, see `History_values::Input_face`
+  */
+  template <class FT, class Input_values>
+  Diamond_values<FT> values(const Input_values& input) const {
+    boost::container::small_vector<Complex<FT>, 16> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
+    for (const Triangle& t : triangles) {
+      const auto& face = input(t.face);
+      const FT& l = face.first[t.entry];
+      const FT p = l + face.first[(t.entry + 2) % 3] - face.first[(t.entry + 1) % 3];
+      const Complex<FT> e = z[t.end()] - z[t.start()], &a = z[t.start()];
+      const FT r = FT(1) / (l + l);
+      z.push_back(
+          {a.x + (e.x * p - e.y * face.second) * r, a.y + (e.x * face.second + e.y * p) * r});
+    }
+    for (const Combination& c : combinations) {
+      Complex<FT> sum{FT(0), FT(0)};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Complex<FT>& corner = z[point(c.corners[k])];
+        const FT weight(c.weights[k]);
+        sum = {sum.x + weight * corner.x, sum.y + weight * corner.y};
+      }
+      z.push_back(sum);
+    }
+    const auto& first = input(triangles.front().face);
+    const FT& unit = first.first[0];
+    const Complex<FT>&i = z[point(0)], &j = z[point(1)], &k = z[point(2)], &m = z[point(3)];
+    const auto length = [&unit](const Complex<FT>& e) { return unit * (e.x * e.x + e.y * e.y); };
+    const auto area = [&unit](const Complex<FT>& u, const Complex<FT>& v) {
+      return (unit + unit) * (u.x * v.y - u.y * v.x);
+    };
+    return {length(j - i), length(k - j),      length(i - k),     length(m - i),
+            length(j - m), area(j - i, k - i), area(i - j, m - j)};
+  }
+
+private:
+  template <class FT>
+  struct Complex {
+    FT x, y;
+    friend Complex operator-(const Complex& a, const Complex& b) { return {a.x - b.x, a.y - b.y}; }
+  };
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_UNFOLDED_DIAMOND_H

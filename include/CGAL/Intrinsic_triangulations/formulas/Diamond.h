@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DIAMOND_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DIAMOND_H
+
+#include <cstdint>
+
+/*!
+\file
+The two faces at an edge, and all that a flip needs of them.
+
+The diamond of halfedge `ij` has face `f = ijk` on its left and `g = jim` on its right. Everything
+is a field expression in squared lengths `L` and quadruple areas `a = 4A`: no square root, no
+trigonometry. With
+
+    p_k = L_ij + L_ki - L_jk = 2<ij, ik>,      p_m = L_ij + L_im - L_mj = 2<ij, im>,
+    q_f = L_jk + L_ki - L_ij,                  q_g = L_im + L_mj - L_ij,
+
+the cotangent of the angle at k is q_f / a_f, so that the angles opposite `ij` sum to at most pi iff
+q_f a_g + q_g a_f >= 0. These follow from the law of cosines and 2<Ju, v> = a.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief indexes the edges and faces of the diamond of halfedge ij.
+*/
+struct Diamond {
+  std::uint32_t ij; ///< the edge
+  std::uint32_t jk; ///< next side of the left face
+  std::uint32_t ki; ///< last side of the left face
+  std::uint32_t im; ///< next side of the right face
+  std::uint32_t mj; ///< last side of the right face
+  std::uint32_t f;  ///< the left face, ijk
+  std::uint32_t g;  ///< the right face, jim
+};
+
+/*!
+\brief holds the squared lengths and quadruple areas of a diamond.
+\tparam FT a model of `Field`
+*/
+template <class FT>
+struct Diamond_values {
+  FT ij;     ///< squared length of the edge
+  FT jk;     ///< squared length of jk
+  FT ki;     ///< squared length of ki
+  FT im;     ///< squared length of im
+  FT mj;     ///< squared length of mj
+  FT area_f; ///< quadruple area of the left face
+  FT area_g; ///< quadruple area of the right face
+};
+
+/*!
+\brief holds what a flip makes.
+
+The flipped edge runs from `k` to `m`, with `mj` and `jk` on the left and `ki` and `im` on the
+right, which is how `CGAL::Euler::flip_edge()` turns a halfedge.
+\tparam FT a model of `Field`
+*/
+template <class FT>
+struct Flipped_values {
+  FT km;     ///< squared length of the new edge
+  FT area_f; ///< quadruple area of the left face, kmj
+  FT area_g; ///< quadruple area of the right face, mki
+};
+
+/*!
+\brief returns q_f = L_jk + L_ki - L_ij, the cotangent at `k` times the quadruple area.
+*/
+template <class FT>
+FT left_cotangent_numerator(const Diamond_values<FT>& d) {
+  return d.jk + d.ki - d.ij;
+}
+
+/*!
+\brief returns q_g = L_im + L_mj - L_ij, the cotangent at `m` times the quadruple area.
+*/
+template <class FT>
+FT right_cotangent_numerator(const Diamond_values<FT>& d) {
+  return d.im + d.mj - d.ij;
+}
+
+/*!
+\brief evaluates to a value that is positive iff the angles opposite the edge sum to less than pi,
+zero iff to pi (the four vertices are cocircular), negative iff to more.
+
+The value is a_f a_g (cot k + cot m).
+*/
+struct Delaunay_expression {
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(const Diamond_values<FT>& d) const {
+    return left_cotangent_numerator(d) * d.area_g + right_cotangent_numerator(d) * d.area_f;
+  }
+};
+
+/*!
+\brief evaluates to a value that is positive iff the diamond is strictly convex at `i`.
+
+The value is 2 L_ij times the quadruple area of the face `mki` that a flip would make.
+*/
+struct Convexity_at_source_expression {
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(const Diamond_values<FT>& d) const {
+    return (d.ij + d.im - d.mj) * d.area_f + (d.ij + d.ki - d.jk) * d.area_g;
+  }
+};
+
+/*!
+\brief evaluates to a value that is positive iff the diamond is strictly convex at `j`.
+
+The value is 2 L_ij times the quadruple area of the face `kmj` that a flip would make.
+*/
+struct Convexity_at_target_expression {
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(const Diamond_values<FT>& d) const {
+    return (d.ij + d.mj - d.im) * d.area_f + (d.ij + d.jk - d.ki) * d.area_g;
+  }
+};
+
+/*!
+\brief evaluates to the quadruple area of the face on the left of an edge.
+*/
+struct Left_area_expression {
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(const Diamond_values<FT>& d) const {
+    return d.area_f;
+  }
+};
+
+/*!
+\brief computes the squared length and the quadruple areas that a flip makes.
+
+L_km = ((p_k - p_m)^2 + (a_f + a_g)^2) / (4 L_ij): with ij on an axis, the feet of k and m are
+(p_k - p_m) / (2 l_ij) apart, their heights (a_f + a_g) / (2 l_ij). A sum of squares loses nothing to
+cancellation on slivers, unlike L_ki + L_im - (p_k p_m - a_f a_g) / (2 L_ij). The areas are as in
+`Convexity_at_source_expression` and `Convexity_at_target_expression`.
+\pre the diamond is strictly convex, `d.ij` is not zero
+*/
+template <class FT>
+Flipped_values<FT> flipped(const Diamond_values<FT>& d) {
+  const FT p_k = d.ij + d.ki - d.jk;
+  const FT p_m = d.ij + d.im - d.mj;
+  const FT x = p_k - p_m;
+  const FT y = d.area_f + d.area_g;
+  const FT twice = d.ij + d.ij;
+  const FT quarter = FT(1) / (twice + twice);
+  const FT half = quarter + quarter;
+  return {(x * x + y * y) * quarter, Convexity_at_target_expression()(d) * half,
+          (p_m * d.area_f + p_k * d.area_g) * half};
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DIAMOND_H

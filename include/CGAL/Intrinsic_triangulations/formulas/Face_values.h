@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_FACE_VALUES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_FACE_VALUES_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+
+#include <array>
+#include <cstdint>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief names a face and its sides in counterclockwise order, from any of them.
+*/
+struct Indexed_face {
+  std::uint32_t face;                 ///< the face
+  std::array<std::uint32_t, 3> edges; ///< its edges
+};
+
+/*!
+\brief holds the squared lengths and the quadruple area of a face.
+\tparam FT a model of `Field`
+*/
+template <class FT>
+struct Face_values {
+  std::array<FT, 3> squared_lengths; ///< of the sides in order
+  FT quadruple_area;                 ///< four times the area
+};
+
+/*!
+\brief joins two faces along the first side of each.
+*/
+template <class FT>
+Diamond_values<FT> diamond_values(const Face_values<FT>& left, const Face_values<FT>& right) {
+  return {left.squared_lengths[0],  left.squared_lengths[1],  left.squared_lengths[2],
+          right.squared_lengths[1], right.squared_lengths[2], left.quadruple_area,
+          right.quadruple_area};
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_FACE_VALUES_H

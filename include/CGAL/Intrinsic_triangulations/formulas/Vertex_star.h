@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_VERTEX_STAR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_VERTEX_STAR_H
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+/*!
+\file
+Squared lengths and quadruple areas at a vertex that is inserted: in any field (§1.1 of the design, Eq. 23
+of the course).
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief indexes the edges and faces at a vertex p of degree three, inside a face ijk.
+*/
+struct Vertex_star {
+  std::array<std::uint32_t, 3> sides;  ///< the edges ij, jk, ki
+  std::array<std::uint32_t, 3> spokes; ///< the edges ip, jp, kp
+  std::array<std::uint32_t, 3> faces;  ///< the faces ijp, jkp, kip; the first one is ijk without p
+};
+
+/*!
+\brief indexes the edges and faces at a vertex p on the border edge ij of a face ijk.
+*/
+struct Border_star {
+  std::uint32_t ip; ///< the edge ip, which is ij without p
+  std::uint32_t pj; ///< the edge pj
+  std::uint32_t jk; ///< the edge jk
+  std::uint32_t ki; ///< the edge ki
+  std::uint32_t pk; ///< the edge pk
+  std::uint32_t f;  ///< the face ipk, which is ijk without p
+  std::uint32_t g;  ///< the face pjk
+};
+
+/*!
+\brief rounds barycentric coordinates (down, the first one up) so that they are multiples of 2^-52 that sum to 1 exactly.
+
+They define a point exactly then, in any field.
+\return the coordinates, or nothing if one is negative or not finite, all but one vanish, or the sum is
+not near 1
+*/
+inline std::optional<std::array<double, 3>>
+representable_weights(const std::array<double, 3>& weights) {
+  const double sum = weights[0] + weights[1] + weights[2];
+  if (!(std::abs(sum - 1) <= 0x1p-20)) return std::nullopt;
+  const auto rounded = [](double x) { return std::floor(x * 0x1p52) * 0x1p-52; };
+  std::array<double, 3> w{0, rounded(weights[1]), rounded(weights[2])};
+  w[0] = weights[0] == 0 ? 0 : 1 - w[1] - w[2]; // exact: all are multiples of 2^-52 up to 1
+  if (weights[0] == 0) w[1] = 1 - w[2];
+  int positive = 0;
+  for (const double x : w) {
+    if (!(x >= 0)) return std::nullopt;
+    positive += x > 0 ? 1 : 0;
+  }
+  return positive >= 2 ? std::optional(w) : std::nullopt;
+}
+
+/*!
+\brief computes the squared distance of a point of a triangle ijk from its corner i.
+
+With ij on an axis the point is at ((2 L_ij w_j + p_k w_k), a w_k) / (2 l_ij), p_k = L_ij + L_ki - L_jk:
+a sum of squares, which loses nothing to cancellation.
+\param ij squared length
+\param jk squared length
+\param ki squared length
+\param area quadruple area
+\param w_j weight of j
+\param w_k weight of k
+\pre `ij` is not zero
+*/
+template <class FT>
+FT squared_distance_from_corner(const FT& ij, const FT& jk, const FT& ki, const FT& area,
+                                const FT& w_j, const FT& w_k) {
+  const FT twice = ij + ij;
+  const FT x = twice * w_j + (ij + ki - jk) * w_k;
+  const FT y = area * w_k;
+  return (x * x + y * y) / (twice + twice);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_VERTEX_STAR_H

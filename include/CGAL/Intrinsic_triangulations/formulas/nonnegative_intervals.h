@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_NONNEGATIVE_INTERVALS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_NONNEGATIVE_INTERVALS_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+
+/*!
+\file
+Interval arithmetic where lengths and areas are known not to be negative: two products, where the
+general case needs up to eight. Everything here asks for rounding upwards (`Protect_FPU_rounding`);
+a lower bound is the negative of an upper bound of the negative.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief multiplies two intervals, of which the second has no negative element.
+
+Whatever the sign of a bound, the outer of its products with both bounds of `b` is the right one; there is
+no branch.
+\pre `b.inf() >= 0`, the bounds are finite
+*/
+inline Interval_nt<false> product_with_nonnegative(const Interval_nt<false>& a,
+                                                   const Interval_nt<false>& b) {
+#ifdef CGAL_USE_SSE2 // both bounds at once
+  const __m128d x = a.simd(), y = b.simd(), low = _mm_xor_pd(y, _mm_set1_pd(-0.0));
+  return Interval_nt<false>(
+      _mm_max_pd(_mm_mul_pd(x, _mm_unpacklo_pd(low, low)), _mm_mul_pd(x, _mm_unpackhi_pd(y, y))));
+#else
+  const double minus_inf = -a.inf(), sup = a.sup(), low = b.inf(), high = b.sup();
+  return {-std::max(minus_inf * low, minus_inf * high), std::max(sup * low, sup * high)};
+#endif
+}
+
+/*!
+\brief squares an interval.
+\pre the bounds are finite
+*/
+inline Interval_nt<false> interval_square(const Interval_nt<false>& a) {
+  const double low = std::max({a.inf(), -a.sup(), 0.0}), high = std::max(-a.inf(), a.sup());
+  return {-(-low * low), high * high};
+}
+
+/*!
+\brief evaluates `Delaunay_expression`.
+\pre the areas have no negative lower bound
+*/
+inline Interval_nt<false> delaunay_value(const Interval_nt<false>& q_f,
+                                         const Interval_nt<false>& area_f,
+                                         const Interval_nt<false>& q_g,
+                                         const Interval_nt<false>& area_g) {
+  return product_with_nonnegative(q_f, area_g) + product_with_nonnegative(q_g, area_f);
+}
+
+/*!
+\brief computes what `flipped()` does, faster.
+\pre the areas have no negative lower bound
+*/
+inline Flipped_values<Interval_nt<false>>
+flipped_nonnegative(const Diamond_values<Interval_nt<false>>& d) {
+  using FT = Interval_nt<false>;
+  if (!(d.ij.inf() >= 0x1p-900)) return flipped(d);
+  const FT p_k = d.ij + d.ki - d.jk, p_m = d.ij + d.im - d.mj;
+  const FT r_k = d.ij + d.jk - d.ki, r_m = d.ij + d.mj - d.im;
+  const FT half(-(-0.5 / d.ij.sup()), 0.5 / d.ij.inf()),
+      quarter(0.5 * half.inf(), 0.5 * half.sup());
+  const FT km = interval_square(p_k - p_m) + interval_square(d.area_f + d.area_g);
+  const FT left = product_with_nonnegative(r_m, d.area_f) + product_with_nonnegative(r_k, d.area_g);
+  const FT right =
+      product_with_nonnegative(p_m, d.area_f) + product_with_nonnegative(p_k, d.area_g);
+  return {product_with_nonnegative(km, quarter), product_with_nonnegative(left, half),
+          product_with_nonnegative(right, half)};
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_NONNEGATIVE_INTERVALS_H

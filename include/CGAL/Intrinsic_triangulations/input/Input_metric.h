@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INPUT_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INPUT_METRIC_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief defines the cone metric of the input exactly: three rational squared lengths per face.
+
+The lengths come either from points in space, L_ij = |p_i - p_j|^2, or from squared lengths given
+per edge (an abstract metric, which need not embed anywhere). A nonnegative `delta` is added to every
+squared length (squared-length mollification). All values are in scaled units: coordinates are
+multiplied by 2^scale_exponent(), so that the mean edge is near 1 and products of squared lengths
+neither overflow nor underflow. Scaling is exact.
+
+Faces and edges are those of the triangulation before its first move, in its own numbering.
+*/
+class Input_metric {
+public:
+  /// Coordinates of a point.
+  using Point = std::array<double, 3>;
+  /// The three values that name the sides of a face: vertices (from points) or edges (abstract).
+  using Sides = std::array<std::uint32_t, 3>;
+
+  /// constructs a metric without faces.
+  Input_metric() = default;
+
+  /*!
+  \brief restores a metric from what its accessors return.
+  \param points one point per vertex, or none
+  \param squared_lengths one squared length per edge, or none
+  \param sides what names the sides of each face
+  \param delta what is added to every squared length
+  \param scale_exponent exponent of the scale
+  */
+  Input_metric(std::vector<Point> points, std::vector<double> squared_lengths,
+               std::vector<Sides> sides, double delta, int scale_exponent)
+      : points_(std::move(points)), squared_lengths_(std::move(squared_lengths)),
+        sides_(std::move(sides)), delta_(delta), scale_exponent_(scale_exponent) {}
+
+  /*!
+  \brief takes the metric of points in space.
+  \param mesh the connectivity
+  \param points one point per vertex of `mesh`, scaled
+  \param scale_exponent what `scale_points()` returned
+  */
+  static Input_metric from_points(const Gluing_map& mesh, std::vector<Point> points,
+                                  int scale_exponent) {
+    Input_metric m;
+    m.points_ = std::move(points);
+    m.scale_exponent_ = scale_exponent;
+    m.sides_.resize(mesh.number_of_faces());
+    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+      const Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
+      m.sides_[f] = {mesh.source(h).index, mesh.target(h).index, mesh.target(mesh.next(h)).index};
+    }
+    return m;
+  }
+
+  /*!
+  \brief takes the metric of squared edge lengths.
+  \param mesh the connectivity
+  \param squared_lengths one squared length per edge of `mesh`, scaled
+  \param scale_exponent what `scale_squared_lengths()` returned
+  */
+  static Input_metric from_squared_lengths(const Gluing_map& mesh,
+                                           std::vector<double> squared_lengths,
+                                           int scale_exponent) {
+    Input_metric m;
+    m.squared_lengths_ = std::move(squared_lengths);
+    m.scale_exponent_ = scale_exponent;
+    m.sides_.resize(mesh.number_of_faces());
+    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+      const Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
+      const Gluing_map::Halfedge n = mesh.next(h);
+      m.sides_[f] = {h.index / 2, n.index / 2, mesh.next(n).index / 2};
+    }
+    return m;
+  }
+
+  /// returns the number of input faces.
+  std::uint32_t number_of_faces() const { return static_cast<std::uint32_t>(sides_.size()); }
+  /// tells whether the metric comes from points in space.
+  bool is_embedded() const { return squared_lengths_.empty(); }
+  /// returns s, where coordinates are scaled by 2^s and squared lengths by 4^s.
+  int scale_exponent() const { return scale_exponent_; }
+  /// returns what is added to every squared length, in scaled units.
+  double delta() const { return delta_; }
+  /// sets what is added to every squared length, in scaled units. \pre `delta >= 0`, finite
+  void set_delta(double delta) { delta_ = delta; }
+  /// returns the scaled points; empty for an abstract metric.
+  const std::vector<Point>& points() const { return points_; }
+  /// returns the scaled squared lengths per edge; empty for a metric from points.
+  const std::vector<double>& squared_lengths() const { return squared_lengths_; }
+  /// returns what names the sides of face `f`.
+  const Sides& sides(std::uint32_t f) const { return sides_[f]; }
+
+  /*!
+  \brief computes the squared length of side `k` of face `f`, in scaled units.
+  \tparam FT a number type constructible from `double`; the result is as exact as `FT` is
+  */
+  template <class FT>
+  FT squared_length(std::uint32_t f, unsigned k) const {
+    const Sides& s = sides_[f];
+    if (!is_embedded()) return FT(squared_lengths_[s[k]]) + FT(delta_);
+    return squared_distance<FT>(points_[s[k]], points_[s[(k + 1) % 3]]) + FT(delta_);
+  }
+
+  /*!
+  \brief computes D = (4 A)^2 of face `f` from its squared lengths: 4 L_0 L_2 - (L_0 + L_2 - L_1)^2.
+  \tparam FT as for `squared_length()`
+  */
+  template <class FT>
+  FT squared_quadruple_area(std::uint32_t f) const {
+    const FT a = squared_length<FT>(f, 0);
+    const FT b = squared_length<FT>(f, 2);
+    const FT p = a + b - squared_length<FT>(f, 1);
+    return FT(4) * a * b - p * p;
+  }
+
+  /// computes the squared distance of two points in `FT` arithmetic.
+  template <class FT>
+  static FT squared_distance(const Point& p, const Point& q) {
+    const FT x = FT(p[0]) - FT(q[0]);
+    const FT y = FT(p[1]) - FT(q[1]);
+    const FT z = FT(p[2]) - FT(q[2]);
+    return x * x + y * y + z * z;
+  }
+
+private:
+  std::vector<Point> points_;
+  std::vector<double> squared_lengths_;
+  std::vector<Sides> sides_;
+  double delta_ = 0;
+  int scale_exponent_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INPUT_METRIC_H

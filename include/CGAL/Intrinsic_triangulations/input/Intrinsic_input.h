@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/input/mollification.h>
+#include <CGAL/Intrinsic_triangulations/input/renumbering.h>
+#include <CGAL/Intrinsic_triangulations/input/scaling.h>
+#include <CGAL/Intrinsic_triangulations/input/triangulate_face_graph.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief describes what an intrinsic triangulation is built from: a gluing of triangles, and either
+points in space or squared edge lengths.
+*/
+struct Intrinsic_input {
+  /// Connectivity.
+  Gluing_map mesh;
+  /// One point per vertex; empty for an abstract metric.
+  std::vector<std::array<double, 3>> points;
+  /// One squared length per edge of `mesh`, in the order of `edges(mesh)`; empty for a mesh in space.
+  std::vector<double> squared_lengths;
+  /// Treatment of degenerate faces.
+  Mollification mollification = Mollification::automatic;
+  /// Whether faces and vertices may be renumbered for locality; if not, vertices, faces and, of a mesh
+  /// without polygons, edges keep their numbers in the order of iteration.
+  bool may_renumber = true;
+  /// Number of polygonal faces that were triangulated, for the report.
+  std::size_t triangulated_polygons = 0;
+
+  /// constructs an input without faces.
+  Intrinsic_input() = default;
+
+  /*!
+  \brief takes an abstract metric: it need not embed anywhere.
+  \param g the connectivity; of triples of vertices by `gluing_from_triangles()`
+  \param l one squared length per edge of `g`, in the order of `edges(g)`
+  \param m treatment of degenerate faces
+  */
+  Intrinsic_input(Gluing_map g, std::vector<double> l, Mollification m = Mollification::automatic)
+      : mesh(std::move(g)), squared_lengths(std::move(l)), mollification(m) {}
+
+  /// takes a gluing map with a point per vertex.
+  Intrinsic_input(Gluing_map g, std::vector<std::array<double, 3>> p,
+                  Mollification m = Mollification::automatic)
+      : mesh(std::move(g)), points(std::move(p)), mollification(m) {}
+
+  /*!
+  \brief takes points and triples of their numbers, from a file or from arrays.
+
+  Edges are found by their end vertices, see `gluing_from_triangles()`.
+  \throws Invalid_input naming faces that do not fit together, or a vertex that does not exist
+  */
+  explicit Intrinsic_input(const Triangle_soup& soup, Mollification m = Mollification::automatic)
+      : mesh(gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles)),
+        points(soup.points), mollification(m), triangulated_polygons(soup.triangulated_polygons) {}
+
+  /*!
+  \brief takes a mesh in space through BGL.
+
+  Coordinates are converted to `double`.
+  \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+  \tparam PointMap a readable property map from vertices to points with `operator[]`
+  \throws Invalid_input naming a polygonal face that cannot be triangulated
+  */
+  template <class FaceGraph, class PointMap>
+  Intrinsic_input(const FaceGraph& graph, PointMap point_map, Mollification m) : mollification(m) {
+    std::uint32_t polygon = Gluing::none;
+    mesh = gluing_map_unless_polygonal(graph, polygon);
+    points.reserve(num_vertices(graph));
+    for (const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(graph))
+      points.push_back(Mesh_adaptor<FaceGraph>::coordinates(get(point_map, v)));
+    if (polygon != Gluing::none)
+      mesh = gluing_map_from_polygons(graph, points, triangulated_polygons);
+  }
+
+  /// takes a mesh in space with its own points.
+  template <class FaceGraph>
+  explicit Intrinsic_input(const FaceGraph& graph, Mollification m = Mollification::automatic)
+      : Intrinsic_input(graph, Mesh_adaptor<FaceGraph>::point_map(graph), m) {}
+};
+
+/*!
+\brief reports what was found in the input and done about it.
+*/
+struct Input_report {
+  /// Input faces of zero area, counted exactly.
+  std::size_t degenerate_faces = 0;
+  /// Treatment of degenerate faces.
+  Mollification_report mollification;
+  /// Whether faces and vertices were renumbered for locality.
+  bool renumbered = false;
+  /// Number of polygonal faces that were triangulated; faces of the report are numbered after that.
+  std::size_t triangulated_polygons = 0;
+};
+
+namespace internal {
+
+template <class Metric>
+struct Prepared_input {
+  Gluing_map mesh;
+  Metric metric;
+  Renumbering renumbering;
+  Input_report report;
+};
+
+template <class Metric>
+void mollify(Prepared_input<Metric>& p, std::shared_ptr<Input_metric> input, Mollification kind) {
+  const int s = input->scale_exponent();
+  if (kind == Mollification::lengths) {
+    double epsilon = 0;
+    input = std::make_shared<Input_metric>(mollify_lengths(p.mesh, *input, 1e-5, epsilon));
+    p.report.mollification = {kind, std::ldexp(epsilon, -s)};
+  } else {
+    input->set_delta(default_squared_length_delta());
+    p.report.mollification = {kind, std::ldexp(input->delta(), -2 * s)};
+  }
+  p.metric = Metric(p.mesh, input);
+}
+
+// One point per vertex, or one squared length per edge: numbers of elements are indices without a check.
+inline void check_sizes(const Intrinsic_input& in) {
+  const bool embedded = in.squared_lengths.empty();
+  const std::size_t needed = embedded ? in.mesh.number_of_vertices() : in.mesh.number_of_edges();
+  const std::size_t given = embedded ? in.points.size() : in.squared_lengths.size();
+  if (given != needed)
+    throw Invalid_input(Element_kind::none, 0,
+                        "there are " + std::to_string(given) +
+                            (embedded ? " points for " : " squared lengths for ") +
+                            std::to_string(needed) +
+                            (embedded ? " vertices; give one per vertex"
+                                      : " edges; give one per edge of the gluing map"));
+}
+
+// Makes each face start at a side that is not glued to another side of the same face, so that its
+// edge names that side alone: exact metrics tell sides by their edges.
+inline void start_at_single_sides(Gluing_map& mesh) {
+  using Halfedge = Gluing_map::Halfedge;
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Halfedge h = mesh.halfedge(Gluing_map::Face{f}), n = mesh.next(h), l = mesh.next(n);
+    if (n == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, l);
+    if (l == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, n);
+  }
+}
+
+template <class Metric>
+Prepared_input<Metric> prepare(Intrinsic_input&& in) {
+  if (in.mesh.number_of_faces() == 0)
+    throw Invalid_input(Element_kind::none, 0, "the mesh has no faces; give at least one");
+  if (!in.mesh.is_oriented())
+    throw Invalid_input(Element_kind::none, 0,
+                        "the gluing does not respect the orientation of the faces; orient them, or "
+                        "take the orientation double cover of a nonorientable surface");
+  check_sizes(in);
+  Prepared_input<Metric> p;
+  p.mesh = std::move(in.mesh);
+  p.report.triangulated_polygons = in.triangulated_polygons;
+  const bool embedded = in.squared_lengths.empty();
+  const int scale =
+      embedded ? scale_points(p.mesh, in.points) : scale_squared_lengths(in.squared_lengths);
+  if (embedded && in.may_renumber && is_badly_ordered(p.mesh)) {
+    p.renumbering = renumber(p.mesh, in.points);
+    p.report.renumbered = true;
+  }
+  start_at_single_sides(p.mesh);
+  auto input = std::make_shared<Input_metric>(
+      embedded ? Input_metric::from_points(p.mesh, std::move(in.points), scale)
+               : Input_metric::from_squared_lengths(p.mesh, std::move(in.squared_lengths), scale));
+  p.metric = Metric(p.mesh, input);
+  for (std::uint32_t f = 0; f < p.mesh.number_of_faces(); ++f)
+    if (p.metric.is_degenerate(f)) ++p.report.degenerate_faces;
+  if (in.mollification == Mollification::lengths ||
+      in.mollification == Mollification::squared_lengths)
+    mollify(p, input, in.mollification);
+  else if (in.mollification == Mollification::automatic && p.report.degenerate_faces > 0 &&
+           has_irremovable_degeneracy(p.mesh, p.metric))
+    mollify(p, input, Mollification::squared_lengths);
+  return p;
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALED_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALED_METRIC_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/formulas/triangle_inequality.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/input/shorten_edges.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// What is done where new lengths violate the triangle inequality (§4.8 of the course). Faces without area
+/// may do so by rounding already: meshes that have some need `repair`.
+enum class Triangle_inequality {
+  refuse, ///< an exception names the first face
+  repair, ///< edges are shortened, see `shorten_edges()`
+  check   ///< faces are listed, and no more: the result may not be a metric
+};
+
+/*!
+\brief says how a metric is scaled.
+*/
+struct Metric_scaling_options {
+  /// What is done about faces that violate the triangle inequality.
+  Triangle_inequality triangle_inequality = Triangle_inequality::refuse;
+  /// For `repair`: the margin of `shorten_edges()`, by which sides are shorter than the other two
+  /// together, as a fraction of the shorter of those. Above 0, at most 1.
+  double margin = 1e-5;
+};
+
+/*!
+\brief holds a new metric, and reports what had to be done about it.
+*/
+struct Scaled_metric {
+  /// The surface with the new lengths; an `Intrinsic_triangulation` is built from it.
+  Intrinsic_input input;
+  /// Faces that the new lengths violated the triangle inequality in, before any repair, by their
+  /// number in the order of iteration; after polygons were triangulated, if some were.
+  std::vector<std::uint32_t> violating_faces;
+  /// Edges that repair shortened.
+  std::size_t changed_edges = 0;
+  /// Largest (l - l') / l, where repair shortened an edge from l to l'.
+  double largest_relative_change = 0;
+  /// Whether all faces satisfy the triangle inequality now, so that a triangulation can be built.
+  bool is_metric = true;
+};
+
+namespace internal {
+
+inline std::string text_of_length(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+// Names a face, its vertices and its lengths in the order of its sides.
+[[noreturn]] inline void refuse_face(const Intrinsic_input& in, std::uint32_t f) {
+  const auto e = edges_of_face(in.mesh, f);
+  Gluing_map::Halfedge h = in.mesh.halfedge(Gluing_map::Face{f});
+  std::string vertices, lengths;
+  for (std::size_t k = 0; k < 3; ++k, h = in.mesh.next(h)) {
+    const char* separator = k == 0 ? "" : k == 1 ? ", " : " and ";
+    vertices += separator + std::to_string(in.mesh.source(h).index);
+    lengths += separator + text_of_length(std::sqrt(in.squared_lengths[e[k]]));
+  }
+  throw Invalid_input(Element_kind::face, f,
+                      "face " + std::to_string(f) +
+                          (in.triangulated_polygons > 0 ? " of the triangulated mesh" : "") +
+                          " with vertices " + vertices + " gets sides of lengths " + lengths +
+                          ", which violate the triangle inequality; scale less, refine the mesh "
+                          "before, or ask for repair");
+}
+
+// Does what the options say about the triangle inequality.
+inline Scaled_metric finish_scaling(Intrinsic_input&& in, const Metric_scaling_options& options) {
+  Scaled_metric result;
+  result.input = std::move(in);
+  std::vector<double>& lengths = result.input.squared_lengths;
+  result.violating_faces = faces_violating_triangle_inequality(result.input.mesh, lengths);
+  if (options.triangle_inequality == Triangle_inequality::repair) {
+    const Shortening_report r = shorten_edges(result.input.mesh, lengths, options.margin);
+    result.changed_edges = r.changed_edges;
+    result.largest_relative_change = r.largest_relative_change;
+  } else if (!result.violating_faces.empty()) {
+    if (options.triangle_inequality == Triangle_inequality::refuse)
+      refuse_face(result.input, result.violating_faces.front());
+    result.is_metric = false;
+  }
+  return result;
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALED_METRIC_H

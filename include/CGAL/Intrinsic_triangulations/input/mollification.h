@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_MOLLIFICATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_MOLLIFICATION_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// How degenerate faces of the input are treated.
+enum class Mollification {
+  none,           ///< the metric stays as it is
+  automatic,      ///< `squared_lengths`, only where flips cannot remove the degenerate faces
+  lengths,        ///< an epsilon is added to all lengths (§4.7 of the course)
+  squared_lengths ///< a delta is added to all squared lengths
+};
+
+/*!
+\brief reports what was done about degenerate faces.
+*/
+struct Mollification_report {
+  /// What was applied: `none`, `lengths` or `squared_lengths`.
+  Mollification kind = Mollification::none;
+  /// What was added to the lengths (`lengths`) or squared lengths (`squared_lengths`), in the units
+  /// of the input.
+  double delta = 0;
+};
+
+/*!
+\brief tells whether the input has degenerate faces that flips cannot remove.
+
+A cap (zero area, a vertex inside its longest side) goes away when that side is flipped, if the face
+across has an area or loses its own degeneracy first. So following longest sides from a cap must end
+at a proper face. It does not if it meets the border, or two caps across the longest side of both
+(lengths increase along the way, so there is no other cycle). Zero lengths always stay.
+\tparam Metric a model of `IntrinsicMetric`
+\param mesh the connectivity
+\param metric the metric, before any flip
+\complexity linear
+*/
+template <class Metric>
+bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
+    if (metric.is_zero_length(e)) return true;
+  const auto length = [&](Gluing_map::Halfedge h) {
+    return metric.approximate_squared_length(h.index / 2);
+  };
+  std::vector<char> removable(mesh.number_of_faces(), 0);
+  std::vector<std::uint32_t> path;
+  for (std::uint32_t start = 0; start < mesh.number_of_faces(); ++start) {
+    std::uint32_t f = start;
+    path.clear();
+    while (metric.is_degenerate(f) && !removable[f]) {
+      const Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
+      const Gluing_map::Halfedge sides[3] = {h, mesh.next(h), mesh.next(mesh.next(h))};
+      const Gluing_map::Halfedge longest = *std::max_element(
+          sides, sides + 3, [&](auto a, auto b) { return length(a) < length(b); });
+      const Gluing_map::Face across = mesh.face(Gluing_map::opposite(longest));
+      if (across.index == Gluing::none || path.size() > mesh.number_of_faces() ||
+          (!path.empty() && path.back() == across.index) || across.index == f)
+        return true;
+      path.push_back(f);
+      f = across.index;
+    }
+    for (const std::uint32_t p : path) removable[p] = 1;
+  }
+  return false;
+}
+
+/*!
+\brief returns the delta that is added to squared lengths by default, in scaled units: 2^-72.
+
+The mean edge is near 1 in these units. A zero length becomes 1.5e-11 of the mean edge, so that lengths
+agree with those in space to 1e-10. In proper faces doubles do not show the difference; a face without
+area gets one of about 1e-11, well above the rounding of squared lengths.
+*/
+constexpr double default_squared_length_delta() { return 0x1p-72; }
+
+/*!
+\brief computes the epsilon of the course's Eq. 15: the smallest that, added to all lengths, makes
+every triangle inequality hold by at least `delta`.
+\param mesh the connectivity
+\param lengths one length per edge
+\param delta the margin; the course recommends 1e-5 of the mean edge
+\complexity linear
+*/
+inline double mollifying_epsilon(const Gluing_map& mesh, const std::vector<double>& lengths,
+                                 double delta) {
+  double epsilon = 0;
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+    Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
+    for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
+      const double a = lengths[h.index / 2];
+      const double b = lengths[mesh.next(h).index / 2];
+      const double c = lengths[mesh.next(mesh.next(h)).index / 2];
+      epsilon = std::max(epsilon, delta - a - b + c);
+    }
+  }
+  return epsilon;
+}
+
+/*!
+\brief returns the metric with the course's epsilon added to all lengths (§4.7).
+
+The new squared lengths are rounded to doubles, which define the result exactly.
+\param mesh the connectivity
+\param input the metric
+\param delta the margin in scaled units; see `mollifying_epsilon()`
+\param epsilon set to what was added, in scaled units
+*/
+inline Input_metric mollify_lengths(const Gluing_map& mesh, const Input_metric& input, double delta,
+                                    double& epsilon) {
+  std::vector<double> lengths(mesh.number_of_edges(), 0);
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+    Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
+    for (unsigned k = 0; k < 3; ++k, h = mesh.next(h))
+      lengths[h.index / 2] = std::sqrt(input.squared_length<double>(f, k));
+  }
+  epsilon = mollifying_epsilon(mesh, lengths, delta);
+  if (epsilon <= 0) return input;
+  for (double& x : lengths) x = (x + epsilon) * (x + epsilon);
+  return Input_metric::from_squared_lengths(mesh, std::move(lengths), input.scale_exponent());
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_MOLLIFICATION_H

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_RENUMBERING_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_RENUMBERING_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+/*!
+\file
+Numbering for locality. A mesh whose neighbouring faces are far apart in memory costs a cache miss
+per access; numbering its faces along a space-filling curve makes flips several times faster.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief maps the numbering of a triangulation to that of its input; empty vectors are the identity.
+*/
+struct Renumbering {
+  /// Number in the input of each vertex.
+  std::vector<std::uint32_t> input_vertex;
+  /// Number in the input of each face.
+  std::vector<std::uint32_t> input_face;
+};
+
+/*!
+\brief tells whether neighbouring faces lie so far apart in memory that renumbering pays.
+
+True if the mesh does not fit a processor's cache (more than 2^17 faces) and more than an eighth of
+a sample of its edges join faces more than 4096 apart.
+\complexity constant
+*/
+inline bool is_badly_ordered(const Gluing_map& mesh) {
+  if (mesh.number_of_faces() <= 1U << 17) return false;
+  constexpr std::uint32_t samples = 4096;
+  std::uint32_t far = 0;
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    const auto e = static_cast<std::uint32_t>(std::uint64_t{mesh.number_of_edges()} * i / samples);
+    const std::uint32_t f = mesh.face({2 * e}).index, g = mesh.face({2 * e + 1}).index;
+    if (f != Gluing::none && g != Gluing::none && std::max(f, g) - std::min(f, g) > 4096) ++far;
+  }
+  return 8 * far > samples;
+}
+
+namespace internal {
+
+// Stable counting sort: the place of each element in the order of its key, keys below `bound`.
+inline std::vector<std::uint32_t> places_by_key(const std::vector<std::uint32_t>& keys,
+                                                std::uint32_t bound) {
+  std::vector<std::uint32_t> start(bound + 1, 0), place(keys.size());
+  for (const std::uint32_t k : keys) ++start[k + 1];
+  for (std::uint32_t k = 0; k < bound; ++k) start[k + 1] += start[k];
+  for (std::size_t i = 0; i < keys.size(); ++i) place[i] = start[keys[i]]++;
+  return place;
+}
+
+inline std::vector<std::uint32_t> inverse_permutation(const std::vector<std::uint32_t>& p) {
+  std::vector<std::uint32_t> inverse(p.size());
+  for (std::uint32_t i = 0; i < p.size(); ++i) inverse[p[i]] = i;
+  return inverse;
+}
+
+// New numbers of vertices, edges and faces.
+struct New_numbers {
+  std::vector<std::uint32_t> vertex, edge, face;
+};
+
+// Faces follow the least of their vertices, edges the first of their faces. All loops run through
+// the mesh in memory order, so that cache misses overlap.
+inline New_numbers numbers_along(const Gluing_map& mesh, std::vector<std::uint32_t> vertex) {
+  New_numbers result;
+  result.vertex = std::move(vertex);
+  std::vector<std::uint32_t> key(mesh.number_of_faces(), Gluing::none);
+  for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h) {
+    const std::uint32_t f = mesh.face({h}).index;
+    if (f != Gluing::none) key[f] = std::min(key[f], result.vertex[mesh.target({h}).index]);
+  }
+  result.face = places_by_key(key, mesh.number_of_vertices());
+  key.resize(mesh.number_of_edges());
+  const auto place = [&](std::uint32_t h) {
+    const std::uint32_t f = mesh.face({h}).index;
+    return f == Gluing::none ? f : result.face[f];
+  };
+  for (std::uint32_t e = 0; e < key.size(); ++e) key[e] = std::min(place(2 * e), place(2 * e + 1));
+  result.edge = places_by_key(key, mesh.number_of_faces());
+  return result;
+}
+
+inline Gluing_map renumbered(const Gluing_map& mesh, const New_numbers& number) {
+  using Halfedge = Gluing_map::Halfedge;
+  const auto side = [&](Halfedge h) {
+    return h.index == Gluing::none ? h : Halfedge{2 * number.edge[h.index / 2] + h.index % 2};
+  };
+  Gluing_map result(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
+  for (std::uint32_t i = 0; i < mesh.number_of_halfedges(); ++i) {
+    const Halfedge h{i}, n = side(h);
+    result.set_next(n, side(mesh.next(h)));
+    result.set_target(n, {number.vertex[mesh.target(h).index]});
+    const std::uint32_t f = mesh.face(h).index;
+    if (f != Gluing::none) result.set_face(n, {number.face[f]});
+  }
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
+    result.set_halfedge(Gluing_map::Face{number.face[f]}, side(mesh.halfedge(Gluing_map::Face{f})));
+  for (std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v)
+    result.set_halfedge(Gluing_map::Vertex{number.vertex[v]},
+                        side(mesh.halfedge(Gluing_map::Vertex{v})));
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\brief orders points along a Morton curve.
+\return numbers of the points in the new order
+\pre coordinates are finite
+\complexity linear: a radix sort
+*/
+inline std::vector<std::uint32_t> morton_order(const std::vector<std::array<double, 3>>& points) {
+  std::array<double, 3> low = points[0], high = points[0];
+  for (const std::array<double, 3>& p : points)
+    for (unsigned k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  // halves, so that differences do not overflow
+  const double extent = std::max({high[0] / 2 - low[0] / 2, high[1] / 2 - low[1] / 2,
+                                  high[2] / 2 - low[2] / 2, std::numeric_limits<double>::min()});
+  const auto spread = [](std::uint64_t x) { // ...cba -> ...c00b00a, 10 bits
+    x = (x | (x << 16)) & 0x030000FFULL;
+    x = (x | (x << 8)) & 0x0300F00FULL;
+    x = (x | (x << 4)) & 0x030C30C3ULL;
+    return (x | (x << 2)) & 0x09249249ULL;
+  };
+  std::vector<std::uint64_t> keys(points.size());
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    std::uint64_t key = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const double x = (points[v][k] / 2 - low[k] / 2) / extent;
+      key |= spread(static_cast<std::uint64_t>(std::clamp(x * 1023, 0.0, 1023.0))) << k;
+    }
+    keys[v] = key << 32 | v;
+  }
+  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order(keys.size());
+  std::transform(keys.begin(), keys.end(), order.begin(),
+                 [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+  return order;
+}
+
+/*!
+\brief renumbers a mesh in space so that neighbours are near in memory: vertices along a Morton
+curve, faces and edges along with them.
+\param mesh the connectivity, which is replaced
+\param points one point per vertex, which are permuted
+\return the way back to the numbers before
+\pre `mesh` has a vertex, coordinates are finite
+\complexity linear
+*/
+inline Renumbering renumber(Gluing_map& mesh, std::vector<std::array<double, 3>>& points) {
+  Renumbering back;
+  back.input_vertex = morton_order(points);
+  const internal::New_numbers number =
+      internal::numbers_along(mesh, internal::inverse_permutation(back.input_vertex));
+  mesh = internal::renumbered(mesh, number);
+  back.input_face = internal::inverse_permutation(number.face);
+  std::vector<std::array<double, 3>> moved;
+  moved.reserve(points.size());
+  for (const std::uint32_t v : back.input_vertex) moved.push_back(points[v]);
+  points = std::move(moved);
+  return back;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_RENUMBERING_H

@@ -1,0 +1,256 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALE_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALE_METRIC_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Tensor_norm.h>
+#include <CGAL/Intrinsic_triangulations/formulas/side_vectors.h>
+#include <CGAL/Intrinsic_triangulations/formulas/triangle_inequality.h>
+#include <CGAL/Intrinsic_triangulations/input/Metric_source.h>
+#include <CGAL/Intrinsic_triangulations/input/Scaled_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/scaling.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/*!
+\file
+New lengths for the edges of a surface: metric scaling (§4.8 of the course).
+
+The input is a mesh in space (any that `Intrinsic_input` takes), an `Intrinsic_input` (for gluings
+with squared lengths, triangle soups, and other point maps), or an `Intrinsic_triangulation`, whose
+current edges count. The result is an abstract metric on the same triangles: element number n of the
+result, of reports and of errors is the n-th vertex, edge or face in the order of iteration of the mesh
+(of `mesh()`, if a triangulation is given).
+
+The new surface is *not* the old one: it has other areas, distances and cone angles. A triangulation
+that is built from it is its own input, and its correspondence is with the triangles of that; no point
+of it has coordinates in space. What both surfaces share are the triangles of the mesh: a point of the
+new input, as a face and barycentric coordinates, names one of the old surface.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// The value at `x` of a functor or of a property map.
+template <class Field, class Descriptor>
+double value_at(const Field& field, Descriptor x) {
+  if constexpr (std::is_invocable_v<const Field&, Descriptor>)
+    return CGAL::to_double(field(x));
+  else {
+    using boost::get;
+    return CGAL::to_double(get(field, x));
+  }
+}
+
+template <class Mesh>
+void check_new_square(const Metric_source<Mesh>& s, std::uint32_t e, double square) {
+  const bool normal = std::isfinite(square) && (square >= std::numeric_limits<double>::min() ||
+                                                (square == 0 && s.squared_lengths[e] == 0));
+  if (normal) return;
+  throw Invalid_input(Element_kind::edge, e,
+                      "edge " + std::to_string(e) + " between vertices " +
+                          std::to_string(s.map.source({2 * e}).index) + " and " +
+                          std::to_string(s.map.target({2 * e}).index) +
+                          " gets a length whose square is out of the range of doubles; scale less, "
+                          "or multiply all lengths by a constant");
+}
+
+template <class Mesh>
+Intrinsic_input scaled_input(Metric_source<Mesh>&& s, std::vector<double> squared_lengths) {
+  for (std::uint32_t e = 0; e < s.map.number_of_edges(); ++e)
+    check_new_square(s, e, squared_lengths[e]);
+  Intrinsic_input in(std::move(s.map), std::move(squared_lengths), s.mollification);
+  in.triangulated_polygons = s.triangulated_polygons;
+  return in;
+}
+
+template <class Mesh, class Factors>
+Scaled_metric scale_conformally(Metric_source<Mesh>&& s, const Factors& factors,
+                                const Metric_scaling_options& options) {
+  std::vector<double> u;
+  u.reserve(s.vertices.size());
+  for (const typename Metric_source<Mesh>::Vertex v : s.vertices) {
+    u.push_back(value_at(factors, v));
+    if (!std::isfinite(u.back()))
+      throw Invalid_input(Element_kind::vertex, u.size() - 1,
+                          "vertex " + std::to_string(u.size() - 1) +
+                              " has a conformal factor that is not finite; correct it");
+  }
+  const Power_of_two unit(-s.scale_exponent);
+  std::vector<double> squared_lengths(s.squared_lengths);
+  for (std::uint32_t e = 0; e < s.map.number_of_edges(); ++e) {
+    const double a = u[s.map.source({2 * e}).index], b = u[s.map.target({2 * e}).index];
+    const double factor = unit(std::exp(a / 2 + b / 2));
+    squared_lengths[e] = squared_lengths[e] * factor * factor;
+  }
+  return finish_scaling(scaled_input(std::move(s), std::move(squared_lengths)), options);
+}
+
+// The mean over the sides of each edge of what `norm(face, vector)` says, squared. `sides(face number)`
+// are the vectors; it may refer to `s`, which is left as it is until the last line.
+template <class Mesh, class Sides, class Norm>
+Scaled_metric scale_by_norm(Metric_source<Mesh>&& s, const Sides& sides, const Norm& norm,
+                            const Metric_scaling_options& options) {
+  std::vector<double> sum(s.map.number_of_edges(), 0);
+  std::vector<unsigned char> count(s.map.number_of_edges(), 0);
+  const Power_of_two unit(-s.scale_exponent);
+  for (std::uint32_t f = 0; f < s.map.number_of_faces(); ++f) {
+    auto vectors = sides(f);
+    const std::array<std::uint32_t, 3> e = edges_of_face(s.map, f);
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++count[e[k]];
+      if (s.squared_lengths[e[k]] == 0) continue;
+      for (double& x : vectors[k]) x = unit(x);
+      const double length = CGAL::to_double(norm(s.faces[f], vectors[k]));
+      if (!std::isfinite(length) || !(length > 0))
+        throw Invalid_input(Element_kind::face, f,
+                            "face " + std::to_string(f) + " has a norm that gives its side " +
+                                std::to_string(k) + " the length " + text_of_length(length) +
+                                "; give one that is positive and finite");
+      sum[e[k]] += length;
+    }
+  }
+  for (std::size_t e = 0; e < sum.size(); ++e) {
+    sum[e] /= count[e] == 0 ? 1 : count[e];
+    sum[e] *= sum[e];
+  }
+  return finish_scaling(scaled_input(std::move(s), std::move(sum)), options);
+}
+
+template <class Mesh>
+Side_vectors<2> planar_sides_of_face(const Metric_source<Mesh>& s, std::uint32_t f) {
+  const std::array<std::uint32_t, 3> e = edges_of_face(s.map, f);
+  const double a = s.squared_lengths[e[0]], b = s.squared_lengths[e[1]],
+               c = s.squared_lengths[e[2]];
+  // the lengths of a triangulation are rounded: those of a face without area may not be exact
+  if (std::is_same_v<Mesh, Intrinsic_input> && !squares_satisfy_triangle_inequality(a, b, c))
+    throw Invalid_input(Element_kind::face, f,
+                        "face " + std::to_string(f) +
+                            " violates the triangle inequality before it is scaled; correct the "
+                            "lengths of its edges");
+  return planar_sides(a, b, c);
+}
+
+template <class Mesh>
+Side_vectors<3> sides_of_face_in_space(const Metric_source<Mesh>& s, std::uint32_t f) {
+  const Gluing_map::Halfedge h = s.map.halfedge(Gluing_map::Face{f}), n = s.map.next(h);
+  return {s.side_in_space(h), s.side_in_space(n), s.side_in_space(s.map.next(n))};
+}
+
+// Norms are given per face: the faces must be those of the user.
+template <class Mesh>
+Metric_source<Mesh> read_triangles(const Mesh& mesh) {
+  Metric_source<Mesh> s = read_metric(mesh);
+  if constexpr (std::is_same_v<typename Named_mesh<Mesh>::type, Mesh>)
+    if (s.triangulated_polygons > 0) gluing_map_from_face_graph(mesh); // throws, and names one
+  return s;
+}
+
+} // namespace internal
+
+/*!
+\brief scales the metric of a surface by a factor e^u_i per vertex, l'_ij = exp((u_i + u_j) / 2) l_ij.
+
+A constant u multiplies lengths by e^u and areas by e^2u. With u_i = -2 log |x_i| the result has the
+lengths between the points x_i inverted in the unit sphere: their distances are
+|x_i - x_j| / (|x_i| |x_j|).
+
+Polygonal faces are triangulated first, as `Intrinsic_input` does.
+\tparam Mesh see the file's description
+\tparam Factors a functor or a readable property map from vertex descriptors (those of `mesh`, of
+  `mesh.mesh()` for an `Intrinsic_triangulation`, of `Gluing_map` for an `Intrinsic_input`) to numbers
+\param mesh the surface
+\param u the logarithmic factors
+\param options what is done about the triangle inequality
+\return the new metric and a report
+\throws Invalid_input naming a vertex with a factor that is not finite, an edge whose new squared
+  length is no normal `double`, or a face that violates the triangle inequality if the options say so
+\complexity linear, and that of `shorten_edges()`
+*/
+template <class Mesh, class Factors>
+Scaled_metric scale_conformally(const Mesh& mesh, const Factors& u,
+                                const Metric_scaling_options& options = {}) {
+  return internal::scale_conformally(internal::read_metric(mesh), u, options);
+}
+
+/*!
+\brief scales the metric of a surface by a norm per face, which may depend on the direction: the new
+length of an edge is that of its vector, averaged over the faces at the edge (§4.8 of the course).
+
+The frame of a face is that of `planar_layout()`: i and j are source and target of
+`halfedge(face, mesh)`, k is the third corner; i is the origin, j lies on the positive x-axis, k above
+it. If i and j are in the same place, k lies on the x-axis.
+
+The norm is asked once for each side of each face that has a length, for the vector that runs along
+the side with the face on its left: i -> j, j -> k, k -> i. On the border one face counts; where both
+sides of an edge are in one face, the norms of two vectors of that face are averaged. `Tensor_norm`
+makes norms from tensors and from stretches.
+\tparam Mesh see the file's description; faces must be triangles
+\tparam Norm a functor: `norm(face_descriptor, Planar_vector<double>)` is a length, positive and
+  homogeneous in the vector; descriptors as for `scale_conformally()`
+\param mesh the surface
+\param norm the norms
+\param options what is done about the triangle inequality
+\return the new metric and a report
+\throws Invalid_input naming a face with a norm that is not positive or not finite, a face that is no
+  triangle, or as `scale_conformally()`
+\complexity linear, and that of `shorten_edges()`
+*/
+template <class Mesh, class Norm>
+Scaled_metric scale_by_norm(const Mesh& mesh, const Norm& norm,
+                            const Metric_scaling_options& options = {}) {
+  auto source = internal::read_triangles(mesh);
+  const bool embedded = !source.points.empty();
+  const auto sides = [&source, embedded](std::uint32_t f) {
+    return embedded ? planar_sides(internal::sides_of_face_in_space(source, f))
+                    : internal::planar_sides_of_face(source, f);
+  };
+  return internal::scale_by_norm(std::move(source), sides, norm, options);
+}
+
+/*!
+\brief scales the metric of a surface in space by a norm per face, given for vectors of space: see
+`scale_by_norm()`.
+
+For fields that are known in space: speeds, directions of curvature. A norm that is the same in all
+faces and comes from an inner product gives the lengths of the mesh transformed linearly.
+\tparam Mesh a mesh in space, or `Intrinsic_input` with points; faces must be triangles
+\tparam Norm a functor: `norm(face_descriptor, std::array<double, 3>)` is a length
+\param mesh the surface
+\param norm the norms
+\param options what is done about the triangle inequality
+\return the new metric and a report
+\throws Invalid_input if `mesh` has no points, and as `scale_by_norm()`
+\complexity as `scale_by_norm()`
+*/
+template <class Mesh, class Norm>
+  requires(!internal::Has_intrinsic_metric<Mesh>)
+Scaled_metric scale_by_norm_in_space(const Mesh& mesh, const Norm& norm,
+                                     const Metric_scaling_options& options = {}) {
+  auto source = internal::read_triangles(mesh);
+  if (source.points.empty() && source.map.number_of_edges() > 0)
+    throw Invalid_input(Element_kind::none, 0,
+                        "the surface has no points in space; give norms in the faces' own frames");
+  const auto sides = [&source](std::uint32_t f) {
+    return internal::sides_of_face_in_space(source, f);
+  };
+  return internal::scale_by_norm(std::move(source), sides, norm, options);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALE_METRIC_H

@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_TRIANGULATE_FACE_GRAPH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_TRIANGULATE_FACE_GRAPH_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Glues the triangles of polygons: along diagonals within a polygon, along sides as the mesh has it.
+class Polygon_gluing {
+public:
+  using Triangle = Polygon_triangulator<>::Triangle;
+
+  // `corners` and `sides` are the numbers of the vertices and of the halfedges that start there
+  void add(const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& sides,
+           const std::vector<Triangle>& triangles) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> diagonal;
+    for (const Triangle& t : triangles)
+      for (unsigned k = 0; k < 3; ++k) {
+        const std::uint32_t i = t[k], j = t[(k + 1) % 3];
+        const auto h = static_cast<std::uint32_t>(gluing_.origin.size());
+        gluing_.origin.push_back(corners[i]);
+        gluing_.glue.push_back(Gluing::none);
+        if (j == (i + 1) % corners.size()) {
+          if (sides[i] >= side_.size()) side_.resize(sides[i] + std::size_t{1}, Gluing::none);
+          side_[sides[i]] = h;
+        } else if (const auto other = diagonal.find({j, i}); other != diagonal.end())
+          glue(h, other->second);
+        else
+          diagonal.insert({{i, j}, h});
+      }
+  }
+
+  // glues two halfedges of the mesh, of which at most one is on its border
+  void glue_sides(std::uint32_t one, std::uint32_t other) {
+    if (one < side_.size() && other < side_.size() && side_[one] != Gluing::none &&
+        side_[other] != Gluing::none)
+      glue(side_[one], side_[other]);
+  }
+
+  Gluing take(std::uint32_t number_of_vertices) {
+    gluing_.number_of_vertices = number_of_vertices;
+    return std::move(gluing_);
+  }
+
+private:
+  void glue(std::uint32_t h, std::uint32_t other) {
+    gluing_.glue[h] = other;
+    gluing_.glue[other] = h;
+  }
+
+  Gluing gluing_;
+  std::vector<std::uint32_t> side_; // the side of a triangle that a halfedge of the mesh is
+};
+
+// the numbers of the halfedges around a face, and of the vertices that they start from
+template <class FaceGraph>
+void collect_sides(const FaceGraph& mesh,
+                   typename boost::graph_traits<FaceGraph>::halfedge_descriptor first,
+                   const Mesh_adaptor<FaceGraph>& number, std::vector<std::uint32_t>& sides,
+                   std::vector<std::uint32_t>& corners) {
+  sides.clear();
+  corners.clear();
+  typename boost::graph_traits<FaceGraph>::halfedge_descriptor h = first;
+  do {
+    sides.push_back(number.halfedge(h));
+    corners.push_back(number.vertex(source(h, mesh)));
+    h = next(h, mesh);
+  } while (h != first);
+}
+
+} // namespace internal
+
+/*!
+\brief copies the connectivity of a mesh with polygonal faces, cut into triangles.
+
+Vertices keep their numbers. Flat polygons keep their shape; the choice of triangles is what gives one
+to others: quadrilaterals are cut where they bend less, others as their projection along their vector
+area.
+\tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+\param mesh the mesh
+\param points one point per vertex, in the order of iteration
+\param polygons set to the number of faces that are not triangles
+\throws Invalid_input naming a face that cannot be triangulated
+\complexity linear in the number of faces, for polygons of bounded size
+*/
+template <class FaceGraph>
+Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
+                                    const std::vector<std::array<double, 3>>& points,
+                                    std::size_t& polygons) {
+  using Traits = boost::graph_traits<FaceGraph>;
+  const Mesh_adaptor<FaceGraph> number(mesh);
+  std::vector<std::uint32_t> vertex(number.vertex_capacity(mesh), Gluing::none);
+  std::uint32_t n = 0;
+  for (const typename Traits::vertex_descriptor v : vertices(mesh)) vertex[number.vertex(v)] = n++;
+  internal::Polygon_gluing gluing;
+  internal::Polygon_triangulator<> triangulator;
+  std::vector<internal::Polygon_triangulator<>::Triangle> triangles;
+  std::vector<std::uint32_t> corners, sides;
+  std::size_t f = 0;
+  polygons = 0;
+  const auto fail = [&f](const char* what) {
+    throw Invalid_input(Element_kind::face, f, "face " + std::to_string(f) + what);
+  };
+  for (const typename Traits::face_descriptor d : faces(mesh)) {
+    internal::collect_sides(mesh, halfedge(d, mesh), number, sides, corners);
+    for (std::uint32_t& v : corners) v = vertex[v];
+    if (corners.size() < 3) fail(" has fewer than three sides; remove it");
+    triangles.assign(1, {0, 1, 2});
+    if (corners.size() > 3) {
+      ++polygons;
+      triangulator.load(corners.size(), [&](std::size_t i) { return points[corners[i]]; });
+      if (!triangulator.triangulate(triangles))
+        fail(" is a polygon that cannot be triangulated; split it into triangles");
+    }
+    gluing.add(corners, sides, triangles);
+    ++f;
+  }
+  for (const typename Traits::edge_descriptor e : edges(mesh))
+    gluing.glue_sides(number.halfedge(halfedge(e, mesh)),
+                      number.halfedge(opposite(halfedge(e, mesh), mesh)));
+  return Gluing_map(gluing.take(n));
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_TRIANGULATE_FACE_GRAPH_H

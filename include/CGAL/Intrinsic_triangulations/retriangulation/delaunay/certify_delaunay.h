@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_CERTIFY_DELAUNAY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_CERTIFY_DELAUNAY_H
+
+#include <CGAL/Integer_only_triangulation.h>
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <CGAL/enum.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief tells what a triangulation is, exactly. If there are inverted faces or bent edges it is none, and the other
+numbers have no meaning.
+*/
+struct Delaunay_certificate {
+  /// Faces whose area is not positive: edges that meet as they should not, which rounding can make.
+  std::size_t inverted_faces = 0;
+  /// Edges that do not run straight: a straight path between their ends passes vertices on another side.
+  std::size_t bent_edges = 0;
+  /// Edges whose opposite angles sum to more than pi.
+  std::size_t non_delaunay_edges = 0;
+  /// Edges whose opposite angles sum to exactly pi.
+  std::size_t cocircular_edges = 0;
+  /// How the signs were decided.
+  Predicate_statistics statistics;
+
+  /// tells whether the triangulation is an intrinsic Delaunay triangulation, proven unless
+  /// `statistics.probable_zero` is positive.
+  bool is_delaunay() const {
+    return inverted_faces == 0 && bent_edges == 0 && non_delaunay_edges == 0;
+  }
+};
+
+/*!
+\brief decides exactly whether a triangulation is Delaunay, from its integers and the input.
+\param t the triangulation; its predicates only count how they were decided
+\complexity linear in the number of crossings, mostly; see `Integer_geometry::sign()`
+*/
+template <MutableDeltaComplex Mesh>
+Delaunay_certificate certify_delaunay(Integer_only_triangulation<Mesh>& t) {
+  Delaunay_certificate certificate;
+  const Predicate_statistics before = std::exchange(t.statistics(), {});
+  {
+    typename Integer_only_triangulation<Mesh>::Session session(t);
+    for (const typename Integer_only_triangulation<Mesh>::face_descriptor f : faces(t.mesh()))
+      if (session.orientation(halfedge(f, t.mesh())) != POSITIVE) ++certificate.inverted_faces;
+    for (const typename Integer_only_triangulation<Mesh>::edge_descriptor e : edges(t.mesh()))
+      if (!session.is_straight(halfedge(e, t.mesh()))) ++certificate.bent_edges;
+  }
+  const auto report = check_delaunay(t);
+  certificate.non_delaunay_edges = report.non_delaunay_edges;
+  certificate.cocircular_edges = report.cocircular_edges.size();
+  certificate.statistics = std::exchange(t.statistics(), before);
+  return certificate;
+}
+
+/*!
+\brief decides exactly whether a triangulation that was made in any arithmetic is Delaunay.
+
+Nothing of its metric is used: neither lengths nor areas nor a history. What its integer coordinates say is
+unfolded from the input (see `Integer_only_triangulation`). Inserted vertices are where
+`Integer_coordinates::location()` says, with weights rounded by `representable_weights()`.
+\tparam Mesh a model of `MutableDeltaComplex`
+\tparam Traits a model of `IntrinsicTriangulationTraits`
+\param t the triangulation
+\param input what it was built from, with the same options. If `Mollification::automatic` could come to
+  different results in the arithmetic of `t`, pass what `t.report().mollification.kind` says.
+\throws Invalid_input and std::length_error as the constructor of `Integer_only_triangulation`
+\complexity see the other overload
+*/
+template <MutableDeltaComplex Mesh, class Traits>
+Delaunay_certificate
+certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>& t,
+                 Intrinsic_input input) {
+  Integer_only_triangulation<Mesh> integers(t, std::move(input));
+  return certify_delaunay(integers);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_CERTIFY_DELAUNAY_H

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_FLIP_TO_DELAUNAY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_FLIP_TO_DELAUNAY_H
+
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <type_traits>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// How flipping to Delaunay ended.
+enum class Flip_to_delaunay_status {
+  done, ///< all edges that may be flipped are locally Delaunay, as far as the arithmetic can tell
+  cap,  ///< the cap on the number of flips was reached
+  cancelled ///< the visitor asked to stop
+};
+
+/*!
+\brief reports what flipping to Delaunay did.
+*/
+struct Flip_to_delaunay_result {
+  /// How it ended.
+  Flip_to_delaunay_status status = Flip_to_delaunay_status::done;
+  /// Number of edges flipped.
+  std::uint64_t flips = 0;
+  /// Number of edges tested.
+  std::uint64_t checks = 0;
+  /// Number of flips refused: the arithmetic made an area that is not positive, or an edge crosses too much of the
+  /// input.
+  std::uint64_t refused_flips = 0;
+};
+
+/*!
+\brief observes flipping to Delaunay; the default visitor does nothing.
+*/
+struct Flip_to_delaunay_visitor {
+  /*!
+  \brief is called now and then, about every 65536 checks.
+  \return whether to go on
+  */
+  bool progress(const Flip_to_delaunay_result&) { return true; }
+};
+
+namespace internal {
+
+template <class T>
+T& unwrapped(T& value) {
+  return value;
+}
+template <class T>
+T& unwrapped(std::reference_wrapper<T>& reference) {
+  return reference.get();
+}
+
+// Counts what a flipper does, and stops it.
+template <class Triangulation, class Constrained, class Visitor>
+class Flip_observer {
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+
+public:
+  Flip_observer(const Triangulation& t, const typename Triangulation::Session& session,
+                Constrained constrained, Visitor& visitor, std::uint64_t cap)
+      : t_(t), session_(session), constrained_(constrained), visitor_(visitor), cap_(cap) {}
+
+  bool before_check() {
+    if ((++result.checks & 0xffffU) != 0 ||
+        session_.suspended([this] { return visitor_.progress(result); }))
+      return true;
+    result.status = Flip_to_delaunay_status::cancelled;
+    return false;
+  }
+  bool is_constrained(Halfedge h) const { return get(constrained_, edge(h, t_.mesh())); }
+  bool before_flip() {
+    if (result.flips < cap_) return true;
+    result.status = Flip_to_delaunay_status::cap;
+    return false;
+  }
+  void after_flip(Halfedge) { ++result.flips; }
+  void refused(Halfedge) { ++result.refused_flips; }
+
+  Flip_to_delaunay_result result;
+
+private:
+  const Triangulation& t_;
+  const typename Triangulation::Session& session_;
+  Constrained constrained_;
+  Visitor& visitor_;
+  std::uint64_t cap_;
+};
+
+} // namespace internal
+
+/*!
+\brief flips edges until all are locally Delaunay, starting from a range of edges (§4.2 of the
+course, Algorithm 1).
+
+Edges whose neighbourhood changes are tested again, whether they are in the range or not. Only edges
+that are strictly not Delaunay are flipped, never ties, so that with exact arithmetic the algorithm
+ends (Bobenko and Springborn 2007, Proposition 12). With inexact arithmetic a cap on the number of
+flips makes it end.
+
+\tparam Triangulation a model of `IntrinsicTriangulation`
+\tparam EdgeRange a range of `Triangulation::edge_descriptor`
+\tparam NamedParameters a sequence of named parameters
+\param t the triangulation
+\param edges the edges to start from
+\param np optional named parameters:
+  - `edge_is_constrained_map(m)`: a readable property map from edges to `bool`; constrained edges are
+    never flipped. Default: none is.
+  - `visitor(v)`: has a member `bool progress(const Flip_to_delaunay_result&)` that is called now and
+    then and returns whether to go on. It is copied; pass `std::ref(v)` to have `v` itself called.
+    Default: `Flip_to_delaunay_visitor`.
+  - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100
+    per edge and a million.
+\return status and counts
+\complexity linear in the number of flips, which is linear in the mesh in practice (§4.2), quadratic
+  on points of a parabola
+*/
+template <IntrinsicTriangulation Triangulation, class EdgeRange,
+          class NamedParameters = parameters::Default_named_parameters>
+Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edges,
+                                         const NamedParameters& np = parameters::default_values()) {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Edge = typename Triangulation::edge_descriptor;
+  auto constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                      Static_boolean_property_map<Edge, false>());
+  auto stored_visitor =
+      choose_parameter(get_parameter(np, internal_np::visitor), Flip_to_delaunay_visitor());
+  auto& visitor = internal::unwrapped(stored_visitor);
+  constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t cap = choose_parameter(
+      get_parameter(np, internal_np::maximum_number),
+      Triangulation::Metric::is_exact ? unlimited
+                                      : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
+  typename Triangulation::Session session(t);
+  internal::Flip_observer<Triangulation, decltype(constrained),
+                          std::remove_reference_t<decltype(visitor)>>
+      observer(t, session, constrained, visitor, cap);
+  internal::Delaunay_flipper<Triangulation> flipper(t, session);
+  for (const Edge e : edges) flipper.push(halfedge(e, t.mesh()));
+  flipper.run(observer);
+  return observer.result;
+}
+
+/*!
+\brief flips edges until all are locally Delaunay.
+
+See the overload with a range of edges.
+*/
+template <IntrinsicTriangulation Triangulation>
+Flip_to_delaunay_result flip_to_delaunay(Triangulation& t) {
+  return flip_to_delaunay(t, edges(t.mesh()), parameters::default_values());
+}
+
+/*!
+\brief flips edges until all are locally Delaunay.
+
+See the overload with a range of edges.
+*/
+template <IntrinsicTriangulation Triangulation, class T, class Tag, class Base>
+Flip_to_delaunay_result flip_to_delaunay(Triangulation& t,
+                                         const Named_function_parameters<T, Tag, Base>& np) {
+  return flip_to_delaunay(t, edges(t.mesh()), np);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_FLIP_TO_DELAUNAY_H

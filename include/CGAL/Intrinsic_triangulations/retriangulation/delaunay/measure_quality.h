@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief describes the shapes of the faces of a triangulation, as doubles can tell.
+*/
+struct Quality {
+  /// Least angle, in degrees.
+  double minimum_angle = 180;
+  /// Greatest angle, in degrees.
+  double maximum_angle = 0;
+  /// Numbers of angles below 10 degrees, from 10 to 20, ..., from 170 up.
+  std::array<std::size_t, 18> angles{};
+  /// Greatest aspect ratio: circumradius by twice the inradius, 1 for equilateral faces.
+  double maximum_aspect_ratio = 0;
+  /// Mean of the aspect ratios.
+  double mean_aspect_ratio = 0;
+  /// Least cotangent weight of edges between two faces; infinite if there are none. Border edges have one
+  /// cotangent, of any sign.
+  double minimum_weight = std::numeric_limits<double>::infinity();
+  /// Greatest cotangent weight of edges between two faces.
+  double maximum_weight = -std::numeric_limits<double>::infinity();
+  /// Numbers of cotangent weights of such edges below 0, from 0 to 1/4, ..., from 7/4 to 2, from 2 up.
+  std::array<std::size_t, 10> weights{};
+};
+
+namespace internal {
+
+template <class Triangulation>
+void measure_faces(const Triangulation& t, Quality& q) {
+  const auto& mesh = t.mesh();
+  const auto squared_length = [&](auto h) {
+    return t.metric().approximate_squared_length(t.index(edge(h, mesh)));
+  };
+  double sum = 0;
+  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
+    const double area = t.metric().approximate_quadruple_area(t.index(f));
+    const auto h = halfedge(f, mesh), n = next(h, mesh);
+    const double a = squared_length(h), b = squared_length(n), c = squared_length(next(n, mesh));
+    for (const double numerator : {a + b - c, b + c - a, c + a - b}) {
+      const double angle = std::atan2(area, numerator) * (180 / std::numbers::pi);
+      q.minimum_angle = std::min(q.minimum_angle, angle);
+      q.maximum_angle = std::max(q.maximum_angle, angle);
+      ++q.angles[std::min<std::size_t>(17, static_cast<std::size_t>(std::max(0.0, angle) / 10))];
+    }
+    // R / (2 r) = l l' l'' (l + l' + l'') / a^2, a = 4A
+    const double la = std::sqrt(a), lb = std::sqrt(b), lc = std::sqrt(c);
+    const double ratio = la / area * lb * (lc / area) * (la + lb + lc);
+    q.maximum_aspect_ratio = std::max(q.maximum_aspect_ratio, ratio);
+    sum += ratio;
+  }
+  q.mean_aspect_ratio = sum / static_cast<double>(num_faces(mesh));
+}
+
+} // namespace internal
+
+/*!
+\brief measures the shapes of all faces.
+\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Is_tie a functor from edges to `bool`
+\param t the triangulation
+\param is_tie tells which edges are known to be cocircular: their weight is zero, which exact traits
+would have to prove again
+\complexity linear
+*/
+template <class Triangulation, class Is_tie>
+Quality measure_quality(Triangulation& t, const Is_tie& is_tie) {
+  Quality q;
+  internal::measure_faces(t, q);
+  const auto& mesh = t.mesh();
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+  typename Triangulation::Session session(t);
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const auto h = halfedge(e, mesh);
+    if (face(h, mesh) == null || face(opposite(h, mesh), mesh) == null) continue;
+    const double w = is_tie(e) ? 0 : session.cotangent_weight(e);
+    q.minimum_weight = std::min(q.minimum_weight, w);
+    q.maximum_weight = std::max(q.maximum_weight, w);
+    ++q.weights[w < 0 ? 0 : w < 2 ? 1 + static_cast<std::size_t>(4 * w) : 9];
+  }
+  return q;
+}
+
+/*!
+\brief measures the shapes of all faces.
+
+See the overload with a functor.
+*/
+template <class Triangulation>
+Quality measure_quality(Triangulation& t) {
+  return measure_quality(t, [](const auto&) { return false; });
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZER_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_options.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Planar_star.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_energy.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/*!
+Splits long edges and moves inserted vertices so that the energy of `odt_energy()` falls (§4.5 of the
+course).
+
+With the faces about a vertex kept, the energy is a quadratic polynomial of its position: every step along
+the way to the optimum lowers it, so far as all sides of the star stay visible. So do splits and Delaunay
+flips: with exact numbers the energy never rises.
+*/
+template <class Triangulation, class Visitor>
+class Odt_optimizer {
+  using Mesh = typename Triangulation::Mesh;
+  using Traits = boost::graph_traits<Mesh>;
+  using Session = typename Triangulation::Session;
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+
+public:
+  Odt_optimizer(Triangulation& t, const Odt_options& options, Visitor& visitor)
+      : t_(t), mesh_(t.mesh()), session_(t), view_(t), options_(options), visitor_(visitor),
+        flipper_(t, session_),
+        squared_target_(std::ldexp(options.target_length * options.target_length,
+                                   2 * t.metric().scale_exponent())),
+        cap_(options.maximum_insertions.value_or(1000000 +
+                                                 10 * std::uint64_t{num_faces(t.mesh())})) {}
+
+  /// optimises; `constrained` tells which edges are kept.
+  template <class Constrained>
+  Odt_result run(const Constrained& constrained) {
+    for (const auto e : edges(mesh_)) {
+      const Halfedge h = halfedge(e, mesh_);
+      if (get(constrained, e)) set_constrained(number(h) / 2, true);
+      flipper_.push(h);
+    }
+    result_.energy_before = odt_energy(t_);
+    is_going_on_ = flipper_.run(*this);
+    double energy = odt_energy(t_);
+    while (is_going_on_ && result_.iterations < options_.maximum_iterations) {
+      ++result_.iterations;
+      const std::uint64_t splits = result_.splits;
+      if (!split_long_edges() || !move_vertices() || !flip_everywhere()) break;
+      const double after = odt_energy(t_);
+      const bool is_steady = after > (1 - options_.convergence) * energy;
+      energy = after;
+      if (!may_go_on()) break;
+      if (splits != result_.splits || !is_steady) continue;
+      result_.status = Odt_status::converged;
+      break;
+    }
+    result_.energy_after = odt_energy(t_);
+    return result_;
+  }
+
+  /// tells whether an edge was constrained, or is a part of one that was.
+  bool is_constrained_edge(std::uint32_t e) const {
+    return e < is_constrained_.size() && is_constrained_[e] != 0;
+  }
+
+  // ---- observer of the flipper
+  bool before_check() { return true; }
+  bool before_flip() {
+    if (Triangulation::Metric::is_exact || result_.flips < flip_cap()) return true;
+    is_going_on_ = false;
+    return false;
+  }
+  bool is_constrained(Halfedge h) const { return is_constrained_edge(number(h) / 2); }
+  void after_flip(Halfedge) { ++result_.flips; }
+  void refused(Halfedge) { ++result_.refused; }
+
+private:
+  std::uint32_t number(Halfedge h) const { return t_.numbers().halfedge(h); }
+  Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
+  bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
+
+  void set_constrained(std::uint32_t e, bool value) {
+    if (e >= is_constrained_.size()) is_constrained_.resize(e + std::size_t{1}, 0);
+    is_constrained_[e] = value ? 1 : 0;
+  }
+
+  // with inexact numbers, rounding may make flips go round
+  std::uint64_t flip_cap() const {
+    return 1000000 + 100 * (std::uint64_t{num_edges(mesh_)} + result_.splits + result_.moves);
+  }
+
+  bool may_go_on() {
+    if (!session_.suspended([this] { return visitor_.progress(result_); })) {
+      result_.status = Odt_status::cancelled;
+      is_going_on_ = false;
+    }
+    return is_going_on_;
+  }
+
+  // ---- splits
+
+  // those that are too long now, the longest first; the parts come next time
+  bool split_long_edges() {
+    std::vector<std::pair<double, std::uint32_t>> longest;
+    for (const auto e : edges(mesh_)) {
+      const std::uint32_t h = number(halfedge(e, mesh_));
+      const double length = view_.squared_length(h / 2);
+      if (length > squared_target_) longest.push_back({length, h});
+    }
+    std::sort(longest.begin(), longest.end(), [](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first > b.first : a.second < b.second;
+    });
+    for (const auto& [length, h] : longest) {
+      if (result_.splits >= cap_) return false;
+      // flips near other splits may have made it shorter
+      if (view_.squared_length(h / 2) > squared_target_ && !split(descriptor(h))) return false;
+    }
+    return true;
+  }
+
+  bool split(Halfedge h) {
+    if (is_border(h)) h = opposite(h, mesh_);
+    const std::uint32_t e = number(h) / 2;
+    const bool on_border = is_border(opposite(h, mesh_)), is_kept = is_constrained_edge(e);
+    const auto n = session_.split_edge(h, 0.5);
+    if (n.status != Move_status::done) {
+      ++result_.refused;
+      return true;
+    }
+    ++result_.splits;
+    if (is_kept) {
+      // on the border h is the first half; inside it was flipped, and runs from the vertex
+      set_constrained(e, false);
+      const Halfedge one = on_border ? h : next(next(h, mesh_), mesh_);
+      const Halfedge other = on_border ? next(opposite(next(h, mesh_), mesh_), mesh_)
+                                       : next(opposite(h, mesh_), mesh_);
+      set_constrained(number(one) / 2, true);
+      set_constrained(number(other) / 2, true);
+    }
+    flipper_.push_star(n.vertex);
+    return flipper_.run(*this);
+  }
+
+  // ---- moves
+
+  bool move_vertices() {
+    std::vector<Vertex> inserted; // moving a vertex makes a new one
+    for (const Vertex v : vertices(mesh_))
+      if (t_.is_inserted(v)) inserted.push_back(v);
+    for (const Vertex v : inserted) {
+      move(v);
+      if ((result_.moves & 0xffU) == 0xffU && !may_go_on()) return false;
+      if (!is_going_on_) return false;
+    }
+    return true;
+  }
+
+  // a vertex on the border or on a constrained edge stays
+  bool may_move(Vertex v) {
+    if (!star_.load(view_, number(opposite(halfedge(v, mesh_), mesh_)))) return false;
+    return std::none_of(star_.spokes().begin(), star_.spokes().end(),
+                        [this](std::uint32_t h) { return is_constrained_edge(h / 2); });
+  }
+
+  void move(Vertex v) {
+    if (!may_move(v)) return;
+    const std::optional<Surface_point> place = next_place();
+    if (!place) return;
+    rim_.clear();
+    for (const std::uint32_t h : star_.spokes()) rim_.push_back(next(descriptor(h), mesh_));
+    const auto n = session_.reposition_vertex(v, descriptor(place->halfedge), place->weights);
+    for (const Halfedge h : rim_) flipper_.push(h);
+    if (n.status == Move_status::done) {
+      ++result_.moves;
+      flipper_.push_star(n.vertex);
+    } else
+      ++result_.refused;
+    flipper_.run(*this);
+  }
+
+  // The optimum, or as far on the way there as leaves some space to the rim; nowhere if that is about where
+  // the vertex is.
+  std::optional<Surface_point> next_place() const {
+    Planar_vector<double> p = star_.optimum();
+    const double space = least_space * star_.clearance({0, 0});
+    if (!(space > 0)) return std::nullopt;
+    for (int halvings = 0; halvings < maximum_halvings; ++halvings) {
+      if (!(std::hypot(p[0], p[1]) > least_step * space)) return std::nullopt;
+      if (star_.clearance(p) >= space) return star_.locate(p);
+      p = {p[0] / 2, p[1] / 2};
+    }
+    return std::nullopt;
+  }
+
+  // flips inside the rims of moved vertices may have been missed
+  bool flip_everywhere() {
+    for (const auto e : edges(mesh_)) flipper_.push(halfedge(e, mesh_));
+    return flipper_.run(*this);
+  }
+
+  // space to the rim that a step leaves, and the shortest step, relative to the space before
+  static constexpr double least_space = 0.25;
+  static constexpr double least_step = 1e-3;
+  static constexpr int maximum_halvings = 8;
+
+  Triangulation& t_;
+  const Mesh& mesh_;
+  Session session_;
+  Intrinsic_view<Triangulation> view_;
+  const Odt_options& options_;
+  Visitor& visitor_;
+  Delaunay_flipper<Triangulation> flipper_;
+  double squared_target_;
+  std::uint64_t cap_;
+  Planar_star star_;
+  std::vector<Halfedge> rim_;
+  std::vector<char> is_constrained_; // by edge number
+  bool is_going_on_ = true;
+  Odt_result result_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZER_H

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_PLANAR_STAR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_PLANAR_STAR_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/*!
+The faces about a flat interior vertex, laid out in the plane with the vertex at the origin: a polygon that
+is star-shaped about it.
+*/
+class Planar_star {
+public:
+  /*!
+  Lays out the faces about the source of a halfedge. False if there is none of them on one side, if an edge
+  leads from the vertex to itself, or if the total angle is not a full one: the vertex cannot be moved.
+  */
+  template <class Complex>
+  bool load(const Complex& complex, std::uint32_t first) {
+    spokes_.clear();
+    rim_.clear();
+    double angle = 0;
+    std::uint32_t h = first;
+    do {
+      if (complex.is_border(h) || complex.target(h) == complex.source(h)) return false;
+      const double length = std::sqrt(complex.squared_length(h / 2));
+      spokes_.push_back(h);
+      rim_.push_back({length * std::cos(angle), length * std::sin(angle)});
+      angle += angle_at_source(complex, h);
+      h = next_around_source(complex, h);
+    } while (h != first);
+    return std::abs(angle - full_angle) < angle_tolerance;
+  }
+
+  /// The halfedges from the vertex, counterclockwise.
+  const std::vector<std::uint32_t>& spokes() const { return spokes_; }
+
+  /*!
+  The mean of the circumcenters of the faces, weighted by their areas: where the energy of the star is least
+  (Chen and Holst 2011, Equation 4.13).
+
+  4 A c = (|a|^2 b_y - |b|^2 a_y, |b|^2 a_x - |a|^2 b_x) for the circumcenter c and the area A of the face
+  (0, a, b): no division by an area that may be small.
+  */
+  Planar_vector<double> optimum() const {
+    double x = 0, y = 0, area = 0;
+    for (std::size_t k = 0; k < rim_.size(); ++k) {
+      const Planar_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
+      const double aa = planar_dot(a, a), bb = planar_dot(b, b);
+      x += aa * b[1] - bb * a[1];
+      y += bb * a[0] - aa * b[0];
+      area += Intrinsic_triangulations::planar_cross(a, b);
+    }
+    return {x / (2 * area), y / (2 * area)};
+  }
+
+  /// The least distance from a point to the lines along the sides of the rim; negative where one is not
+  /// seen from inside.
+  double clearance(const Planar_vector<double>& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < rim_.size(); ++k) {
+      const Planar_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
+      const Planar_vector<double> side{b[0] - a[0], b[1] - a[1]};
+      const double length = std::hypot(side[0], side[1]);
+      least = std::min(
+          least, Intrinsic_triangulations::planar_cross(side, {p[0] - a[0], p[1] - a[1]}) / length);
+    }
+    return least;
+  }
+
+  /// The face that a point of the star is in, and its weights there; on an edge if it is close.
+  std::optional<Surface_point> locate(const Planar_vector<double>& p) const {
+    for (std::size_t k = 0; k < rim_.size(); ++k) {
+      const Planar_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
+      const double area = Intrinsic_triangulations::planar_cross(a, b);
+      double u = Intrinsic_triangulations::planar_cross(p, b) / area,
+             v = Intrinsic_triangulations::planar_cross(a, p) / area;
+      if (!(u >= -on_spoke && v >= -on_spoke && u + v < 1)) continue;
+      if (u < on_spoke) u = 0;
+      if (v < on_spoke) v = 0;
+      return Surface_point{spokes_[k], {1 - u - v, u, v}};
+    }
+    return std::nullopt;
+  }
+
+private:
+  static constexpr double full_angle = 6.283185307179586476925;
+  // Angles are accurate to a few units in the last place for each face, unless it is a needle.
+  static constexpr double angle_tolerance = 1e-6;
+  static constexpr double on_spoke = 0x1p-30;
+
+  std::vector<std::uint32_t> spokes_;
+  std::vector<Planar_vector<double>> rim_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_PLANAR_STAR_H

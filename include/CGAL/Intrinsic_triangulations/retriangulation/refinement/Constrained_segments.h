@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_CONSTRAINED_SEGMENTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_CONSTRAINED_SEGMENTS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief keeps the edges that refinement splits but never flips, and the vertices that it puts on them.
+
+Such edges are those of the border and those that are constrained. Where two of them make an angle of
+less than 60 degrees at a vertex, splitting one at its midpoint may ask to split the other, and so on
+without end. Hence edges at such a vertex are split at distances from it that are powers of two, so that
+both get vertices at the same distances (Ruppert, A Delaunay refinement algorithm for quality
+2-dimensional mesh generation, 1995, section 5), and a face whose shortest side joins two such vertices is
+left alone (Shewchuk, Mesh generation for domains with small angles, 2000). Between segments whose angle is
+below the bound for angles no face can be expected to meet it, whatever the distances.
+
+All elements are named by numbers, lengths are those of the complex.
+*/
+class Constrained_segments {
+public:
+  /*!
+  \brief adds an edge; all must be added before `find_small_angles()`.
+  \tparam Complex a model of `NumberedComplex`
+  \param complex the surface
+  \param h a halfedge of the edge
+  \param is_constrained false for an edge of the border that is nothing else
+  */
+  template <class Complex>
+  void add(const Complex& complex, std::uint32_t h, bool is_constrained) {
+    set(h / 2, static_cast<std::uint32_t>(segments_.size()));
+    segments_.push_back({{complex.source(h), complex.target(h)},
+                         h,
+                         std::sqrt(complex.squared_length(h / 2)),
+                         is_constrained});
+  }
+
+  /// finds where two segments make a small angle. \complexity linear in the degrees of their ends
+  template <class Complex>
+  void find_small_angles(const Complex& complex) {
+    for (std::uint32_t s = 0; s < segments_.size(); ++s) {
+      for (const std::uint32_t end : segments_[s].ends) at_[end].push_back(s);
+      for (const std::uint32_t h : {segments_[s].halfedge, segments_[s].halfedge ^ 1U})
+        if (!complex.is_border(h)) find_small_angle(complex, h);
+    }
+  }
+
+  /// tells whether an edge is one, or a part of one.
+  bool is_segment(std::uint32_t edge) const {
+    return edge < segment_.size() && segment_[edge] != Gluing::none;
+  }
+  /// tells whether an edge is constrained, or a part of one that is.
+  bool is_constrained(std::uint32_t edge) const {
+    return is_segment(edge) && segments_[segment_[edge]].is_constrained;
+  }
+  /// tells whether there are none.
+  bool empty() const { return segments_.empty(); }
+  /// tells whether a vertex was put on a segment.
+  bool is_on_segment(std::uint32_t vertex) const { return place_.count(vertex) != 0; }
+
+  /*!
+  \brief returns where to split an edge: the weight of the target of `h`.
+  \pre the edge is a segment or a part of one
+  */
+  template <class Complex>
+  double split_parameter(const Complex& complex, std::uint32_t h) const {
+    const bool at_source = has_small_angle_.count(complex.source(h)) != 0;
+    const bool at_target = has_small_angle_.count(complex.target(h)) != 0;
+    if (at_source == at_target) return 0.5;
+    const double length = std::sqrt(complex.squared_length(h / 2));
+    // the power of two that is closest to half the length, by ratio: between 1/3 and 2/3 of it
+    const double shell = std::exp2(std::round(std::log2(length / 2)));
+    const double t = std::clamp(shell / length, 0.25, 0.75);
+    return at_source ? t : 1 - t;
+  }
+
+  /*!
+  \brief records a split.
+  \param whole the edge that was split
+  \param parts its two parts
+  \param ends its ends
+  \param vertex the new vertex
+  \param parameter weight of the second end
+  */
+  void split(std::uint32_t whole, const std::array<std::uint32_t, 2>& parts,
+             const std::array<std::uint32_t, 2>& ends, std::uint32_t vertex, double parameter) {
+    const std::uint32_t s = segment_[whole];
+    set(whole, Gluing::none);
+    for (const std::uint32_t part : parts) set(part, s);
+    Place p{s, {}};
+    for (std::size_t i = 0; i < 2; ++i)
+      p.distance[i] =
+          (1 - parameter) * distance(s, i, ends[0]) + parameter * distance(s, i, ends[1]);
+    place_[vertex] = p;
+  }
+
+  /*!
+  \brief tells whether two vertices are on the two sides of a small angle, neither at its corner: a line
+  between them is as short as the angle makes it.
+  \param v a vertex
+  \param w another
+  \param bound for angles below it, in radians, it is enough that they are on both sides; for others both
+  must be at the same distance from the corner
+  \param may_be_one_segment whether the two sides may be one segment, which ends at a vertex whose total
+  angle is small: not if the line is a part of it
+  */
+  bool are_across_small_angle(std::uint32_t v, std::uint32_t w, double bound,
+                              bool may_be_one_segment = true) const {
+    for (const std::uint32_t s : segments_of(v))
+      for (const std::uint32_t t : segments_of(w))
+        for (std::size_t i = 0; i < 2 && (s != t || may_be_one_segment); ++i) {
+          const std::uint32_t corner = segments_[s].ends[i];
+          const std::optional<double> angle = small_angle(corner, s, t);
+          if (!angle || corner == v || corner == w) continue;
+          const std::size_t j = segments_[t].ends[0] == corner ? 0 : 1;
+          const double d = distance(s, i, v), e = distance(t, j, w);
+          if (*angle < bound || std::abs(d - e) <= same * d) return true;
+        }
+    return false;
+  }
+
+private:
+  struct Segment {
+    std::array<std::uint32_t, 2> ends;
+    std::uint32_t halfedge; // before any split, from the first end
+    double length;
+    bool is_constrained;
+  };
+  struct Place {
+    std::uint32_t segment;
+    std::array<double, 2> distance; // from the ends of the segment
+  };
+
+  void set(std::uint32_t edge, std::uint32_t segment) {
+    if (edge >= segment_.size()) segment_.resize(edge + std::size_t{1}, Gluing::none);
+    segment_[edge] = segment;
+  }
+
+  // of a vertex of a segment from one of its ends, along it; unknown on loops
+  double distance(std::uint32_t s, std::size_t end, std::uint32_t vertex) const {
+    const Segment& segment = segments_[s];
+    if (segment.ends[0] == segment.ends[1]) return std::numeric_limits<double>::quiet_NaN();
+    if (vertex == segment.ends[end]) return 0;
+    const auto p = place_.find(vertex);
+    return p == place_.end() ? segment.length : p->second.distance[end];
+  }
+
+  // the segments that a vertex is on
+  std::span<const std::uint32_t> segments_of(std::uint32_t vertex) const {
+    if (const auto p = place_.find(vertex); p != place_.end())
+      return std::span(&p->second.segment, 1);
+    const auto a = at_.find(vertex);
+    return a == at_.end() ? std::span<const std::uint32_t>() : std::span(a->second);
+  }
+
+  // the angle to the next segment counterclockwise about the source, if it is below 60 degrees
+  template <class Complex>
+  void find_small_angle(const Complex& complex, std::uint32_t h) {
+    double angle = 0;
+    std::uint32_t g = h;
+    do {
+      if (complex.is_border(g)) return;
+      angle += angle_at_source(complex, g);
+      g = next_around_source(complex, g);
+    } while (angle < limit && !is_segment(g / 2));
+    if (!(angle < limit)) return;
+    const std::uint32_t corner = complex.source(h), s = segment_[h / 2], t = segment_[g / 2];
+    has_small_angle_.insert(corner);
+    const auto [known, is_new] =
+        small_angle_.insert({{corner, std::min(s, t), std::max(s, t)}, angle});
+    known->second = std::min(known->second, angle);
+  }
+
+  // between two segments at a corner, if it is small; between a segment and itself around its end, if
+  // that has no other and a small total angle
+  std::optional<double> small_angle(std::uint32_t corner, std::uint32_t s, std::uint32_t t) const {
+    const auto angle = small_angle_.find({corner, std::min(s, t), std::max(s, t)});
+    return angle == small_angle_.end() ? std::nullopt : std::optional(angle->second);
+  }
+
+  static constexpr double limit = std::numbers::pi / 3;
+  static constexpr double same = 0x1p-20; // relative difference of distances taken for rounding
+
+  std::vector<std::uint32_t> segment_; // of an edge, or none
+  std::vector<Segment> segments_;
+  std::unordered_map<std::uint32_t, Place> place_; // of vertices put on segments
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>>
+      at_; // segments that end at a vertex
+  std::unordered_set<std::uint32_t> has_small_angle_;
+  std::map<std::array<std::uint32_t, 3>, double> small_angle_; // by corner and two segments
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_CONSTRAINED_SEGMENTS_H

@@ -1,0 +1,415 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINER_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/*!
+Refines a triangulation: Chew's second algorithm, intrinsically (§4.3 of the course, Algorithm 5).
+
+The triangulation is kept (constrained) Delaunay. A face that does not meet the criteria gets a vertex at
+its circumcenter. If a segment, which is an edge of the border or a constrained one, is between the two, it
+is split instead, and vertices inserted before in a Dijkstra ball about the new one are removed.
+
+For a bound of at most 30 degrees the circumradius of such a face is at least its shortest side: new
+vertices keep this distance from all others.
+*/
+template <class Triangulation, class Visitor>
+class Delaunay_refiner {
+  using Mesh = typename Triangulation::Mesh;
+  using Traits = boost::graph_traits<Mesh>;
+  using Session = typename Triangulation::Session;
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Face = typename Triangulation::face_descriptor;
+  using View = Intrinsic_view<Triangulation>;
+
+public:
+  using Result = Refinement_result<Face>;
+
+  Delaunay_refiner(Triangulation& t, const Refinement_options& options, Visitor& visitor)
+      : t_(t), mesh_(t.mesh()), session_(t), view_(t), options_(options),
+        test_(options, t.metric().scale_exponent()), visitor_(visitor), flipper_(t, session_),
+        cap_(options.maximum_insertions.value_or(1000000 +
+                                                 10 * std::uint64_t{num_faces(t.mesh())})) {}
+
+  /// refines; `constrained` tells which edges are kept.
+  template <class Constrained>
+  Result run(const Constrained& constrained) {
+    for (const auto e : edges(mesh_)) {
+      const Halfedge h = halfedge(e, mesh_);
+      const bool is_constrained = get(constrained, e);
+      if (is_constrained || is_border(h) || is_border(opposite(h, mesh_)))
+        segments_.add(view_, number(h), is_constrained);
+    }
+    if (!segments_.empty()) segments_.find_small_angles(view_);
+    for (const auto e : edges(mesh_)) flipper_.push(halfedge(e, mesh_));
+    flipper_.run(*this);
+    touched_.clear();
+    for (const Face f : faces(mesh_)) touch(f);
+    if (split_encroached()) check_touched();
+    while (is_going_on_ && !queue_.empty()) refine(queue_.pop());
+    list_unsatisfied();
+    return std::move(result_);
+  }
+
+  /// returns the edges that were kept, and the parts of those that were split.
+  const Constrained_segments& segments() const { return segments_; }
+
+  // ---- observer of the flipper
+  bool before_check() { return true; }
+  bool before_flip() {
+    if (Triangulation::Metric::is_exact || result_.counts.flips < flip_cap()) return true;
+    result_.status = Refinement_status::cap;
+    is_going_on_ = false;
+    return false;
+  }
+  bool is_constrained(Halfedge h) {
+    if (!segments_.is_segment(number(h) / 2)) return false;
+    if (options_.conforming) encroached_.push_back(h);
+    return true;
+  }
+  void after_flip(Halfedge h) {
+    ++result_.counts.flips;
+    touch(face(h, mesh_));
+    touch(face(opposite(h, mesh_), mesh_));
+  }
+  void refused(Halfedge) { ++result_.counts.refused; }
+
+private:
+  using Status = Move_status;
+
+  std::uint32_t number(Halfedge h) const { return t_.numbers().halfedge(h); }
+  Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
+  bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
+  bool is_segment(Halfedge h) const { return segments_.is_segment(number(h) / 2); }
+
+  // with inexact numbers, rounding may make flips go round
+  std::uint64_t flip_cap() const {
+    return 1000000 + 100 * (std::uint64_t{num_edges(mesh_)} + result_.counts.circumcenters);
+  }
+
+  void touch(Face f) { touched_.push_back(f); }
+
+  Indexed_face indexed(Face f) const {
+    const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_);
+    return {t_.index(f), {number(h) / 2, number(n) / 2, number(next(n, mesh_)) / 2}};
+  }
+
+  Face_state state(Face f) {
+    const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_), l = next(n, mesh_);
+    const auto corner = [this](Halfedge g) { return t_.index(source(g, mesh_)); };
+    const Face_state s =
+        test_(t_.metric(), indexed(f), {corner(h), corner(n), corner(l)}, segments_);
+    if (s != Face_state::bad && is_bad_for_visitor(f)) return Face_state::bad;
+    return s;
+  }
+
+  bool is_bad_for_visitor(Face f) {
+    if constexpr (std::is_same_v<Visitor, Refinement_visitor>)
+      return false;
+    else
+      return session_.suspended([&] { return visitor_.is_bad(t_, f); });
+  }
+
+  Face_values<double> approximation(Face f) const {
+    const Indexed_face i = indexed(f);
+    const auto& m = t_.metric();
+    return {{m.approximate_squared_length(i.edges[0]), m.approximate_squared_length(i.edges[1]),
+             m.approximate_squared_length(i.edges[2])},
+            m.approximate_quadruple_area(i.face)};
+  }
+
+  static double squared_circumradius(const Face_values<double>& v) {
+    const auto& [l, a] = v;
+    return l[0] / a * l[1] * (l[2] / a);
+  }
+
+  double priority(Face f) const {
+    if (options_.order == Refinement_order::first_come) return 0;
+    const Face_values<double> v = approximation(f);
+    if (options_.order == Refinement_order::largest_first) return squared_circumradius(v);
+    const auto& [l, a] = v;
+    return (l[0] + l[1] + l[2] - 2 * std::min({l[0], l[1], l[2]})) / a;
+  }
+
+  // puts the faces that changed into the queue, or takes them out
+  void check_touched() {
+    for (const Face f : touched_) {
+      const std::uint32_t i = t_.index(f);
+      if (!queue_.begin_check(i)) continue; // seen
+      if (state(f) == Face_state::bad)
+        queue_.push(i, priority(f));
+      else
+        queue_.remove(i);
+    }
+    for (const Face f : touched_) queue_.end_check(t_.index(f));
+    touched_.clear();
+  }
+
+  void refine(std::uint32_t f) {
+    if (!may_insert()) return;
+    const std::uint32_t h = number(halfedge(t_.numbers().face_at(f), mesh_));
+    const auto is_segment = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
+    const Located_circumcenter c = locate_circumcenter(view_, h, is_segment);
+    const Face face_of_h = t_.numbers().face_at(f);
+    if (c.kind == Located_circumcenter::Kind::segment)
+      split_between(face_of_h, descriptor(c.segment));
+    else if (c.kind == Located_circumcenter::Kind::none ||
+             !insert(c.point, least_distance(face_of_h))) {
+      ++result_.counts.refused;
+      give_up();
+    }
+    if (split_encroached()) check_touched();
+  }
+
+  // Splits a segment between a face and its circumcenter. The segment cuts off less than half of the
+  // face's circle, and the face is inside: the part of the segment in the circle, whose ends are vertices
+  // outside, is at least as long as the longest side of the face. Rounding alone can show a shorter one:
+  // splitting that might go on for ever. Where the new vertex is outside the circle, too, the face stays
+  // and waits again; as each split halves the segment, up to the shells, that ends.
+  void split_between(Face f, Halfedge segment) {
+    const Face_values<double> v = approximation(f);
+    const double longest = *std::max_element(v.squared_lengths.begin(), v.squared_lengths.end());
+    if (view_.squared_length(number(segment) / 2) < (1 - 0x1p-10) * longest) {
+      ++result_.counts.refused;
+      return;
+    }
+    const std::uint32_t i = t_.index(f);
+    queue_.push(i, priority(f)); // before: what changes is checked again, and removed if it goes
+    if (!split(segment)) queue_.remove(i);
+  }
+
+  bool may_insert() {
+    const std::uint64_t n = result_.counts.circumcenters + result_.counts.segment_splits;
+    if (n >= cap_) {
+      result_.status = Refinement_status::cap;
+      is_going_on_ = false;
+    } else if ((n & 0xffU) == 0xffU &&
+               !session_.suspended([this] { return visitor_.progress(result_.counts); })) {
+      result_.status = Refinement_status::cancelled;
+      is_going_on_ = false;
+    }
+    return is_going_on_;
+  }
+
+  // inserts a vertex if it keeps its distance, squared, from others
+  bool insert(const Surface_point& p, double distance) {
+    const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
+    if (n.status != Status::done) return false;
+    ++result_.counts.circumcenters;
+    set_free(t_.index(n.vertex), true);
+    suspect_star(n.vertex);
+    if (!flip() || keeps_distance(n.vertex, distance)) return true;
+    remove(n.vertex);
+    flip();
+    return false;
+  }
+
+  // The circumcenter of a face of a Delaunay triangulation is a circumradius from all vertices, which for
+  // bounds up to 30 degrees is not below the shortest side: were rounding to break that, refinement might
+  // go on for ever. Squared, and a little less.
+  double least_distance(Face f) const {
+    const Face_values<double> v = approximation(f);
+    const auto& l = v.squared_lengths;
+    return (1 - 0x1p-10) * std::min({l[0], l[1], l[2], squared_circumradius(v)});
+  }
+
+  // edges from the vertex to itself may be shorter, about vertices of small angle
+  bool keeps_distance(Vertex v, double squared) const {
+    bool keeps = true;
+    for_each_outgoing(v, mesh_, [&](Halfedge h) {
+      keeps = keeps && (target(h, mesh_) == v || view_.squared_length(number(h) / 2) >= squared);
+    });
+    return keeps;
+  }
+
+  // leaves the faces alone that wait to be looked at, until they change again
+  void give_up() {
+    for (const Face f : touched_) queue_.remove(t_.index(f));
+    touched_.clear();
+  }
+
+  // splits a segment, and removes vertices near it; false if the triangulation refuses
+  bool split(Halfedge h) {
+    if (is_border(h)) h = opposite(h, mesh_);
+    const std::uint32_t e = number(h) / 2;
+    const double parameter = segments_.split_parameter(view_, number(h));
+    const double length = std::sqrt(view_.squared_length(e));
+    const std::array<std::uint32_t, 2> ends{t_.index(source(h, mesh_)), t_.index(target(h, mesh_))};
+    const bool on_border = is_border(opposite(h, mesh_));
+    const auto n = session_.split_edge(h, parameter);
+    if (n.status != Status::done) {
+      ++result_.counts.refused;
+      return false;
+    }
+    ++result_.counts.segment_splits;
+    // on the border h is the first half; inside it was flipped, and runs from the vertex
+    const Halfedge other =
+        on_border ? next(opposite(next(h, mesh_), mesh_), mesh_) : next(opposite(h, mesh_), mesh_);
+    const Halfedge one = on_border ? h : next(next(h, mesh_), mesh_);
+    segments_.split(e, {number(one) / 2, number(other) / 2}, ends, t_.index(n.vertex), parameter);
+    set_free(t_.index(n.vertex), false);
+    suspect_star(n.vertex);
+    if (flip()) remove_near(n.vertex, length);
+    return true;
+  }
+
+  // splits constrained edges that are not locally Delaunay, if that is asked for
+  bool split_encroached() {
+    while (is_going_on_ && !encroached_.empty()) {
+      const Halfedge h = encroached_.back();
+      encroached_.pop_back();
+      if (is_segment(h) && !session_.is_locally_delaunay(h) && !is_between_shells(h) &&
+          may_insert())
+        split(h);
+    }
+    return is_going_on_;
+  }
+
+  // Whether on both sides of a segment a vertex is opposite that is across a small angle, at the same
+  // distance from its corner as an end of the segment: opposite angles are acute then, whatever rounding
+  // makes of slivers.
+  bool is_between_shells(Halfedge h) const {
+    const std::uint32_t a = t_.index(source(h, mesh_)), b = t_.index(target(h, mesh_));
+    for (const Halfedge side : {h, opposite(h, mesh_)}) {
+      const std::uint32_t k = t_.index(target(next(side, mesh_), mesh_));
+      if (!segments_.are_across_small_angle(a, k, 0) && !segments_.are_across_small_angle(b, k, 0))
+        return false;
+    }
+    return true;
+  }
+
+  bool flip() { return flipper_.run(*this); }
+
+  void suspect_star(Vertex v) {
+    flipper_.push_star(v);
+    for_each_outgoing(v, mesh_, [this](Halfedge h) {
+      if (!is_border(h)) touch(face(h, mesh_));
+    });
+  }
+
+  // ---- removal of inserted vertices near a split segment
+
+  void set_free(std::uint32_t v, bool value) {
+    if (v >= is_free_.size()) is_free_.resize(v + std::size_t{1}, 0);
+    is_free_[v] = value ? 1 : 0;
+  }
+  bool is_free(std::uint32_t v) const { return v < is_free_.size() && is_free_[v] != 0; }
+
+  void remove_near(Vertex v, double radius) {
+    for (const std::uint32_t w : dijkstra_ball(view_, t_.index(v), radius)) {
+      if (!is_free(w)) continue;
+      remove(t_.numbers().vertex_at(w));
+      if (!flip()) return; // now: edges that wait may be removed next
+    }
+  }
+
+  void remove(Vertex v) {
+    std::vector<Halfedge> rim;
+    std::vector<std::uint32_t> old;
+    for_each_outgoing(v, mesh_, [&](Halfedge h) {
+      const Halfedge opposite_side = next(h, mesh_); // unless there is a loop, which goes
+      if (target(h, mesh_) != v && target(opposite_side, mesh_) != v) rim.push_back(opposite_side);
+      old.push_back(t_.index(face(h, mesh_)));
+    });
+    const std::uint32_t number_of_v = t_.index(v);
+    if (session_.remove_vertex(v) != Status::done) {
+      ++result_.counts.refused;
+      for (const Halfedge h : rim) suspect_face(h); // flips have been taken back
+      return;
+    }
+    ++result_.counts.removals;
+    set_free(number_of_v, false);
+    touched_.erase(std::remove_if(touched_.begin(), touched_.end(),
+                                  [&](Face f) {
+                                    return std::find(old.begin(), old.end(), t_.index(f)) !=
+                                           old.end();
+                                  }),
+                   touched_.end());
+    for (const std::uint32_t f : old) queue_.remove(f);
+    if (!rim.empty()) suspect_inside(rim, old.size());
+  }
+
+  void suspect_face(Halfedge h) {
+    touch(face(h, mesh_));
+    for (int k = 0; k < 3; ++k, h = next(h, mesh_)) flipper_.push(h);
+  }
+
+  // all faces of a polygon that was a star: two less than the star had
+  void suspect_inside(const std::vector<Halfedge>& rim, std::size_t star) {
+    std::vector<Halfedge> stack{rim.front()};
+    std::vector<std::uint32_t> seen;
+    while (!stack.empty() && seen.size() + 2 < star) {
+      const Halfedge h = stack.back();
+      stack.pop_back();
+      const std::uint32_t f = t_.index(face(h, mesh_));
+      if (std::find(seen.begin(), seen.end(), f) != seen.end()) continue;
+      seen.push_back(f);
+      suspect_face(h);
+      for (Halfedge g = next(h, mesh_); g != h; g = next(g, mesh_))
+        if (std::find(rim.begin(), rim.end(), g) == rim.end()) stack.push_back(opposite(g, mesh_));
+    }
+  }
+
+  // ---- the end
+
+  void list_unsatisfied() {
+    for (const Face f : faces(mesh_)) {
+      const Face_state s = state(f);
+      if (s == Face_state::good) continue;
+      const Unsatisfied_reason reason = s == Face_state::needle ? Unsatisfied_reason::needle
+                                        : s == Face_state::small_angle
+                                            ? Unsatisfied_reason::small_angle
+                                        : is_going_on_ ? Unsatisfied_reason::refused
+                                                       : Unsatisfied_reason::stopped;
+      result_.unsatisfied.push_back({f, reason});
+    }
+  }
+
+  Triangulation& t_;
+  const Mesh& mesh_;
+  Session session_;
+  View view_;
+  const Refinement_options& options_;
+  Refinement_test test_;
+  Visitor& visitor_;
+  Delaunay_flipper<Triangulation> flipper_;
+  std::uint64_t cap_;
+  Constrained_segments segments_;
+  Face_queue queue_;
+  std::vector<Face> touched_;
+  std::vector<Halfedge> encroached_;
+  std::vector<char> is_free_; // vertices that may be removed
+  bool is_going_on_ = true;
+  Result result_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINER_H

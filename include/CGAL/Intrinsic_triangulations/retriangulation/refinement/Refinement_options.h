@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_OPTIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_OPTIONS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// Which face refinement turns to next.
+enum class Refinement_order {
+  first_come, ///< the one that waits longest: neighbours in turn, in time linear in the insertions
+  largest_first, ///< that of the largest circumradius: some per cent fewer vertices; all over the mesh, which
+                 ///< is slow for millions of them
+  worst_first ///< that of the smallest angle
+};
+
+/*!
+\brief says what refinement is to reach, and how.
+*/
+struct Refinement_options {
+  /// Least angle of faces, in degrees; 0: any. Up to 30 degrees refinement ends by Chew's argument;
+  /// beyond, up to about 34 as a rule, by experience.
+  double minimum_angle = 25;
+  /// Largest circumradius of faces, in the units of the input.
+  double maximum_circumradius = std::numeric_limits<double>::infinity();
+  /// Largest length of edges, in the units of the input.
+  double maximum_edge_length = std::numeric_limits<double>::infinity();
+  /// Cap on the number of insertions. Default: a million and ten per face.
+  std::optional<std::uint64_t> maximum_insertions = std::nullopt;
+  /// Which face comes next.
+  Refinement_order order = Refinement_order::first_come;
+  /// Whether constrained edges that are not locally Delaunay are split, so that all edges become
+  /// locally Delaunay; if not, they may stay as they are (the two flavours of §4.4 of the course).
+  bool conforming = false;
+};
+
+/// How refinement ended.
+enum class Refinement_status {
+  done,     ///< every face meets the criteria, except those that are listed
+  cap,      ///< the cap on the number of insertions was reached
+  cancelled ///< the visitor asked to stop
+};
+
+/// Why a face does not meet the criteria.
+enum class Unsatisfied_reason {
+  needle,      ///< it wraps around a vertex of degree one, whose total angle is below the bound
+  small_angle, ///< it lies between constrained or border edges that make a small angle
+  refused, ///< an insertion was refused, would have come too close to a vertex, or was lost, by rounding
+  stopped ///< refinement was stopped before
+};
+
+/*!
+\brief names a face that does not meet the criteria.
+\tparam Face a face descriptor
+*/
+template <class Face>
+struct Unsatisfied_face {
+  Face face;                 ///< the face
+  Unsatisfied_reason reason; ///< why
+};
+
+/*!
+\brief counts what refinement did.
+*/
+struct Refinement_counts {
+  /// Circumcenters inserted.
+  std::uint64_t circumcenters = 0;
+  /// Splits of border edges and constrained edges.
+  std::uint64_t segment_splits = 0;
+  /// Inserted vertices that were removed again near edges that were split.
+  std::uint64_t removals = 0;
+  /// Edges flipped to keep the triangulation Delaunay, those of insertions and removals not counted.
+  std::uint64_t flips = 0;
+  /// Insertions and removals that the triangulation refused.
+  std::uint64_t refused = 0;
+
+  /// returns how many vertices there are more than before.
+  std::uint64_t inserted_vertices() const { return circumcenters + segment_splits - removals; }
+};
+
+/*!
+\brief reports what refinement did.
+\tparam Face a face descriptor
+*/
+template <class Face>
+struct Refinement_result {
+  /// How it ended.
+  Refinement_status status = Refinement_status::done;
+  /// What was done.
+  Refinement_counts counts;
+  /// All faces that do not meet the criteria.
+  std::vector<Unsatisfied_face<Face>> unsatisfied;
+};
+
+/*!
+\brief observes refinement; the default visitor does nothing.
+*/
+struct Refinement_visitor {
+  /*!
+  \brief is called now and then, about every 256 insertions.
+  \return whether to go on
+  */
+  bool progress(const Refinement_counts&) { return true; }
+  /*!
+  \brief tells whether a face is to be refined for other reasons than those of `Refinement_options`.
+
+  Refinement ends only if faces that are small enough are not.
+  */
+  template <class Triangulation>
+  bool is_bad(const Triangulation&, typename Triangulation::face_descriptor) {
+    return false;
+  }
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_OPTIONS_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_ADAPTIVE_REFINE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_ADAPTIVE_REFINE_H
+
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Adaptive_refinement_options.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Marked_faces.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// the indicators of faces, with zeros at numbers that no face has
+template <class Triangulation>
+std::vector<double> checked_indicators(const Triangulation& t, const std::vector<double>& all) {
+  if (all.size() != t.numbers().face_capacity(t.mesh()))
+    throw std::invalid_argument("there must be an error indicator at the number of every face");
+  std::vector<double> indicators(all.size(), 0);
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+    indicators[t.index(f)] = all[t.index(f)];
+  return indicators;
+}
+
+inline double root_of_squares(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double x : values) sum += x * x;
+  return std::sqrt(sum);
+}
+
+// refines faces, with no more insertions than the cap on vertices allows; tells whether there were any
+template <class Triangulation, class Constrained, class Visitor>
+bool refine_within(Triangulation& t, const Adaptive_refinement_options& options,
+                   const Constrained& constrained, Visitor visitor) {
+  const std::size_t n = num_vertices(t.mesh());
+  const std::uint64_t left = n < options.maximum_vertices ? options.maximum_vertices - n : 0;
+  const auto result =
+      delaunay_refine(t, {.minimum_angle = options.minimum_angle, .maximum_insertions = left},
+                      CGAL::parameters::edge_is_constrained_map(constrained).visitor(visitor));
+  return result.counts.circumcenters + result.counts.segment_splits > 0;
+}
+
+} // namespace internal
+
+/*!
+\brief refines where a function that is computed on the triangulation has large errors, until its estimated
+error is small enough (§4.6 of the course; Sharp, Soliman, Crane 2019, §5.4).
+
+Every round computes the function and an indicator of its error per face, marks the faces that have the
+bulk of the error, and makes them smaller by Delaunay refinement. Before the first round the triangulation is
+made Delaunay and brought to the least angle, on which constants of error estimates depend. The estimate is
+the user's: `residual_indicators()` has some.
+
+\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Estimate a functor called with `Triangulation&`, of which it changes nothing but the precision of
+  values; it returns a `std::vector<double>` of error indicators, at the numbers of faces, of size
+  `t.numbers().face_capacity(t.mesh())`. Their squares sum to that of the error.
+\tparam NamedParameters a sequence of named parameters
+\param t the triangulation
+\param estimate computes the function, and indicators of its error
+\param options what is to be reached
+\param np optional named parameters:
+  - `edge_is_constrained_map(m)`: see `delaunay_refine()`
+  - `visitor(v)`: see `Adaptive_refinement_visitor`. It is copied; pass `std::ref(v)` to have `v` itself
+    called.
+\return status, and what was reached in every round; the last call of `estimate` was with the triangulation as
+  it is in the end
+\throws std::invalid_argument if an option makes no sense, an indicator is negative or not finite, or there are
+  not as many as numbers of faces
+\complexity that of the functor and of `delaunay_refine()`, per round
+*/
+template <class Triangulation, class Estimate,
+          class NamedParameters = parameters::Default_named_parameters>
+Adaptive_refinement_result
+adaptive_refine(Triangulation& t, Estimate estimate,
+                const Adaptive_refinement_options& options = {},
+                const NamedParameters& np = parameters::default_values()) {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Edge = typename Triangulation::edge_descriptor;
+  using Status = Adaptive_refinement_status;
+  if (!(options.tolerance >= 0)) throw std::invalid_argument("the tolerance must not be negative");
+  auto constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                      Static_boolean_property_map<Edge, false>());
+  auto stored_visitor =
+      choose_parameter(get_parameter(np, internal_np::visitor), Adaptive_refinement_visitor());
+  auto& visitor = internal::unwrapped(stored_visitor);
+  internal::refine_within(t, options, constrained, Refinement_visitor());
+  Adaptive_refinement_result result;
+  for (;;) {
+    const std::vector<double> indicators = internal::checked_indicators(t, estimate(t));
+    const std::vector<std::size_t> marked = mark_bulk(indicators, options.bulk);
+    const double error = internal::root_of_squares(indicators);
+    result.rounds.push_back({num_vertices(t.mesh()), error, marked.size()});
+    const auto end = [&result](Status status) {
+      result.status = status;
+      return result;
+    };
+    if (!visitor.progress(result.rounds.back())) return end(Status::cancelled);
+    if (error <= options.tolerance) return end(Status::done);
+    if (num_vertices(t.mesh()) >= options.maximum_vertices) return end(Status::vertices);
+    if (result.rounds.size() > options.maximum_rounds) return end(Status::rounds);
+    Marked_faces<Triangulation> faces(t, marked);
+    if (!internal::refine_within(t, options, constrained, std::ref(faces)))
+      return end(Status::stalled);
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_ADAPTIVE_REFINE_H

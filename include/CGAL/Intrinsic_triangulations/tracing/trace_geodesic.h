@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRACING_TRACE_GEODESIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_TRACE_GEODESIC_H
+
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/*!
+\file
+The exponential map (§2.4.2 of the course): a geodesic from a point, in a direction, for a length.
+
+Inside faces and across edges a geodesic is a straight line. At an interior vertex it goes straightest:
+with equal angles on both sides. At the border, border vertices included, it stops.
+
+**Vertices.** A line that leaves a face so close to a vertex that rounding may have decided on which
+side it passes (the distance is at most `Geodesic_walk::position_error()`, and at most 2^-30 of the
+side) is taken to hit the vertex. On a flat vertex that changes nothing beyond rounding.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// How the tracing of a geodesic ended.
+enum class Trace_status : std::uint8_t {
+  complete,  ///< the length was reached
+  border,    ///< the border was reached before
+  face_limit ///< the number of faces allowed was reached before
+};
+
+/// Where a geodesic ended, and how.
+struct Geodesic_end {
+  Trace_status status; ///< whether the length was reached
+  Surface_point point; ///< the end
+  Planar_vector<double>
+      direction; ///< unit vector along the geodesic, in the frame of `point.halfedge`
+  double length; ///< length from start to end
+  double error;  ///< bound of the first order on the error of the end
+};
+
+/// What a geodesic does on its way.
+struct Trace_options {
+  /// Number of faces after which to give up: every trace ends.
+  std::size_t maximum_faces = std::size_t{1} << 22U;
+  /// Whether a line that meets a vertex up to rounding goes through it; otherwise it passes it on
+  /// one side.
+  bool snaps_to_vertices = true;
+};
+
+namespace internal {
+
+// Whether the exit leads through a vertex up to rounding; `corner` becomes that corner of the face.
+template <class Complex>
+bool hits_vertex(const Geodesic_walk<Complex>& walk, typename Geodesic_walk<Complex>::Exit& e,
+                 unsigned& corner) {
+  const double length = walk.face().length[e.side];
+  const double tolerance = std::min(walk.position_error(), 0x1p-30 * length);
+  const bool is_at_source = e.target_weight <= e.source_weight;
+  if (length * (is_at_source ? e.target_weight : e.source_weight) > tolerance) return false;
+  e.target_weight = is_at_source ? 0 : 1;
+  e.source_weight = 1 - e.target_weight;
+  corner = (e.side + (is_at_source ? 0 : 1)) % 3;
+  return true;
+}
+
+template <class Complex>
+Geodesic_end end_of(const Geodesic_walk<Complex>& walk, Trace_status status, const Surface_point& p,
+                    double length) {
+  return {status, p, walk.direction(), length, walk.position_error()};
+}
+
+// Where a walk that is given a length ends.
+template <class Complex>
+Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, double length,
+                         const Trace_options& options, std::vector<Geodesic_crossing>& crossings) {
+  length = std::max(0.0, length);
+  if (walk.is_blocked())
+    return end_of(walk, length > 0 ? Trace_status::border : Trace_status::complete,
+                  {walk.face().side[0], walk.weights()}, 0);
+  for (std::size_t faces = 1;; ++faces) {
+    typename Geodesic_walk<Complex>::Exit e = walk.exit();
+    const double remaining = std::max(0.0, length - walk.travelled());
+    if (remaining <= e.distance) {
+      const Surface_point p = walk.point(e, remaining);
+      walk.advance({e.side, e.source_weight, e.target_weight, remaining, e.slope});
+      return end_of(walk, Trace_status::complete, p, length);
+    }
+    if (faces >= options.maximum_faces)
+      return end_of(walk, Trace_status::face_limit, walk.point(e, 0), walk.travelled());
+    walk.advance(e);
+    unsigned corner = 0;
+    const bool is_at_vertex = options.snaps_to_vertices && hits_vertex(walk, e, corner);
+    const std::uint32_t out = walk.halfedge(e);
+    const Surface_point p = walk.point(e, e.distance);
+    if (is_at_vertex ? !walk.pass_vertex(corner) : complex.is_border(out ^ 1U)) {
+      const bool is_rounding = length - walk.travelled() <= walk.position_error();
+      return end_of(walk, is_rounding ? Trace_status::complete : Trace_status::border, p,
+                    is_rounding ? length : walk.travelled());
+    }
+    crossings.push_back({out, e.target_weight});
+    if (!is_at_vertex) walk.cross(e);
+  }
+}
+
+} // namespace internal
+
+/*!
+\brief traces a geodesic from a point.
+\tparam Complex a model of `NumberedComplex`: `Input_surface`, `Intrinsic_view`
+\param complex the surface
+\param start the start
+\param direction its direction there: a vector in the frame of `start.halfedge`, which runs along the
+  x-axis with its face above; the norm does not matter
+\param length the length to go, in the units of `complex`
+\param crossings the edges that are crossed are appended to it; one that goes through a vertex crosses
+  the edge that it leaves the face at with parameter 0 or 1
+\param options see `Trace_options`
+\pre the direction is not zero
+\return the end
+\complexity linear in the number of crossings, and in the degrees of the vertices that are hit
+*/
+template <class Complex>
+Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
+                            const Planar_vector<double>& direction, double length,
+                            std::vector<Geodesic_crossing>& crossings,
+                            const Trace_options& options = {}) {
+  Geodesic_walk<Complex> walk(complex, start, direction);
+  return internal::finish_walk(complex, walk, length, options, crossings);
+}
+
+/*!
+\brief traces a geodesic from a vertex.
+\tparam Complex a model of `NumberedComplex`
+\param complex the surface
+\param start a halfedge that starts at the vertex, and the angle from it to the geodesic,
+  counterclockwise, as it is on the surface: the angles about the vertex are not scaled
+\param length the length to go, in the units of `complex`
+\param crossings the edges that are crossed are appended to it
+\param options see `Trace_options`
+\return the end
+\complexity linear in the number of crossings, and in the degrees of the vertices that are hit
+*/
+template <class Complex>
+Geodesic_end trace_geodesic(const Complex& complex, const Corner_direction& start, double length,
+                            std::vector<Geodesic_crossing>& crossings,
+                            const Trace_options& options = {}) {
+  Geodesic_walk<Complex> walk(complex, start);
+  return internal::finish_walk(complex, walk, length, options, crossings);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRACING_TRACE_GEODESIC_H

@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_CONCEPTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_CONCEPTS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+/*!
+\file
+The syntax of the concepts of the package. What models must mean by it, at what cost, and which
+operation needs which function, is on the page of each concept.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// `boost::graph_traits<T>` is an error, not a substitution failure, where T is no mesh: ask for
+// functions on it first.
+template <class Mesh>
+concept Has_mesh_elements = requires(const Mesh& m) {
+  vertices(m);
+  halfedges(m);
+  edges(m);
+  faces(m);
+};
+
+template <class Mesh, class Traits = boost::graph_traits<Mesh>,
+          class V = typename Traits::vertex_descriptor,
+          class H = typename Traits::halfedge_descriptor,
+          class E = typename Traits::edge_descriptor, class F = typename Traits::face_descriptor>
+concept Has_connectivity = requires(const Mesh& m, V v, H h, E e, F f) {
+  { num_vertices(m) } -> std::convertible_to<std::size_t>;
+  { num_edges(m) } -> std::convertible_to<std::size_t>;
+  { num_faces(m) } -> std::convertible_to<std::size_t>;
+  { next(h, m) } -> std::convertible_to<H>;
+  { opposite(h, m) } -> std::convertible_to<H>;
+  { source(h, m) } -> std::convertible_to<V>;
+  { target(h, m) } -> std::convertible_to<V>;
+  { face(h, m) } -> std::convertible_to<F>;
+  { edge(h, m) } -> std::convertible_to<E>;
+  { halfedge(v, m) } -> std::convertible_to<H>;
+  { halfedge(e, m) } -> std::convertible_to<H>;
+  { halfedge(f, m) } -> std::convertible_to<H>;
+  { Traits::null_halfedge() } -> std::convertible_to<H>;
+  { Traits::null_face() } -> std::convertible_to<F>;
+  { v == v } -> std::convertible_to<bool>;
+  { h == h } -> std::convertible_to<bool>;
+  { f == f } -> std::convertible_to<bool>;
+};
+
+template <class Mesh, class Traits = boost::graph_traits<Mesh>,
+          class V = typename Traits::vertex_descriptor,
+          class H = typename Traits::halfedge_descriptor,
+          class E = typename Traits::edge_descriptor, class F = typename Traits::face_descriptor>
+concept Has_mutable_connectivity = requires(Mesh& m, V v, H h, E e, F f) {
+  { add_vertex(m) } -> std::convertible_to<V>;
+  { add_edge(m) } -> std::convertible_to<E>;
+  { add_face(m) } -> std::convertible_to<F>;
+  remove_vertex(v, m);
+  remove_edge(e, m);
+  remove_face(f, m);
+  set_next(h, h, m);
+  set_target(h, v, m);
+  set_face(h, f, m);
+  set_halfedge(v, h, m);
+  set_halfedge(f, h, m);
+};
+
+template <class Mesh, class Traits = boost::graph_traits<Mesh>>
+concept Has_numbers = requires(Mesh& m, const Mesh& c, const Mesh_adaptor<Mesh>& a,
+                               Mesh_adaptor<Mesh>& n, typename Traits::vertex_descriptor v,
+                               typename Traits::halfedge_descriptor h,
+                               typename Traits::edge_descriptor e,
+                               typename Traits::face_descriptor f, std::uint32_t i) {
+  Mesh_adaptor<Mesh>(m);
+  Mesh_adaptor<Mesh>(c);
+  Mesh_adaptor<Mesh>(m, a, c);
+  n.add(v, c);
+  n.add(e, c);
+  n.add(f, c);
+  n.remove(v, c);
+  n.remove(e, c);
+  n.remove(f, c);
+  { a.vertex_capacity(c) } -> std::same_as<std::uint32_t>;
+  { a.edge_capacity(c) } -> std::same_as<std::uint32_t>;
+  { a.face_capacity(c) } -> std::same_as<std::uint32_t>;
+  { a.vertex_at(i) } -> std::convertible_to<typename Traits::vertex_descriptor>;
+  { a.halfedge_at(i) } -> std::convertible_to<typename Traits::halfedge_descriptor>;
+  { a.face_at(i) } -> std::convertible_to<typename Traits::face_descriptor>;
+  { a.vertex(v) } -> std::same_as<std::uint32_t>;
+  { a.halfedge(h) } -> std::same_as<std::uint32_t>;
+  { a.face(f) } -> std::same_as<std::uint32_t>;
+};
+
+} // namespace internal
+
+/*!
+\brief asks for the connectivity of a triangulated surface that can be built and flipped, read as a
+Delta-complex: elements need not be determined by their vertices.
+
+Syntax of \ref ::MutableDeltaComplex, where its meaning is described.
+*/
+template <class Mesh>
+concept MutableDeltaComplex = std::default_initializable<Mesh> && std::move_constructible<Mesh> &&
+    internal::Has_mesh_elements<Mesh> && internal::Has_connectivity<Mesh> &&
+    internal::Has_mutable_connectivity<Mesh> && internal::Has_numbers<Mesh>;
+
+/*!
+\brief asks for the store of a metric that decides predicates on it.
+
+Syntax of \ref ::IntrinsicMetric, where its meaning is described.
+*/
+template <class Metric>
+concept IntrinsicMetric = std::default_initializable<Metric> && std::movable<Metric> &&
+    std::default_initializable<typename Metric::Scope> &&
+    std::constructible_from<Metric, const Gluing_map&, std::shared_ptr<Input_metric>> &&
+    requires(Metric& m, const Metric& c, const Diamond& d, std::uint32_t i) {
+  typename Metric::FT;
+  { Metric::is_exact } -> std::convertible_to<bool>;
+  { m.is_locally_delaunay(d) } -> std::same_as<bool>;
+  { m.sign(d, Delaunay_expression()) } -> std::same_as<Sign>;
+  { m.sign(d, Convexity_at_source_expression()) } -> std::same_as<Sign>;
+  { m.sign(d, Convexity_at_target_expression()) } -> std::same_as<Sign>;
+  { c.compute_flip(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
+  { c.compute_flip_to_zero_area(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
+  m.store_flip(d, *c.compute_flip(d));
+  { m.cotangent_weight(d) } -> std::convertible_to<double>;
+  { m.cotangent_weight(i, i, i, i) } -> std::convertible_to<double>;
+  { c.is_degenerate(i) } -> std::same_as<bool>;
+  { c.is_zero_length(i) } -> std::same_as<bool>;
+  { c.squared_length(i) } -> std::convertible_to<typename Metric::FT>;
+  { c.quadruple_area(i) } -> std::convertible_to<typename Metric::FT>;
+  { c.approximate_squared_length(i) } -> std::same_as<double>;
+  { c.approximate_quadruple_area(i) } -> std::same_as<double>;
+  { c.scale_exponent() } -> std::same_as<int>;
+};
+
+/*!
+\brief asks for the arithmetic of an intrinsic triangulation.
+
+Syntax of \ref ::IntrinsicTriangulationTraits, where its meaning is described.
+*/
+template <class Traits>
+concept IntrinsicTriangulationTraits = requires {
+  typename Traits::FT;
+  typename Traits::Metric;
+}
+&&IntrinsicMetric<typename Traits::Metric>&&
+    std::same_as<typename Traits::FT, typename Traits::Metric::FT>;
+
+/*!
+\brief asks for an observer of the moves of an intrinsic triangulation.
+
+Syntax of \ref ::IntrinsicCorrespondence, where its meaning is described.
+*/
+template <class Correspondence, class Triangulation>
+concept IntrinsicCorrespondence = std::default_initializable<Correspondence> &&
+    std::movable<Correspondence> &&
+    requires(Correspondence& c, const Triangulation& t, std::uint32_t h, double parameter,
+             const std::array<double, 3>& weights) {
+  c.start(t);
+  { c.before_flip(t, h) } -> std::same_as<bool>;
+  c.after_flip(t, h);
+  { c.before_insert_in_face(t, h, weights) } -> std::same_as<bool>;
+  c.after_insert_in_face(t, h);
+  { c.before_insert_in_border_edge(t, h, parameter) } -> std::same_as<bool>;
+  c.after_insert_in_border_edge(t, h);
+  { c.before_remove(t, h) } -> std::same_as<bool>;
+  c.after_remove(t, h);
+  { c.before_remove_from_border(t, h) } -> std::same_as<bool>;
+  c.after_remove_from_border(t, h);
+};
+
+/*!
+\brief asks for what algorithms that flip edges need of a triangulation.
+
+Syntax of \ref ::IntrinsicTriangulation, where its meaning is described.
+*/
+template <class Triangulation>
+concept IntrinsicTriangulation =
+    std::constructible_from<typename Triangulation::Session, Triangulation&> &&
+    requires(const Triangulation& t, typename Triangulation::Session& s,
+             const typename Triangulation::Session& c,
+             typename Triangulation::halfedge_descriptor h,
+             typename Triangulation::edge_descriptor e) {
+  requires internal::Has_mesh_elements<typename Triangulation::Mesh>;
+  requires internal::Has_connectivity<typename Triangulation::Mesh>;
+  { Triangulation::Metric::is_exact } -> std::convertible_to<bool>;
+  { t.mesh() } -> std::same_as<const typename Triangulation::Mesh&>;
+  { t.index(e) } -> std::convertible_to<std::uint32_t>;
+  { c.is_locally_delaunay(h) } -> std::same_as<bool>;
+  { c.delaunay_sign(h) } -> std::same_as<Sign>;
+  { s.flip_non_delaunay_edge(h) } -> std::same_as<decltype(s.flip_status(h))>;
+  { decltype(s.flip_status(h))::done } -> std::same_as<decltype(s.flip_status(h))>;
+  {
+    c.suspended([] { return true; })
+    } -> std::same_as<bool>;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_CONCEPTS_H

@@ -1,0 +1,283 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_REMOVE_VERTEX_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_REMOVE_VERTEX_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+
+#include <CGAL/enum.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+/*!
+Removes an inserted vertex: flips edges away from it until it has three, on the border one inside.
+
+The faces around the vertex develop into a polygon that is star-shaped about it. A triangulation of the
+polygon without the vertex has two ears at least, of which one does not contain the vertex inside: the
+edge to its tip can be flipped. On the border the ears at both ends of the straight side are not
+counted. Only where the vertex is on the segment between two neighbours, and has no more than two
+others, the flip leaves a face of zero area, which goes with the vertex. Every flip takes an edge away
+from the vertex, hence the loop ends; edges from the vertex to itself can make it end too early.
+*/
+template <class Triangulation>
+class Vertex_remover {
+  using Mesh = typename Triangulation::Mesh;
+  using Session = typename Triangulation::Session;
+  using Traits = boost::graph_traits<Mesh>;
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+
+public:
+  Vertex_remover(Triangulation& t, Session& session, Vertex v)
+      : t_(t), session_(session), mesh_(t.mesh()), v_(v) {}
+
+  Move_status remove() {
+    find_edges();
+    develop();
+    for (;; find_edges()) {
+      if (edges_.size() == 3 && !has_loop()) break;
+      if (flip_an_edge()) continue;
+      const Halfedge straight = edges_.size() == 4 ? straight_edge() : Traits::null_halfedge();
+      if (straight == Traits::null_halfedge()) {
+        undo();
+        return Move_status::not_removable;
+      }
+      const Diamond_values<double> before = values(straight);
+      if (session_.flip_to_zero_area(straight) != Move_status::done) {
+        undo();
+        return Move_status::not_removable;
+      }
+      undo_.push_back({straight, 1, before});
+    }
+    const Move_status s = is_border_
+                              ? session_.remove_border_vertex(opposite(edges_.front(), mesh_))
+                              : session_.remove_degree_three_vertex(next(edges_.front(), mesh_));
+    if (s != Move_status::done) undo();
+    return s;
+  }
+
+private:
+  struct Candidate {
+    double power;   // of the vertex with respect to the circle about the ear, negative inside
+    double quality; // least new area by squared length
+    Halfedge edge;
+  };
+  struct Undo {
+    Halfedge edge;
+    int flips;
+    Diamond_values<double> before;
+  };
+  // where the other end of an edge from the vertex is, that being at the origin
+  struct Place {
+    std::uint32_t edge;
+    Planar_vector<double> position;
+  };
+
+  // the halfedges from the vertex, counterclockwise; on the border the first has no face on its right
+  void find_edges() {
+    edges_.clear();
+    for_each_outgoing(v_, mesh_, [this](Halfedge h) { edges_.push_back(h); });
+    is_border_ = is_border(opposite(edges_.front(), mesh_));
+    // the face of the last edge's left side is that of the first one's right side
+    if (is_border_) std::rotate(edges_.begin(), edges_.end() - 1, edges_.end());
+  }
+
+  bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
+
+  bool has_loop() const {
+    for (const Halfedge h : edges_)
+      if (target(h, mesh_) == v_) return true;
+    return false;
+  }
+
+  // whether a flip takes an end of the edge away from the vertex, and puts none there
+  bool is_candidate(Halfedge h) const {
+    const Halfedge o = opposite(h, mesh_);
+    return !is_border(h) && !is_border(o) && face(h, mesh_) != face(o, mesh_) &&
+           target(next(h, mesh_), mesh_) != v_ && target(next(o, mesh_), mesh_) != v_;
+  }
+
+  Diamond_values<double> values(Halfedge h) const {
+    const Diamond d = t_.diamond(h);
+    const auto& m = t_.metric();
+    return {m.approximate_squared_length(d.ij), m.approximate_squared_length(d.jk),
+            m.approximate_squared_length(d.ki), m.approximate_squared_length(d.im),
+            m.approximate_squared_length(d.mj), m.approximate_quadruple_area(d.f),
+            m.approximate_quadruple_area(d.g)};
+  }
+
+  // Flips the edge whose ear has the circle that contains the vertex the least. Where the faces about the
+  // vertex are Delaunay, so are the ears cut off in this order: none is flipped again (Devillers, On
+  // deletion in Delaunay triangulations, 1999). Other orders make thin faces on the way, whose flips let
+  // rounding grow exponentially. The power of i with respect to the circle about jmk is
+  // -(q_f a_g + q_g a_f) / (2 a_jmk).
+  bool flip_an_edge() {
+    candidates_.clear();
+    for (const Halfedge h : edges_) {
+      if (!is_candidate(h)) continue;
+      const Diamond_values<double> d = values(h);
+      const Flipped_values<double> n = flipped(d);
+      const double power = n.area_f > 0 ? -Delaunay_expression()(d) / n.area_f
+                                        : -std::numeric_limits<double>::infinity();
+      candidates_.push_back({power, std::min(n.area_f, n.area_g) / n.km, h});
+    }
+    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+      return a.power > b.power || (a.power == b.power && a.quality > b.quality);
+    });
+    for (const Candidate& c : candidates_) {
+      // of four edges two may go straight through, up to rounding
+      if (!Triangulation::Metric::is_exact && c.quality < doubtful_quality && edges_.size() == 4 &&
+          !is_border_ && straight_edge() != Traits::null_halfedge())
+        return false;
+      const Diamond d = t_.diamond(c.edge);
+      const Undo u{c.edge, 3, values(c.edge)};
+      const std::array<Planar_vector<double>, 3> kmj = ear(c.edge);
+      if (session_.flip_edge(c.edge) != Move_status::done) continue;
+      undo_.push_back(u);
+      correct(d, kmj);
+      return true;
+    }
+    return false;
+  }
+
+  // ---- with floating point numbers
+
+  // Cutting off one ear after the other, each from values that the one before made, lets rounding grow
+  // exponentially with their number. So the star is laid out in the plane once, where errors only add up,
+  // and values are taken from there.
+  static constexpr bool is_corrected = std::is_same_v<typename Triangulation::FT, double>;
+
+  void develop() {
+    if constexpr (is_corrected) {
+      if (edges_.size() <= 4 || has_loop()) return;
+      Planar_vector<double> direction{1, 0};
+      for_each_outgoing(v_, mesh_, [&](Halfedge h) {
+        const std::uint32_t e = t_.index(edge(h, mesh_));
+        const double length = std::sqrt(t_.metric().approximate_squared_length(e));
+        places_.push_back({e, {length * direction[0], length * direction[1]}});
+        if (is_border(h)) return;
+        const Halfedge n = next(h, mesh_), l = next(n, mesh_);
+        const auto squared = [this](Halfedge g) {
+          return t_.metric().approximate_squared_length(t_.index(edge(g, mesh_)));
+        };
+        const double x = twice_inner_product(squared(h), squared(n), squared(l));
+        const double y = t_.metric().approximate_quadruple_area(t_.index(face(h, mesh_)));
+        const double norm = std::hypot(x, y);
+        direction = {(direction[0] * x - direction[1] * y) / norm,
+                     (direction[0] * y + direction[1] * x) / norm};
+      });
+    }
+  }
+
+  Planar_vector<double> place(Halfedge h) const {
+    const std::uint32_t e = t_.index(edge(h, mesh_));
+    return std::find_if(places_.begin(), places_.end(), [e](const Place& p) { return p.edge == e; })
+        ->position;
+  }
+
+  // the corners of the ear that the flip of an edge from the vertex cuts off, the vertex being i
+  std::array<Planar_vector<double>, 3> ear(Halfedge h) const {
+    if (places_.empty()) return {};
+    return {place(next(next(h, mesh_), mesh_)), place(next(opposite(h, mesh_), mesh_)), place(h)};
+  }
+
+  void correct(const Diamond& d, const std::array<Planar_vector<double>, 3>& kmj) {
+    if constexpr (is_corrected) {
+      if (places_.empty()) return;
+      const auto& [k, m, j] = kmj;
+      const double x = m[0] - k[0], y = m[1] - k[1];
+      const Flipped_values<double> n{x * x + y * y, 2 * (x * (j[1] - k[1]) - y * (j[0] - k[0])),
+                                     2 * (m[0] * k[1] - m[1] * k[0])};
+      if (n.km > 0 && n.area_f > 0 && n.area_g > 0) t_.metric().store_flip(d, n);
+    }
+  }
+
+  // back to the values before a flip; two flips exchange the halfedges, thus the faces
+  void restore(const Undo& u) {
+    if constexpr (is_corrected) {
+      const auto& [ij, jk, ki, im, mj, f, g] = u.before;
+      if (u.flips == 3)
+        t_.metric().store_flip(t_.diamond(u.edge), {ij, f, g});
+      else
+        t_.metric().store_flip(t_.diamond(u.edge), {ij, g, f});
+    }
+  }
+
+  // an edge to whose sides the vertex has a straight angle
+  Halfedge straight_edge() {
+    for (const Halfedge h : edges_)
+      if (is_candidate(h) && is_straight(h)) return h;
+    return Traits::null_halfedge();
+  }
+
+  bool is_straight(Halfedge h) {
+    const Diamond d = t_.diamond(h);
+    if constexpr (Triangulation::Metric::is_exact) {
+      return t_.metric().sign(d, Convexity_at_source_expression()) == ZERO &&
+             t_.metric().sign(d, Convexity_at_target_expression()) == POSITIVE;
+    } else {
+      const Diamond_values<double> v = values(h);
+      const Flipped_values<double> n = flipped(v);
+      return n.area_f > 0 && std::abs(n.area_g) <= straight_tolerance * (v.area_f + v.area_g);
+    }
+  }
+
+  // back by three more flips: four are the identity; the edge that left a face of zero area comes back
+  // by one, its halfedges exchanged
+  void undo() {
+    for (auto u = undo_.rbegin(); u != undo_.rend(); ++u) {
+      for (int i = 0; i < u->flips; ++i) flip_back(u->edge);
+      restore(*u);
+    }
+  }
+
+  // where rounding leaves a face no area, it gets zero
+  void flip_back(Halfedge h) {
+    if (session_.flip_non_delaunay_edge(h) == Move_status::done) return;
+    if (session_.flip_to_zero_area(h) == Move_status::done) return;
+    session_.flip_to_zero_area(opposite(h, mesh_));
+  }
+
+  // relative area that a face with a straight angle has by rounding after many moves
+  static constexpr double straight_tolerance = 1e-7;
+  static constexpr double doubtful_quality = 1e-9;
+
+  Triangulation& t_;
+  Session& session_;
+  const Mesh& mesh_;
+  Vertex v_;
+  bool is_border_ = false;
+  std::vector<Halfedge> edges_;
+  std::vector<Candidate> candidates_;
+  std::vector<Undo> undo_;
+  std::vector<Place> places_;
+};
+
+/// removes an inserted vertex, see `Intrinsic_triangulation::remove_vertex()`
+template <class Triangulation>
+Move_status remove_vertex(Triangulation& t, typename Triangulation::Session& session,
+                          typename Triangulation::vertex_descriptor v) {
+  return Vertex_remover<Triangulation>(t, session, v).remove();
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_REMOVE_VERTEX_H

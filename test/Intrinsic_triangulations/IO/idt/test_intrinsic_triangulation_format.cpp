@@ -1,0 +1,350 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "gallery.h"
+#include "stored_triangulations.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+using stored::delaunay_signs;
+using stored::Double;
+using stored::Exact;
+using stored::from_text;
+using stored::message_of;
+using stored::replaced;
+using stored::text;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using Points = std::vector<std::array<double, 3>>;
+
+IT::Intrinsic_input input_of(const gallery::Surface& s) {
+  if (!s.points.empty()) return {IT::Gluing_map(s.gluing), s.points};
+  return {IT::Gluing_map(s.gluing), gallery::squared_lengths(s)};
+}
+
+// a bumpy height field over a grid: irregular, with a border and an isolated vertex, last
+IT::Intrinsic_input terrain(std::uint32_t n, bool integer) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> height(0, 2);
+  Points points;
+  Triangles triangles;
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j) {
+      const double z = height(random);
+      points.push_back({double(i), double(j), integer ? double(int(z)) : z});
+    }
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+      triangles.push_back({a, b, b + 1});
+      triangles.push_back({a, b + 1, a + 1});
+    }
+  points.push_back({0, 0, 5});
+  const auto count = static_cast<std::uint32_t>(points.size());
+  return {IT::Gluing_map(IT::gluing_from_triangles(count, triangles)), std::move(points)};
+}
+
+template <class Triangulation>
+unsigned flip_at_random(Triangulation& t, unsigned attempts, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<std::uint32_t> side(0, std::uint32_t(num_halfedges(t.mesh())) - 1);
+  unsigned flips = 0;
+  for (unsigned i = 0; i < attempts; ++i)
+    flips += t.flip_edge(typename Triangulation::halfedge_descriptor{side(random)}) ==
+                     IT::Move_status::done
+                 ? 1
+                 : 0;
+  return flips;
+}
+
+} // namespace
+
+TEST(Intrinsic_triangulation_format, small_complexes_come_back_with_every_number) {
+  for (const gallery::Surface& surface : gallery::oriented()) {
+    SCOPED_TRACE(surface.name);
+    Exact exact(input_of(surface));
+    Double inexact(input_of(surface));
+    flip_at_random(exact, 20, 1);
+    flip_at_random(inexact, 20, 1);
+    EXPECT_EQ(text(from_text<Exact>(text(exact))), text(exact));
+    EXPECT_EQ(text(from_text<Double>(text(inexact))), text(inexact));
+    const Exact back = from_text<Exact>(text(exact));
+    for (const auto h : halfedges(exact.mesh())) {
+      EXPECT_EQ(next(h, back.mesh()), next(h, exact.mesh()));
+      EXPECT_EQ(target(h, back.mesh()), target(h, exact.mesh()));
+      EXPECT_EQ(face(h, back.mesh()), face(h, exact.mesh()));
+    }
+    for (const auto v : vertices(exact.mesh())) {
+      EXPECT_EQ(halfedge(v, back.mesh()), halfedge(v, exact.mesh()));
+      EXPECT_EQ(back.input_vertex(v), exact.input_vertex(v));
+    }
+  }
+}
+
+TEST(Intrinsic_triangulation_format, exact_triangulation_goes_on_as_if_it_had_not_been_stored) {
+  for (const bool integer : {false, true}) {
+    Exact t(terrain(6, integer));
+    ASSERT_GT(flip_at_random(t, 900, 3), 200U);
+    Exact back = from_text<Exact>(text(t));
+    EXPECT_EQ(delaunay_signs(back), delaunay_signs(t));
+    EXPECT_EQ(flip_at_random(back, 300, 4), flip_at_random(t, 300, 4));
+    EXPECT_EQ(text(back), text(t));
+    IT::flip_to_delaunay(t);
+    IT::flip_to_delaunay(back);
+    EXPECT_EQ(text(back), text(t));
+    EXPECT_EQ(IT::check_delaunay(back).non_delaunay_edges, 0U);
+    EXPECT_EQ(IT::check_delaunay(back).cocircular_edges, IT::check_delaunay(t).cocircular_edges);
+  }
+}
+
+TEST(Intrinsic_triangulation_format, inexact_triangulation_goes_on_as_if_it_had_not_been_stored) {
+  Double t(terrain(6, false));
+  ASSERT_GT(flip_at_random(t, 1000, 3), 100U);
+  Double back = from_text<Double>(text(t));
+  EXPECT_EQ(flip_at_random(back, 1000, 4), flip_at_random(t, 1000, 4));
+  EXPECT_EQ(text(back), text(t));
+}
+
+TEST(Intrinsic_triangulation_format, report_and_scale_come_back) {
+  IT::Intrinsic_input input = terrain(3, false);
+  for (auto& p : input.points)
+    for (double& x : p) x *= 0x1p100;
+  input.mollification = IT::Mollification::squared_lengths;
+  const Exact t(std::move(input));
+  const Exact back = from_text<Exact>(text(t));
+  EXPECT_EQ(back.report().mollification.kind, IT::Mollification::squared_lengths);
+  EXPECT_EQ(back.report().mollification.delta, t.report().mollification.delta);
+  EXPECT_EQ(back.metric().input().delta(), t.metric().input().delta());
+  EXPECT_LT(back.metric().scale_exponent(), -90);
+  for (const auto e : edges(t.mesh())) EXPECT_EQ(back.squared_length(e), t.squared_length(e));
+}
+
+TEST(Intrinsic_triangulation_format, renumbered_triangulation_keeps_the_way_back_to_the_input) {
+  IT::Intrinsic_input input = terrain(3, false);
+  const IT::Renumbering renumbering = IT::renumber(input.mesh, input.points);
+  const Double built(input);
+  IT::Input_report report;
+  report.renumbered = true;
+  const Double t(input.mesh, built.metric(), renumbering, report);
+  const Double back = from_text<Double>(text(t));
+  EXPECT_TRUE(back.report().renumbered);
+  EXPECT_EQ(back.renumbering().input_vertex, renumbering.input_vertex);
+  EXPECT_EQ(back.renumbering().input_face, renumbering.input_face);
+  EXPECT_EQ(text(back), text(t));
+}
+
+TEST(Intrinsic_triangulation_format, any_mesh_type_writes_and_reads) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+  using On_surface_mesh = IT::Intrinsic_triangulation<Mesh, IT::Exact_euclidean_traits>;
+  On_surface_mesh t(terrain(4, true));
+  flip_at_random(t, 200, 5);
+  On_surface_mesh back = from_text<On_surface_mesh>(text(t));
+  EXPECT_EQ(text(back), text(t));
+  Exact other = from_text<Exact>(text(t));
+  EXPECT_EQ(flip_at_random(back, 200, 6), flip_at_random(other, 200, 6));
+  EXPECT_EQ(delaunay_signs(back), delaunay_signs(other));
+}
+
+TEST(Intrinsic_triangulation_format, file_of_a_file_has_equal_bytes) {
+  const std::filesystem::path directory =
+      std::filesystem::temp_directory_path() /
+      ("intrinsic_triangulation_format_" + std::to_string(std::random_device()()));
+  std::filesystem::create_directory(directory);
+  Exact t(terrain(5, false));
+  IT::flip_to_delaunay(t);
+  IT::write_intrinsic_triangulation(directory / "a.idt", t);
+  EXPECT_EQ(IT::read_intrinsic_triangulation_arithmetic(directory / "a.idt"), "exact");
+  IT::write_intrinsic_triangulation(directory / "b.idt",
+                                    IT::read_intrinsic_triangulation<Exact>(directory / "a.idt"));
+  const auto bytes = [](const std::filesystem::path& p) {
+    std::ifstream in(p, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  EXPECT_EQ(bytes(directory / "a.idt"), bytes(directory / "b.idt"));
+  EXPECT_EQ(bytes(directory / "a.idt"), text(t));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory), {}), 2);
+  EXPECT_THROW(IT::write_intrinsic_triangulation(directory / "none" / "a.idt", t),
+               std::runtime_error);
+  std::filesystem::remove_all(directory);
+}
+
+TEST(Intrinsic_triangulation_format, every_truncation_is_noticed) {
+  Exact t(terrain(2, false));
+  flip_at_random(t, 20, 2);
+  const std::string s = text(t);
+  for (std::size_t length = 0; length + 1 < s.size(); ++length)
+    ASSERT_NE(message_of(s.substr(0, length)), "") << length;
+  EXPECT_NE(message_of(s.substr(0, s.size() / 2)).find("file.idt:"), std::string::npos);
+}
+
+TEST(Intrinsic_triangulation_format, damage_is_reported_with_file_and_line) {
+  const std::string s = text(Exact(terrain(1, false)));
+  ASSERT_EQ(message_of(s), "");
+  EXPECT_EQ(message_of(replaced(s, "IDT 2", "OFF")).rfind("file.idt:1: ", 0), 0U);
+  EXPECT_NE(message_of(replaced(s, "IDT 2", "IDT 9")).find("version 9"), std::string::npos);
+  EXPECT_NE(message_of(replaced(s, "exact", "rational")).find("rational"), std::string::npos);
+  EXPECT_NE(message_of(replaced(s, "exact", "double")).find("double arithmetic"),
+            std::string::npos);
+  EXPECT_EQ(message_of(replaced(s, "vertices 5", "vertices 4")).rfind("file.idt:", 0), 0U);
+  EXPECT_NE(message_of(replaced(s, "faces 2", "faces 4000000000")), "");
+  EXPECT_NE(message_of(replaced(s, "moves 0", "moves 400000000")), "");
+  EXPECT_NE(message_of(replaced(s, "points 5", "points 6")).find("must be 5"), std::string::npos);
+  EXPECT_NE(message_of(replaced(s, "delta 0x0p+0", "delta -0x1p-3")).find("negative"),
+            std::string::npos);
+  EXPECT_NE(message_of(replaced(s, "delta 0x0p+0", "delta nan")).find("nan"), std::string::npos);
+  EXPECT_NE(message_of(s + "\n").find(""), std::string::npos); // what follows the end is not read
+}
+
+TEST(Intrinsic_triangulation_format, no_single_changed_digit_crashes_the_reader) {
+  Exact t(terrain(2, false));
+  flip_at_random(t, 20, 2);
+  const std::string s = text(t);
+  std::mt19937 random(11);
+  unsigned refused = 0;
+  for (std::size_t i = 0; i < s.size(); i += 3) {
+    std::string changed = s;
+    changed[i] = "0123456789 -x\n"[random() % 14];
+    try { // either it is refused, or what it says can be used
+      Exact read = from_text<Exact>(changed);
+      text(read);
+    } catch (const IT::Invalid_input&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0U);
+}
+
+TEST(Intrinsic_triangulation_format, other_arithmetic_is_refused) {
+  const std::string s = text(Double(terrain(1, false)));
+  EXPECT_NE(message_of(s).find("stored in double arithmetic"), std::string::npos);
+}
+
+// A strip of three faces and an isolated vertex after one flip, as version 1 of the format was written.
+namespace {
+
+const char* const exact_of_version_1 = R"(IDT 1 exact
+scale -1
+degenerate_faces 0
+mollification none 0x0p+0
+renumbered 0
+vertices 6
+0 1
+1 7
+2 5
+3 11
+4 13
+5 -
+edges 7
+0x1p+2 0x1p+2 0x1p+2
+0x1.4p-2 0x1.4p-2 0x1.4p-2
+0x1.a8p+1 0x1.a8p+1 0x1.a8p+1
+0x1.bp+1 0x1.bp+1 0x1.bp+1
+0x1.c892b54cf5d08p+1 0x1.c892b54cf5d27p+1 0x1.c892b54cf5d1ap+1
+0x1.08p-1 0x1.08p-1 0x1.08p-1
+0x1.bap+1 0x1.bap+1 0x1.bap+1
+faces 3
+0 2 4 0 1 2 0 0x1.ffffffffffffp+0 0x1.0000000000008p+1 0x1p+1
+8 12 3 1 4 2 1 0x1.08b6c4fa052e7p+1 0x1.08b6c4fa052fdp+1 0x1.08b6c4fa052f4p+1
+9 6 10 4 1 3 2 0x1.4f28cd25e7a2p+1 0x1.4f28cd25e7a3fp+1 0x1.4f28cd25e7a31p+1
+border 5
+1 5
+5 13
+7 1
+11 7
+13 11
+points 6
+0x0p+0 0x0p+0 0x0p+0
+0x1p+1 0x0p+0 0x0p+0
+0x1.cp+0 0x1p-1 0x0p+0
+0x1.ep+1 0x1p-1 0x1p-2
+0x1.cp+1 0x1.2p+0 0x0p+0
+0x0p+0 0x0p+0 0x1.4p+1
+delta 0x0p+0
+sides 3
+0 1 2
+1 3 2
+2 3 4
+flips 1
+1 1 2 0
+versions 3
+0 0
+3 4
+4 4
+end
+)";
+
+const char* const double_of_version_1 = R"(IDT 1 double
+scale -1
+degenerate_faces 0
+mollification none 0x0p+0
+renumbered 0
+vertices 6
+0 1
+1 7
+2 5
+3 11
+4 13
+5 -
+edges 7
+0x1p+2
+0x1.4p-2
+0x1.a8p+1
+0x1.bp+1
+0x1.c892b54cf5d18p+1
+0x1.08p-1
+0x1.bap+1
+faces 3
+0 2 4 0 1 2 0 0x1p+1
+8 12 3 1 4 2 1 0x1.08b6c4fa052f1p+1
+9 6 10 4 1 3 2 0x1.4f28cd25e7a3p+1
+border 5
+1 5
+5 13
+7 1
+11 7
+13 11
+end
+)";
+
+} // namespace
+
+TEST(Intrinsic_triangulation_format, version_1_is_read) {
+  Exact exact = from_text<Exact>(exact_of_version_1);
+  Double inexact = from_text<Double>(double_of_version_1);
+  EXPECT_EQ(exact.number_of_input_vertices(), 6U);
+  EXPECT_EQ(exact.metric().history().number_of_flips(), 1U);
+  EXPECT_EQ(text(from_text<Exact>(text(exact))), text(exact));
+  EXPECT_EQ(text(from_text<Double>(text(inexact))), text(inexact));
+  // what the program says today about the mesh that was written then
+  IT::Intrinsic_input input(
+      IT::Gluing_map(IT::gluing_from_triangles(6, Triangles{{0, 1, 2}, {1, 3, 2}, {2, 3, 4}})),
+      Points{{0, 0, 0}, {4, 0, 0}, {3.5, 1, 0}, {7.5, 1, 0.5}, {7, 2.25, 0}, {0, 0, 5}});
+  Exact again(input);
+  IT::flip_to_delaunay(again);
+  EXPECT_EQ(text(exact), text(again));
+  EXPECT_EQ(delaunay_signs(exact), delaunay_signs(again));
+  EXPECT_NE(message_of(replaced(exact_of_version_1, "1 1 2 0\n", "1 1 2 1\n")), "");
+  EXPECT_NE(message_of(replaced(exact_of_version_1, "5 -\n", "- -\n")), "");
+}

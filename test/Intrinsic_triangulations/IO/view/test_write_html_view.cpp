@@ -1,0 +1,338 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "subdivisions.h"
+
+#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+using Points = subdivisions::Points;
+
+IT::Html_view simple_view() {
+  IT::Html_view view;
+  view.title = "A grid";
+  view.description = "two lines\nof text";
+  view.three = "var THREE = {};";
+  view.trackball_controls = "THREE.TrackballControls = null;";
+  return view;
+}
+
+std::string page(const IT::Common_subdivision& s, const Points& points,
+                 const IT::Html_view& view = simple_view()) {
+  std::ostringstream out;
+  IT::write_html_view(out, s, points, view);
+  return out.str();
+}
+
+Points points_of(const IT::Common_subdivision& grid, std::uint32_t n) {
+  return IT::positions(grid, subdivisions::grid_points(n));
+}
+
+// what stands between the tags of the data of that name
+std::string encoded(const std::string& html, const std::string& id) {
+  const std::size_t tag = html.find(" id=\"" + id + "\"");
+  EXPECT_NE(tag, std::string::npos) << id;
+  const std::size_t begin = html.find('>', tag) + 1;
+  return html.substr(begin, html.find('<', begin) - begin);
+}
+
+std::string decoded(const std::string& code) {
+  static const std::string digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int n = 0;
+  for (const char c : code) {
+    if (c == '=') break;
+    const std::size_t digit = digits.find(c);
+    EXPECT_NE(digit, std::string::npos) << c;
+    bits = (bits << 6) | static_cast<std::uint32_t>(digit & 63);
+    n += 6;
+    if (n >= 8) bytes += static_cast<char>((bits >> (n -= 8)) & 255);
+  }
+  return bytes;
+}
+
+template <class T>
+std::vector<T> numbers(const std::string& html, const std::string& id) {
+  const std::string bytes = decoded(encoded(html, id));
+  EXPECT_EQ(bytes.size() % sizeof(T), 0u) << id;
+  std::vector<T> result(bytes.size() / sizeof(T));
+  if (!result.empty()) std::memcpy(result.data(), bytes.data(), bytes.size());
+  return result;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& word) {
+  std::size_t result = 0;
+  for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1))
+    ++result;
+  return result;
+}
+
+const std::vector<std::string> data_ids{
+    "points",  "triangles",       "colors",      "sources",
+    "kinds",   "labels",          "input-edges", "input-edges-room",
+    "scalars", "intrinsic-edges", "view-axes",   "intrinsic-edges-room"};
+
+} // namespace
+
+TEST(Html_view, Loads_nothing_from_anywhere) {
+  const auto s = subdivisions::grid(2);
+  const std::string html = page(s, points_of(s, 2));
+  EXPECT_FALSE(std::regex_search(html, std::regex("<[^>]*\\s(src|href)\\s*=")));
+  for (const char* word :
+       {"<link", "@import", "url(", "fetch(", "XMLHttpRequest", "http:", "https:"})
+    EXPECT_EQ(occurrences(html, word), 0u) << word;
+}
+
+TEST(Html_view, Has_data_in_base64_of_the_expected_sizes) {
+  const auto s = subdivisions::grid(3); // 9 squares of 4 triangles; 16 vertices and 9 crossings
+  const std::string html = page(s, points_of(s, 3));
+  for (const std::string& id : data_ids) {
+    EXPECT_EQ(occurrences(html, " id=\"" + id + "\""), 1u) << id;
+    EXPECT_EQ(encoded(html, id).size() % 4, 0u) << id;
+  }
+  EXPECT_EQ(numbers<float>(html, "points").size(), 25u * 3);
+  EXPECT_EQ(numbers<std::uint32_t>(html, "triangles").size(), 36u * 3);
+  EXPECT_EQ(numbers<std::uint8_t>(html, "colors").size(), 36u * 3);
+  EXPECT_EQ(numbers<std::uint32_t>(html, "sources").size(), 36u * 2);
+  EXPECT_EQ(numbers<std::uint8_t>(html, "kinds").size(), 25u);
+  EXPECT_EQ(numbers<std::uint32_t>(html, "labels").size(), 25u * 2);
+  // 12 + 12 sides of squares, and both halves of one diagonal for each triangulation
+  for (const std::string edges : {"input-edges", "intrinsic-edges"}) {
+    EXPECT_EQ(numbers<std::uint32_t>(html, edges).size(), (24u + 18) * 2);
+    EXPECT_EQ(numbers<float>(html, edges + "-room").size(), 24u + 18);
+  }
+  EXPECT_TRUE(encoded(html, "scalars").empty());
+}
+
+TEST(Html_view, Has_triangles_and_sources_of_the_subdivision) {
+  const auto s = subdivisions::grid(2); // all faces are triangles already
+  const std::string html = page(s, points_of(s, 2));
+  EXPECT_EQ(numbers<std::uint32_t>(html, "triangles"), s.corner);
+  const auto sources = numbers<std::uint32_t>(html, "sources");
+  ASSERT_EQ(sources.size(), 2 * s.number_of_faces());
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+    EXPECT_EQ(sources[2 * f], s.intrinsic_face[f]);
+    EXPECT_EQ(sources[2 * f + 1], s.input_face[f]);
+  }
+}
+
+TEST(Html_view, Escapes_text) {
+  const auto s = subdivisions::tetrahedron();
+  IT::Html_view view = simple_view();
+  view.title = "</script><script>alert(\"1\")</script> & <b>";
+  view.description = "<img onerror=x>";
+  const std::string html = page(s, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, view);
+  EXPECT_EQ(occurrences(html, "alert("), 2u); // in the title, and in the panel
+  EXPECT_EQ(occurrences(html, "&lt;/script&gt;&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; "
+                              "&amp; &lt;b&gt;"),
+            2u);
+  EXPECT_EQ(occurrences(html, "<img"), 0u);
+}
+
+TEST(Html_view, Does_not_let_scripts_end_themselves) {
+  const auto s = subdivisions::tetrahedron();
+  const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::size_t ends = occurrences(page(s, points), "</script>");
+  IT::Html_view view = simple_view();
+  view.three = "var THREE = { a: \"</script>\", b: \"</SCRIPT>\", c: 1 </d/ };";
+  const std::string html = page(s, points, view);
+  EXPECT_EQ(occurrences(html, "</script>"), ends);
+  EXPECT_EQ(occurrences(html, "</SCRIPT>"), 0u);
+  EXPECT_NE(html.find("{ a: \"<\\/script>\", b: \"<\\/SCRIPT>\", c: 1 </d/ };"), std::string::npos);
+}
+
+TEST(Html_view, Has_the_scripts_and_their_licence) {
+  const auto s = subdivisions::tetrahedron();
+  const std::string html = page(s, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const std::size_t notice = html.find("The above copyright notice and this permission notice");
+  const std::size_t three = html.find("var THREE = {};");
+  const std::size_t controls = html.find("THREE.TrackballControls = null;");
+  const std::size_t program = html.find("WebGLRenderer");
+  EXPECT_LT(html.find("three.js authors"), notice);
+  EXPECT_LT(notice, three);
+  EXPECT_LT(three, controls);
+  EXPECT_LT(controls, program);
+  EXPECT_LT(program, html.size());
+}
+
+TEST(Html_view, Says_what_a_browser_lacks) {
+  const auto s = subdivisions::tetrahedron();
+  const std::string html = page(s, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  EXPECT_NE(html.find("needs WebGL"), std::string::npos);
+  EXPECT_NE(html.find("needs JavaScript"), std::string::npos);
+}
+
+TEST(Html_view, Colours_neighbouring_intrinsic_faces_differently) {
+  constexpr std::uint32_t n = 20;
+  const auto s = subdivisions::grid(n);
+  const auto color = numbers<std::uint8_t>(page(s, points_of(s, n)), "colors");
+  const auto color_of = [&](std::size_t f) {
+    return std::array{color[3 * f], color[3 * f + 1], color[3 * f + 2]};
+  };
+  std::map<std::uint32_t, std::size_t> first; // a face at each intrinsic edge
+  std::size_t pairs = 0;
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f)
+    for (const auto& side : s.sides(f)) {
+      if (side.intrinsic_edge == subdivisions::none) continue;
+      const std::size_t g = first.try_emplace(side.intrinsic_edge, f).first->second;
+      if (s.intrinsic_face[f] == s.intrinsic_face[g]) {
+        EXPECT_EQ(color_of(f), color_of(g));
+        continue;
+      }
+      ++pairs;
+      int difference = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+        difference = std::max(difference, std::abs(color_of(f)[c] - color_of(g)[c]));
+      EXPECT_GE(difference, 24);
+    }
+  EXPECT_GE(pairs, 2u * n * (n - 1) + n * n); // all inner edges of the intrinsic triangulation
+}
+
+TEST(Html_view, Centres_points_before_they_lose_precision) {
+  constexpr std::uint32_t n = 4;
+  const auto s = subdivisions::grid(n);
+  const Points points = points_of(s, n);
+  const auto near = numbers<float>(page(s, points), "points");
+  // 2^26: the sum is rounded to 2^-26, and a unit in the last place of single precision is 2^26 / 2^23
+  for (const std::array<double, 2> change : {std::array<double, 2>{1, 67108864.},
+                                             {1e-300, 0},
+                                             {1e300, 0},
+                                             {std::numeric_limits<double>::max() / 4, 0}}) {
+    Points moved = points;
+    for (auto& p : moved)
+      for (double& x : p) x = x * change[0] + change[1];
+    const auto far = numbers<float>(page(s, moved), "points");
+    ASSERT_EQ(far.size(), near.size());
+    for (std::size_t i = 0; i < near.size(); ++i) EXPECT_NEAR(far[i], near[i], 1e-6);
+  }
+  float greatest = 0;
+  for (std::size_t i = 0; i < near.size(); i += 3)
+    greatest = std::max(greatest, std::hypot(near[i], near[i + 1], near[i + 2]));
+  EXPECT_LE(greatest, 1 + 1e-6);
+  EXPECT_GE(greatest, 1 - 1e-6);
+}
+
+TEST(Html_view, Tells_the_kind_and_the_numbers_of_each_vertex) {
+  auto s = subdivisions::grid(1);
+  s.vertices[2] = {7, IT::Subdivision_vertex_kind::inserted, 1, {3, {0, 1, 3}, {0.5, 0.25, 0.25}}};
+  s.vertices[3].intrinsic = 9;
+  const std::string html = page(s, points_of(s, 1));
+  EXPECT_EQ(numbers<std::uint8_t>(html, "kinds"), (std::vector<std::uint8_t>{0, 0, 1, 0, 2}));
+  EXPECT_EQ(numbers<std::uint32_t>(html, "labels"),
+            (std::vector<std::uint32_t>{0, 0, 1, 1, 7, 1, 9, 3, 4, 4}));
+}
+
+TEST(Html_view, Gives_edges_the_height_of_the_smaller_face) {
+  auto s = subdivisions::grid(1);
+  // a rectangle of width 4 and height 3 has a circumcircle of radius 5 / 2, which is scaled to 1
+  const Points points = IT::positions(s, Points{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {4, 3, 0}});
+  const std::string html = page(s, points);
+  for (const std::string id : {"input-edges", "intrinsic-edges"}) {
+    const auto ends = numbers<std::uint32_t>(html, id);
+    const auto room = numbers<float>(html, id + "-room");
+    ASSERT_EQ(ends.size(), 2 * room.size());
+    for (std::size_t e = 0; e < room.size(); ++e) {
+      std::array<double, 3> d{};
+      for (std::size_t c = 0; c < 3; ++c)
+        d[c] = points[ends[2 * e]][c] - points[ends[2 * e + 1]][c];
+      const bool is_half_diagonal = ends[2 * e] == 4 || ends[2 * e + 1] == 4;
+      const double length = (is_half_diagonal ? 2 : 1) * std::hypot(d[0], d[1], d[2]);
+      EXPECT_NEAR(room[e], 12 / length / 2.5, 1e-5); // twice the area of half the rectangle is 12
+    }
+  }
+}
+
+TEST(Html_view, Scales_a_field_in_double_precision) {
+  const auto s = subdivisions::grid(1);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> values{1e15, 1e15 + 1, 1e15 + 4, 1e15 + 2, nan};
+  IT::Html_view view = simple_view();
+  view.field = {"heat", values};
+  const std::string html = page(s, points_of(s, 1), view);
+  EXPECT_NE(html.find("data-name=\"heat\""), std::string::npos);
+  const auto attribute = [&](const std::string& name) {
+    const std::size_t begin = html.find(name + "=\"") + name.size() + 2;
+    return std::stod(html.substr(begin, html.find('"', begin) - begin));
+  };
+  EXPECT_EQ(attribute("data-least"), 1e15);
+  EXPECT_EQ(attribute("data-greatest"), 1e15 + 4);
+  const auto x = numbers<float>(html, "scalars");
+  ASSERT_EQ(x.size(), 5u);
+  EXPECT_EQ((std::vector<float>{x.begin(), x.end() - 1}), (std::vector<float>{0, 0.25, 1, 0.5}));
+  EXPECT_TRUE(std::isnan(x[4]));
+}
+
+TEST(Html_view, Takes_fields_that_are_constant_or_not_finite_or_huge) {
+  const auto s = subdivisions::grid(1);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double huge = std::numeric_limits<double>::max();
+  IT::Html_view view = simple_view();
+  const auto scalars = [&](const std::vector<double>& values) {
+    view.field = {"f", values};
+    return numbers<float>(page(s, points_of(s, 1), view), "scalars");
+  };
+  EXPECT_EQ(scalars({3, 3, 3, 3, 3}), std::vector<float>(5, 0));
+  EXPECT_EQ(scalars({-huge, huge, 0, 0, 0}), (std::vector<float>{0, 1, 0.5, 0.5, 0.5}));
+  for (const float x : scalars({infinity, -infinity, infinity, infinity, infinity}))
+    EXPECT_TRUE(std::isnan(x));
+}
+
+TEST(Html_view, Refuses_what_it_cannot_show) {
+  const auto s = subdivisions::grid(1);
+  const Points points = points_of(s, 1);
+  EXPECT_THROW(page(s, {}), IT::Invalid_input);
+  EXPECT_THROW(page(s, subdivisions::grid_points(1)), IT::Invalid_input); // none for the crossing
+  IT::Html_view view = simple_view();
+  const std::vector<double> values(4, 0.);
+  view.field = {"short", values};
+  EXPECT_THROW(page(s, points, view), IT::Invalid_input);
+  for (std::string_view IT::Html_view::*script :
+       {&IT::Html_view::three, &IT::Html_view::trackball_controls}) {
+    view = simple_view();
+    view.*script = {};
+    try {
+      page(s, points, view);
+      ADD_FAILURE() << "a page without its scripts was written";
+    } catch (const IT::Invalid_input& error) {
+      EXPECT_NE(std::string(error.what()).find("libjs-three"), std::string::npos);
+    }
+  }
+}
+
+TEST(Html_view, Tells_that_a_stream_fails) {
+  const auto s = subdivisions::grid(1);
+  std::ostringstream out;
+  out.setstate(std::ios::badbit);
+  EXPECT_THROW(IT::write_html_view(out, s, points_of(s, 1), simple_view()), std::runtime_error);
+}
+
+TEST(Html_view, Takes_a_subdivision_without_faces_and_one_without_extent) {
+  EXPECT_TRUE(numbers<float>(page({}, {}), "points").empty());
+  const auto s = subdivisions::tetrahedron();
+  const std::string html = page(s, Points(4, {5, 5, 5}));
+  for (const float x : numbers<float>(html, "points")) EXPECT_EQ(x, 0);
+  for (const float x : numbers<float>(html, "intrinsic-edges-room")) EXPECT_EQ(x, 0);
+}

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_intrinsic.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_transfer.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+
+#include "gallery.h"
+#include "meshes.h"
+#include "subdivision_oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Explicit_crossings;
+using IT::Integer_coordinates;
+using IT::Signposts;
+using IT::Surface_point;
+using IT::Tangent_frames;
+using subdivision_oracle::Mover;
+template <class Correspondence>
+using Triangulation =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Correspondence>;
+
+std::vector<std::pair<std::string, meshes::Mesh>> fat_meshes() {
+  return {{"grid", meshes::grid(5, 5)},
+          {"sheared grid", meshes::sheared_grid(5, 5, 7)},
+          {"rough grid", meshes::rough_grid(6, 5)},
+          {"box", meshes::box(3, 2, 4)},
+          {"sphere", meshes::sphere(2)},
+          {"potato", meshes::potato(2, 6)}};
+}
+
+IT::Intrinsic_input input(const meshes::Mesh& m) { return subdivision_oracle::input(m); }
+IT::Intrinsic_input input(const gallery::Surface& s) {
+  IT::Intrinsic_input i(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
+  i.may_renumber = false;
+  return i;
+}
+
+double difference(double a, double b, double period) {
+  return std::abs(std::remainder(a - b, period));
+}
+
+/// Flipped to Delaunay, and then moved at random.
+template <class Correspondence, class Input>
+Triangulation<Correspondence> moved(const Input& i, int moves) {
+  Triangulation<Correspondence> t(input(i));
+  flip_to_delaunay(t);
+  Mover mover(t, 3);
+  for (int k = 0; k < moves; ++k) mover.move(true);
+  return t;
+}
+
+template <class Function, class T>
+void for_each_halfedge_from_the_input(const T& t, Function f) {
+  const IT::Intrinsic_view<T> view(t);
+  for (const auto d : edges(t.mesh()))
+    for (const std::uint32_t h : {2 * t.index(d), 2 * t.index(d) + 1})
+      if (!t.correspondence().is_inserted(view.source(h))) f(h);
+}
+
+template <class Correspondence>
+void expect_angles_of_signposts(int moves) {
+  for (const auto& [name, m] : fat_meshes()) {
+    const auto t = moved<Correspondence>(m, moves);
+    const auto s = moved<Signposts>(m, moves);
+    const Tangent_frames frames(t.correspondence().input());
+    for_each_halfedge_from_the_input(t, [&, &n = name](std::uint32_t h) {
+      const double a = cone_angle_on_input(t, t.correspondence(), frames, h);
+      EXPECT_LT(difference(a, s.correspondence().angle(h), s.correspondence().fan(h).angle), 1e-9)
+          << n << ' ' << h;
+    });
+  }
+}
+
+TEST(Tangent_transfer, Finds_the_directions_that_signposts_store) {
+  expect_angles_of_signposts<Integer_coordinates>(0);
+  expect_angles_of_signposts<Integer_coordinates>(8);
+  expect_angles_of_signposts<Explicit_crossings>(8);
+}
+
+/// The angle between successive halfedges is that of the face between them.
+template <class Input>
+void expect_angles_of_faces(const Input& i, int moves, const std::string& name) {
+  const auto t = moved<Integer_coordinates>(i, moves);
+  using T = Triangulation<Integer_coordinates>;
+  const IT::Intrinsic_view<T> view(t);
+  const Integer_coordinates& c = t.correspondence();
+  const Tangent_frames frames(c.input());
+  for_each_halfedge_from_the_input(t, [&](std::uint32_t h) {
+    if (view.is_border(h)) return;
+    const std::uint32_t next = next_around_source(view, h);
+    const auto& fan = frames.fan(frames.fan_of(c.fans().halfedge(c.roundabout(h))));
+    const double turn =
+        cone_angle_on_input(t, c, frames, next) - cone_angle_on_input(t, c, frames, h);
+    const double error = turn - angle_at_source(view, h);
+    EXPECT_LT(fan.is_on_border ? std::abs(error) : difference(error, 0, fan.angle), 1e-9)
+        << name << ' ' << h;
+  });
+}
+
+TEST(Tangent_transfer, Turns_from_halfedge_to_halfedge_by_the_angle_between_them) {
+  for (const auto& [name, m] : fat_meshes()) expect_angles_of_faces(m, 8, name);
+  for (const gallery::Surface& s : gallery::oriented()) {
+    expect_angles_of_faces(s, 0, s.name);
+    expect_angles_of_faces(s, 6, s.name);
+  }
+}
+
+TEST(Tangent_transfer, Takes_vectors_there_and_back) {
+  for (const auto& [name, m] : fat_meshes()) {
+    const auto t = moved<Integer_coordinates>(m, 8);
+    const Integer_coordinates& c = t.correspondence();
+    const Tangent_frames frames(c.input());
+    for_each_halfedge_from_the_input(t, [&, &n = name](std::uint32_t h) {
+      const auto& fan = frames.fan(frames.fan_of(c.fans().halfedge(c.roundabout(h))));
+      const double a = fan.scale() * cone_angle_on_input(t, c, frames, h);
+      const auto along = vector_to_intrinsic(t, c, frames, h, {2, a}); // that of the halfedge
+      EXPECT_NEAR(along[0], 2, 1e-12) << n;
+      EXPECT_NEAR(along[1], 0, 1e-12) << n;
+      const IT::Polar_vector v = vector_to_input(t, c, frames, h, {0.6, 0.8});
+      const auto back = vector_to_intrinsic(t, c, frames, h, v);
+      EXPECT_NEAR(v.length, 1, 1e-12) << n;
+      if (!fan.is_on_border) { // of those that point out of the surface there is no copy
+        // an angle beyond that of the cone comes back as one turn less
+        const double less = fan.angle - 2 * std::numbers::pi;
+        const double angle = std::atan2(back[1], back[0]), wanted = std::atan2(0.8, 0.6);
+        EXPECT_LT(std::min(difference(angle, wanted, 2 * std::numbers::pi),
+                           difference(angle, wanted - less, 2 * std::numbers::pi)),
+                  1e-12)
+            << n << ' ' << h;
+      }
+    });
+  }
+}
+
+// ---- points
+
+using Point = std::array<double, 3>;
+
+template <class T>
+Point position(const T& t, const meshes::Mesh& m, const Surface_point& p) {
+  Point x{0, 0, 0};
+  std::uint32_t h = p.halfedge;
+  for (const double w : p.weights) {
+    for (std::size_t k = 0; k < 3; ++k)
+      x[k] += w * m.points[t.correspondence().input().source(h)][k];
+    h = t.correspondence().input().next(h);
+  }
+  return x;
+}
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+TEST(Point_queries, Go_from_the_input_to_the_intrinsic_triangulation_and_back) {
+  for (const auto& [name, m] : fat_meshes()) {
+    auto t = moved<Integer_coordinates>(m, 8);
+    const auto s = moved<Signposts>(m, 8);
+    const IT::Input_surface& surface = s.correspondence().input();
+    std::mt19937 random(5);
+    for (int i = 0; i < 300; ++i) {
+      const auto f = static_cast<std::uint32_t>(random() % m.triangles.size());
+      double a = static_cast<double>(random()) / 0x1p32, b = static_cast<double>(random()) / 0x1p32;
+      if (a + b > 1) a = 1 - a, b = 1 - b;
+      const Surface_point p{surface.halfedge_of_face(f), {1 - a - b, a, b}};
+      const auto q = IT::locate_on_intrinsic(t, t.correspondence(), p);
+      ASSERT_TRUE(q) << name;
+      const Surface_point back =
+          IT::locate_on_input(t, t.correspondence(), q->halfedge, q->weights).point;
+      EXPECT_LT(distance(position(t, m, back), position(t, m, p)), 1e-9) << name << ' ' << i;
+      // signposts lead to the same place on other ways
+      const IT::Signpost_location other = IT::find_on_input(s, s.correspondence(), *q);
+      ASSERT_TRUE(other.is_found) << name;
+      EXPECT_LT(distance(position(s, m, other.point), position(t, m, p)), 1e-9) << name << ' ' << i;
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,335 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Edge_traces.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+
+#include "gallery.h"
+#include "meshes.h"
+#include "subdivision_oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Integer_coordinates;
+using IT::Signposts;
+using subdivision_oracle::Mover;
+template <class Traits, class Correspondence>
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, Traits, Correspondence>;
+using Exact = IT::Exact_euclidean_traits;
+using Rounded = IT::Euclidean_traits<double>;
+
+constexpr auto none = IT::Gluing::none;
+
+std::vector<std::pair<std::string, IT::Intrinsic_input>> inputs() {
+  std::vector<std::pair<std::string, IT::Intrinsic_input>> result;
+  const auto add = [&](const std::string& name, const meshes::Mesh& m) {
+    result.emplace_back(name, m.input());
+  };
+  add("grid", meshes::grid(4, 4));
+  add("sheared grid", meshes::sheared_grid(5, 5, 7));
+  add("random planar", meshes::random_planar(60, 1000, 1));
+  add("parabola", meshes::parabola_fan(20));
+  add("terrain", meshes::integer_terrain(50, 50, 4));
+  add("rough grid", meshes::rough_grid(6, 5));
+  add("box", meshes::box(3, 2, 4));
+  add("potato", meshes::potato(2, 6));
+  add("walls", meshes::walls({{0, 0}, {3, 0}, {1, 2}}, 4));
+  add("stairs", meshes::stairs(6, 4, 3));
+  add("folded lattice", meshes::folded_lattice(4, 6, 3));
+  for (const gallery::Surface& s : gallery::oriented())
+    result.emplace_back(s.name,
+                        IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+  for (auto& [name, input] : result) input.may_renumber = false;
+  return result;
+}
+
+/// One triangulation with two representations.
+template <class Traits>
+struct Twins {
+  Triangulation<Traits, Integer_coordinates> integer;
+  Triangulation<Traits, Signposts> signposts;
+
+  explicit Twins(const IT::Intrinsic_input& i) : integer(i), signposts(i) {}
+  void flip_to_delaunay() {
+    IT::flip_to_delaunay(integer);
+    IT::flip_to_delaunay(signposts);
+  }
+  /// whether both made the same moves
+  bool move(int count, unsigned seed, bool with_vertices) {
+    Mover first(integer, seed);
+    Mover second(signposts, seed);
+    for (int i = 0; i < count; ++i) {
+      if (with_vertices) {
+        first.move(true);
+        second.move(true);
+      } else {
+        integer.flip_edge({first.halfedge(false)});
+        signposts.flip_edge({second.halfedge(false)});
+      }
+    }
+    return first.statuses == second.statuses;
+  }
+  /// what tracing finds, unless it is refused
+  std::optional<Integer_coordinates> read() const {
+    try {
+      return integer_coordinates(signposts, signposts.correspondence());
+    } catch (const IT::Invalid_input& e) {
+      EXPECT_EQ(e.kind(), IT::Element_kind::edge);
+      EXPECT_LT(e.index(), integer.correspondence().number_of_edges());
+      return {};
+    }
+  }
+};
+
+/// The input halfedge that curves counterclockwise from an intrinsic halfedge begin with, and those
+/// that cross it: both representations number the slots of inserted vertices as they come.
+template <class T>
+void expect_equal(const T& t, const Integer_coordinates& expected, const Integer_coordinates& found,
+                  const std::string& name) {
+  const IT::Intrinsic_view<T> view(t);
+  for (const auto d : edges(t.mesh())) {
+    const std::uint32_t e = t.index(d);
+    ASSERT_EQ(found.normal_coordinate(e), expected.normal_coordinate(e)) << name << ' ' << e;
+    for (const std::uint32_t h : {2 * e, 2 * e + 1}) {
+      const std::uint32_t a = expected.roundabout(h), b = found.roundabout(h);
+      ASSERT_EQ(a == none, b == none) << name << ' ' << h;
+      if (a == none) continue;
+      if (!expected.is_inserted(view.source(h))) {
+        EXPECT_EQ(a, b) << name << ' ' << h;
+      }
+      EXPECT_EQ(expected.fans().halfedge(a), found.fans().halfedge(b)) << name << ' ' << h;
+    }
+  }
+}
+
+void expect_equal(const IT::Common_subdivision& a, const IT::Common_subdivision& b,
+                  const std::string& name) {
+  EXPECT_EQ(a.number_of_vertices(), b.number_of_vertices()) << name;
+  EXPECT_EQ(a.face_begin, b.face_begin) << name;
+  EXPECT_EQ(a.corner, b.corner) << name;
+  EXPECT_EQ(a.input_face, b.input_face) << name;
+  EXPECT_EQ(a.intrinsic_face, b.intrinsic_face) << name;
+}
+
+template <class Traits>
+void expect_equal_subdivisions_of_delaunay_triangulations() {
+  for (const auto& [name, input] : inputs()) {
+    Twins<Traits> t(input);
+    t.flip_to_delaunay();
+    expect_equal(IT::common_subdivision(t.integer), IT::common_subdivision(t.signposts), name);
+  }
+}
+
+TEST(Signpost_subdivision, Is_that_of_integer_coordinates_after_flips_to_Delaunay) {
+  expect_equal_subdivisions_of_delaunay_triangulations<Exact>();
+  expect_equal_subdivisions_of_delaunay_triangulations<Rounded>();
+}
+
+TEST(Signpost_subdivision, Is_that_of_integer_coordinates_after_random_flips) {
+  for (const auto& [name, input] : inputs()) {
+    Twins<Exact> t(input);
+    ASSERT_TRUE(t.move(25, 7, false)) << name;
+    const auto found = t.read();
+    if (found) expect_equal(t.integer, t.integer.correspondence(), *found, name);
+  }
+}
+
+TEST(Signpost_subdivision, Is_right_or_refused_after_random_moves) {
+  int accepted = 0, all = 0;
+  for (const auto& [name, input] : inputs())
+    for (const unsigned seed : {1U, 2U, 3U}) {
+      Twins<Rounded> t(input);
+      t.flip_to_delaunay();
+      if (!t.move(60, seed, true)) continue; // doubles led the two apart
+      ++all;
+      const auto found = t.read();
+      if (!found) continue;
+      ++accepted;
+      expect_equal(t.integer, t.integer.correspondence(), *found, name);
+      expect_equal(IT::extract_subdivision(t.integer, t.integer.correspondence()),
+                   IT::extract_subdivision(t.signposts, *found), name);
+    }
+  EXPECT_GT(2 * accepted, all) << all;
+  RecordProperty("accepted", accepted);
+  RecordProperty("all", all);
+}
+
+TEST(Signpost_subdivision, Is_found_after_exact_moves_of_vertices) {
+  int accepted = 0, all = 0;
+  for (const auto& [name, input] : inputs()) {
+    Twins<Exact> t(input);
+    t.flip_to_delaunay();
+    ASSERT_TRUE(t.move(12, 5, true)) << name;
+    ++all;
+    const auto found = t.read();
+    if (!found) continue;
+    ++accepted;
+    expect_equal(t.integer, t.integer.correspondence(), *found, name);
+  }
+  EXPECT_GE(10 * accepted, 9 * all) << all;
+  RecordProperty("accepted", accepted);
+  RecordProperty("all", all);
+}
+
+// ---- what is wrong is refused
+
+/// Signposts that were turned by an angle.
+struct Turned_signposts {
+  const Signposts& original;
+  std::uint32_t turned;
+  double by;
+
+  const IT::Input_surface& input() const { return original.input(); }
+  auto shared_input() const { return original.shared_input(); }
+  bool is_inserted(std::uint32_t v) const { return original.is_inserted(v); }
+  const IT::Surface_point& location(std::uint32_t v) const { return original.location(v); }
+  IT::Geodesic_target target(std::uint32_t v) const { return original.target(v); }
+  auto walk(std::uint32_t h, double turn = 0) const {
+    return original.walk(h, h / 2 == turned ? turn + by : turn);
+  }
+};
+
+TEST(Signpost_subdivision, Names_the_edge_whose_signposts_are_wrong) {
+  Triangulation<Exact, Signposts> t(meshes::potato(2, 6).input());
+  flip_to_delaunay(t);
+  for (std::uint32_t e = 0; e < num_edges(t.mesh()); e += 5) {
+    const Turned_signposts wrong{t.correspondence(), e, 0.01};
+    try {
+      integer_coordinates(t, wrong);
+      ADD_FAILURE() << "accepted";
+    } catch (const IT::Invalid_input& error) {
+      EXPECT_EQ(error.kind(), IT::Element_kind::edge);
+      EXPECT_EQ(error.index(), e);
+      EXPECT_NE(std::string(error.what()).find("use integer coordinates"), std::string::npos);
+    }
+  }
+}
+
+/// Coordinates in parts, and the traces that they are compared with.
+struct Parts {
+  std::shared_ptr<const IT::Input_surface> input;
+  IT::Vertex_fans fans;
+  std::vector<IT::Normal_coordinate> normal;
+  std::vector<std::uint32_t> roundabout;
+  std::vector<IT::Surface_point> location;
+  IT::Edge_traces traces;
+
+  template <class T>
+  explicit Parts(const T& t)
+      : input(t.correspondence().shared_input()), traces(trace_edges(t, t.correspondence())) {
+    const Integer_coordinates c = integer_coordinates(t, t.correspondence());
+    fans = c.fans();
+    for (std::uint32_t e = 0; e < c.number_of_edges(); ++e) {
+      normal.push_back(c.normal_coordinate(e));
+      roundabout.push_back(c.roundabout(2 * e));
+      roundabout.push_back(c.roundabout(2 * e + 1));
+    }
+    for (const auto d : vertices(t.mesh())) {
+      const std::uint32_t v = t.index(d);
+      if (!c.is_inserted(v)) continue;
+      location.resize(std::max<std::size_t>(location.size(), v + 1 - input->number_of_vertices()));
+      location[v - input->number_of_vertices()] = c.location(v);
+    }
+  }
+  template <class T>
+  std::uint32_t first_bad_edge(const T& t) const {
+    return first_inconsistent_edge(
+        t, Integer_coordinates(input, fans, normal, roundabout, location), traces);
+  }
+  // drops crossing `i`, of edge `e`
+  void drop(std::uint32_t e, std::size_t i) {
+    traces.crossings.erase(traces.crossings.begin() + static_cast<std::ptrdiff_t>(i));
+    for (std::size_t k = e + 1; k < traces.begin.size(); ++k) --traces.begin[k];
+    --normal[e];
+  }
+};
+
+template <class Check>
+void for_some_triangulations(Check check) {
+  for (const auto& m : {meshes::sheared_grid(4, 4, 5), meshes::rough_grid(4, 5),
+                        meshes::potato(1, 6), meshes::random_planar(20, 1000, 1)}) {
+    Triangulation<Exact, Signposts> t(m.input());
+    flip_to_delaunay(t);
+    Mover mover(t, 3);
+    for (int i = 0; i < 8; ++i) mover.move(true);
+    const Parts right(t);
+    ASSERT_EQ(right.first_bad_edge(t), none);
+    check(t, right);
+  }
+}
+
+TEST(Coordinate_check, Finds_every_wrong_roundabout) {
+  for_some_triangulations([](const auto& t, const Parts& right) {
+    for (std::size_t h = 0; h < right.roundabout.size(); ++h) {
+      const std::uint32_t slot = right.roundabout[h];
+      if (slot == none) continue;
+      for (const std::uint32_t wrong : {right.fans.advance(slot, 1), none}) {
+        if (wrong == slot) continue; // the only one
+        Parts p = right;
+        p.roundabout[h] = wrong;
+        EXPECT_NE(p.first_bad_edge(t), none) << h;
+      }
+    }
+  });
+}
+
+TEST(Coordinate_check, Finds_every_crossing_too_few) {
+  for_some_triangulations([](const auto& t, const Parts& right) {
+    for (std::uint32_t e = 0; e < right.normal.size(); ++e)
+      for (std::size_t i = right.traces.begin[e]; i < right.traces.begin[e + 1]; ++i) {
+        Parts p = right;
+        p.drop(e, i);
+        EXPECT_NE(p.first_bad_edge(t), none) << e;
+        p.normal[e] = right.normal[e]; // one number only
+        EXPECT_EQ(p.first_bad_edge(t), e);
+      }
+  });
+}
+
+TEST(Coordinate_check, Finds_every_wrong_crossing) {
+  for_some_triangulations([](const auto& t, const Parts& right) {
+    for (std::uint32_t e = 0; e < right.normal.size(); ++e)
+      for (std::size_t i = right.traces.begin[e]; i < right.traces.begin[e + 1]; ++i)
+        for (const std::uint32_t change : {1U, 2U}) {
+          Parts p = right;
+          p.traces.crossings[i].halfedge ^= change;
+          EXPECT_EQ(p.first_bad_edge(t), e) << change;
+        }
+  });
+}
+
+TEST(Coordinate_check, Finds_every_inserted_vertex_in_a_wrong_place) {
+  int vertices_inside = 0;
+  for_some_triangulations([&](const auto& t, const Parts& right) {
+    for (const auto d : vertices(t.mesh())) {
+      if (!t.is_inserted(d)) continue;
+      Parts p = right;
+      IT::Surface_point& x = p.location[t.index(d) - right.input->number_of_vertices()];
+      if (!(x.weights[0] > 0.01)) continue;
+      x.weights[0] -= 0.001;
+      x.weights[1] += 0.001;
+      EXPECT_NE(p.first_bad_edge(t), none);
+      ++vertices_inside;
+    }
+  });
+  EXPECT_GT(vertices_inside, 3);
+}
+
+} // namespace

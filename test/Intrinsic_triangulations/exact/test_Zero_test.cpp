@@ -1,0 +1,205 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/exact/Zero_test.h>
+
+#include "gallery.h"
+#include "meshes.h"
+#include "random_history.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Zero_answer;
+using random_history::Map;
+using random_history::Walk;
+
+Walk walk_on(const meshes::Mesh& m, double delta = 0) {
+  Map map = m.map();
+  IT::Input_metric input = IT::Input_metric::from_points(map, m.points, 0);
+  input.set_delta(delta);
+  return {std::move(map), std::move(input)};
+}
+
+Walk walk_on(const gallery::Surface& s) {
+  Map map(s.gluing);
+  IT::Input_metric input =
+      IT::Input_metric::from_squared_lengths(map, gallery::squared_lengths(s), 0);
+  return {std::move(map), std::move(input)};
+}
+
+// flips edges until all are Delaunay; returns the number of ties
+std::size_t make_delaunay(Walk& walk) {
+  std::size_t ties = 0;
+  for (bool is_done = false; !is_done;) {
+    is_done = true;
+    ties = 0;
+    for (const Map::Halfedge h : walk.inner_edges()) {
+      const CGAL::Sign s = walk.sign(h, IT::Delaunay_expression());
+      ties += s == CGAL::ZERO;
+      if (s != CGAL::NEGATIVE) continue;
+      walk.flip(h);
+      is_done = false;
+    }
+  }
+  return ties;
+}
+
+// the faster test against repeating the flips, for all edges and expressions
+template <class Expression>
+std::size_t compare(const Walk& walk, const Expression& expression) {
+  IT::Zero_test unfolded;
+  std::size_t zeros = 0;
+  for (const Map::Halfedge h : walk.inner_edges()) {
+    const auto l = walk.side(h), r = walk.side(Map::opposite(h));
+    const Zero_answer a = unfolded(walk.input, walk.history, l, r, expression);
+    EXPECT_EQ(a, IT::History_zero_test(walk.input, walk.history, l, r)(expression));
+    zeros += a == Zero_answer::zero;
+  }
+  return zeros;
+}
+
+std::size_t compare_all(const Walk& walk) {
+  return compare(walk, IT::Delaunay_expression()) +
+         compare(walk, IT::Convexity_at_source_expression()) +
+         compare(walk, IT::Convexity_at_target_expression());
+}
+
+TEST(Zero_test, agrees_with_repeated_flips_on_a_box) {
+  std::mt19937 random(1);
+  Walk walk = walk_on(meshes::box(2, 1, 1));
+  std::size_t zeros = compare_all(walk);
+  for (int round = 0; round < 5; ++round) {
+    walk.run(15, random);
+    zeros += compare_all(walk);
+  }
+  EXPECT_GT(zeros, 50U);
+}
+
+TEST(Zero_test, agrees_with_repeated_flips_on_folded_lattices) {
+  std::mt19937 random(2);
+  Walk walk = walk_on(meshes::folded_lattice(3, 4, 1));
+  walk.run(30, random);
+  compare_all(walk);
+  make_delaunay(walk);
+  EXPECT_GT(compare_all(walk), 3U);
+}
+
+TEST(Zero_test, agrees_with_repeated_flips_on_squared_lengths_and_with_mollification) {
+  std::mt19937 random(3);
+  Walk torus = walk_on(gallery::flat_torus(3, 3));
+  torus.run(40, random);
+  compare_all(torus);
+  make_delaunay(torus);
+  EXPECT_GT(compare_all(torus), 3U);
+  Walk mollified = walk_on(meshes::box(2, 1, 1), std::ldexp(1.0, -31));
+  mollified.run(20, random);
+  compare_all(mollified);
+}
+
+TEST(Zero_test, agrees_with_repeated_flips_on_Delta_complexes) {
+  for (const gallery::Surface& s : gallery::oriented()) {
+    SCOPED_TRACE(s.name);
+    std::mt19937 random(4);
+    Walk walk = walk_on(s);
+    for (int round = 0; round < 4; ++round) {
+      walk.run(4, random);
+      compare_all(walk);
+    }
+  }
+}
+
+TEST(Zero_test, agrees_with_repeated_flips_on_random_walls_with_and_without_an_ulp) {
+  // hinges along an axis and along diagonals, planes of rational and of irrational area
+  std::mt19937 random(8);
+  std::uniform_int_distribution<int> step(1, 9);
+  for (const bool is_moved : {false, true}) {
+    std::size_t zeros = 0;
+    for (int round = 0; round < 6; ++round) {
+      std::vector<std::array<double, 2>> polygon{{0, 0}};
+      for (int i = 0; i < 4; ++i)
+        polygon.push_back(
+            {polygon.back()[0] + step(random) / 8.0, polygon.back()[1] + (step(random) - 5) / 8.0});
+      meshes::Mesh m = meshes::walls(polygon, 2);
+      if (is_moved)
+        for (auto& p : m.points) p[2] = std::nextafter(p[2], random() % 2 == 0 ? 9 : p[2]);
+      Walk walk = walk_on(m);
+      walk.run(20, random);
+      compare_all(walk);
+      make_delaunay(walk);
+      zeros += compare_all(walk);
+    }
+    if (!is_moved) {
+      EXPECT_GT(zeros, 20U);
+    }
+  }
+}
+
+TEST(Zero_test, certifies_all_ties_of_a_shuffled_box) {
+  std::mt19937 random(5);
+  Walk walk = walk_on(meshes::box(3, 3, 3));
+  walk.run(300, random);
+  // the Delaunay tessellation of the cubical grid: each of the 54 squares has one tie, its diagonal
+  EXPECT_EQ(make_delaunay(walk), 54U);
+  EXPECT_EQ(walk.statistics.probable_zero, 0U);
+}
+
+TEST(Zero_test, certifies_the_ties_of_sheared_walls_that_pass_many_planes) {
+  // rolling out the walls of a prism gives a rectangle; shearing it makes the ties pass over edges
+  for (const std::uint32_t sides : {6U, 10U, 16U}) {
+    std::vector<std::array<double, 2>> polygon{{0, 0}};
+    for (std::uint32_t i = 1; i < sides;
+         ++i) // steps of length 5 in directions that repeat no plane
+      polygon.push_back({polygon.back()[0] + (i % 2 == 0 ? 3.0 : 4.0),
+                         polygon.back()[1] + (i % 2 == 0 ? 4.0 : -3.0)});
+    meshes::Mesh m = meshes::walls(polygon, 3);
+    for (auto& p : m.points) p[2] *= 5;
+    Walk walk = walk_on(m);
+    std::mt19937 random(6);
+    walk.run(20 * sides, random);
+    EXPECT_GT(make_delaunay(walk), sides);
+    EXPECT_EQ(walk.statistics.probable_zero, 0U);
+  }
+}
+
+TEST(Zero_test, tells_a_tie_from_a_value_of_two_to_the_minus_fifty) {
+  for (const double lift : {0.0, std::ldexp(1.0, -50)}) {
+    meshes::Mesh m = meshes::box(1, 1, 1);
+    m.points[0][0] += lift;
+    Walk walk = walk_on(m);
+    // the twelve edges of the cube are at right angles; the other six are diagonals of its faces
+    std::vector<Map::Halfedge> diagonals;
+    for (const Map::Halfedge h : walk.inner_edges())
+      if (walk.is_convex(h) && walk.sign(h, IT::Delaunay_expression()) != CGAL::POSITIVE)
+        diagonals.push_back(h);
+    for (const Map::Halfedge h : diagonals)
+      for (int i = 0; i < 3; ++i) walk.flip(h);
+    std::size_t ties = 0;
+    for (const Map::Halfedge h : walk.inner_edges())
+      ties += walk.sign(h, IT::Delaunay_expression()) == CGAL::ZERO;
+    if (lift == 0)
+      EXPECT_EQ(ties, 6U);
+    else
+      EXPECT_LT(ties, 6U);
+  }
+}
+
+TEST(Zero_test, survives_histories_whose_paths_are_too_long) {
+  Walk walk = walk_on(gallery::one_vertex_torus());
+  for (std::uint32_t i = 0; i < 60; ++i) walk.flip(Map::Halfedge{2 * (i % 3)});
+  IT::Zero_test test;
+  // thin parallelograms of a flat torus: far from any circle
+  EXPECT_EQ(test(walk.input, walk.history, walk.side(Map::Halfedge{0}), walk.side(Map::Halfedge{1}),
+                 IT::Delaunay_expression()),
+            Zero_answer::not_zero);
+}
+
+} // namespace

@@ -1,0 +1,420 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "gallery.h"
+#include "meshes.h"
+#include "properties.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+
+#include <CGAL/Gmpq.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <span>
+#include <vector>
+
+// Insertions and removals of vertices with exact traits.
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using CGAL::Gmpq;
+using IT::Gluing_map;
+using IT::Move_status;
+using Exact = IT::Intrinsic_triangulation<>;
+using Halfedge = Exact::halfedge_descriptor;
+using Vertex = Exact::vertex_descriptor;
+using Position = std::array<Gmpq, 2>;
+
+std::vector<Halfedge> halfedges_with_face(const Exact& t) {
+  std::vector<Halfedge> result;
+  for (const Halfedge h : halfedges(t.mesh()))
+    if (face(h, t.mesh()) != boost::graph_traits<Gluing_map>::null_face()) result.push_back(h);
+  return result;
+}
+
+/// A planar triangulation with the exact position of every vertex.
+class Planar {
+public:
+  explicit Planar(const meshes::Mesh& m) : t(m.input()) {
+    std::vector<Vertex> by_input(m.points.size());
+    for (const Vertex v : vertices(t.mesh())) by_input[t.input_vertex(v)] = v;
+    for (std::size_t i = 0; i < m.points.size(); ++i)
+      set(by_input[i], {Gmpq(m.points[i][0]), Gmpq(m.points[i][1])});
+  }
+
+  Exact t;
+  std::vector<Vertex> inserted;
+
+  const Position& at(Vertex v) const { return positions_[t.index(v)]; }
+  Position from(Halfedge h) const { return at(source(h, t.mesh())); }
+
+  void insert(Halfedge h, const std::array<double, 3>& weights) {
+    const auto w = IT::representable_weights(weights);
+    ASSERT_TRUE(w);
+    const Position p = combination(h, *w);
+    const auto n = t.insert_vertex(h, *w);
+    ASSERT_EQ(n.status, Move_status::done);
+    set(n.vertex, p);
+    inserted.push_back(n.vertex);
+  }
+
+  Move_status move(std::size_t i, Halfedge h, const std::array<double, 3>& weights) {
+    const auto w = IT::representable_weights(weights);
+    const Position p = combination(h, *w);
+    const auto n = t.reposition_vertex(inserted[i], h, *w);
+    if (n.status != Move_status::done) return n.status;
+    inserted[i] = n.vertex;
+    set(n.vertex, p);
+    return n.status;
+  }
+
+  Move_status remove(std::size_t i) {
+    const Move_status s = t.remove_vertex(inserted[i]);
+    if (s == Move_status::done) {
+      inserted[i] = inserted.back();
+      inserted.pop_back();
+    }
+    return s;
+  }
+
+  /// Random flips, insertions in faces, on edges and on the border, and removals.
+  void step(std::mt19937& random) {
+    const auto all = halfedges_with_face(t);
+    const Halfedge h = all[random() % all.size()];
+    const double s = (1.0 + static_cast<double>(random() % 6)) / 8;
+    const double third = (1 - s) * static_cast<double>(1 + random() % 4) / 5;
+    switch (random() % 8) {
+    case 0:
+      return insert(h, {s, 1 - s - third, third});
+    case 1:
+      return insert(h, {1 - s, s, 0});
+    case 2:
+      if (!inserted.empty()) remove(random() % inserted.size());
+      return;
+    case 3:
+      if (!inserted.empty()) move(random() % inserted.size(), h, {third, 1 - s - third, s});
+      return;
+    default:
+      t.flip_edge(h);
+    }
+  }
+
+private:
+  Position combination(Halfedge h, const std::array<double, 3>& w) const {
+    Position p{Gmpq(0), Gmpq(0)};
+    for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
+      for (std::size_t c = 0; c < 2; ++c) p[c] += Gmpq(w[k]) * from(h)[c];
+    return p;
+  }
+
+  void set(Vertex v, const Position& p) {
+    if (positions_.size() <= t.index(v)) positions_.resize(t.index(v) + 1);
+    positions_[t.index(v)] = p;
+  }
+
+  std::vector<Position> positions_;
+};
+
+IT::Indexed_face indexed_face(const Exact& t, Halfedge h) {
+  const Halfedge n = next(h, t.mesh());
+  const auto number = [&t](Halfedge x) { return t.index(edge(x, t.mesh())); };
+  return {t.index(face(h, t.mesh())), {number(h), number(n), number(next(n, t.mesh()))}};
+}
+
+IT::Flip_history::Side side(const Exact& t, Halfedge h) {
+  const IT::Indexed_face f = indexed_face(t, h);
+  const auto [version, first] = t.metric().version(f.face);
+  return {version, first == f.edges[0] ? 0U : first == f.edges[1] ? 2U : 1U};
+}
+
+Gmpq power_of_four(int exponent) {
+  return exponent < 0 ? Gmpq(1) / power_of_four(-exponent) : Gmpq(std::ldexp(1.0, 2 * exponent));
+}
+
+// lengths from h on, then the area
+std::array<Gmpq, 4> from_positions(const Planar& p, Halfedge h) {
+  const Gmpq scale = power_of_four(p.t.metric().scale_exponent());
+  std::array<Position, 3> corners;
+  for (Position& c : corners) {
+    c = p.from(h);
+    h = next(h, p.t.mesh());
+  }
+  const auto difference = [&](std::size_t i, std::size_t j) {
+    return Position{corners[j][0] - corners[i][0], corners[j][1] - corners[i][1]};
+  };
+  std::array<Gmpq, 4> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Position d = difference(k, (k + 1) % 3);
+    result[k] = (d[0] * d[0] + d[1] * d[1]) * scale;
+  }
+  const Position u = difference(0, 1), v = difference(0, 2);
+  result[3] = 2 * (u[0] * v[1] - u[1] * v[0]) * scale;
+  return result;
+}
+
+std::array<Gmpq, 4> from_history(const Exact& t, Halfedge h) {
+  IT::History_zero_test test(t.metric().input(), t.metric().history(), {side(t, h)});
+  const auto face = test.exact_faces()[0];
+  std::array<Gmpq, 4> result;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto& x = k < 3 ? face.squared_lengths[k] : face.quadruple_area;
+    EXPECT_TRUE(x.is_rational());
+    result[k] = x.coefficient(0);
+  }
+  return result;
+}
+
+void expect_stored(const Exact& t, Halfedge h, const std::array<Gmpq, 4>& exact) {
+  const IT::Indexed_face f = indexed_face(t, h);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto& x =
+        k < 3 ? t.metric().squared_length(f.edges[k]) : t.metric().quadruple_area(f.face);
+    const double near = k < 3 ? t.metric().approximate_squared_length(f.edges[k])
+                              : t.metric().approximate_quadruple_area(f.face);
+    EXPECT_LE(Gmpq(x.inf()), exact[k]);
+    EXPECT_GE(Gmpq(x.sup()), exact[k]);
+    EXPECT_GE(near, x.inf());
+    EXPECT_LE(near, x.sup());
+  }
+}
+
+void expect_true_values(const Planar& p) {
+  for (const Halfedge h : halfedges_with_face(p.t)) {
+    const auto exact = from_positions(p, h);
+    EXPECT_EQ(from_history(p.t, h), exact);
+    expect_stored(p.t, h, exact);
+  }
+}
+
+TEST(Exact_vertex_moves, values_are_those_of_the_plane_after_random_moves) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    std::mt19937 random(seed);
+    Planar p(seed % 2 == 0 ? meshes::grid(2, 3) : meshes::random_planar(12, 50, seed));
+    for (int i = 0; i < 12; ++i) {
+      for (int k = 0; k < 6; ++k) p.step(random);
+      expect_true_values(p);
+      if (HasFailure()) {
+        ADD_FAILURE() << "seed " << seed << " round " << i;
+        return;
+      }
+    }
+    EXPECT_GT(p.t.metric().history().number_of_vertex_moves(), 10U);
+  }
+}
+
+// both in 512 bits: the widths of stored intervals are those of doubles
+void expect_stored_contains_history(const Exact& t) {
+  IT::Exact_evaluation evaluation;
+  const CGAL::Protect_FPU_rounding<true> upwards;
+  const auto null = boost::graph_traits<Gluing_map>::null_face();
+  for (const Halfedge h : halfedges(t.mesh())) {
+    if (face(h, t.mesh()) == null) continue;
+    std::vector<IT::Flip_history::Side> sides{side(t, h)};
+    const bool is_inner = face(opposite(h, t.mesh()), t.mesh()) != null;
+    if (is_inner) sides.push_back(side(t, opposite(h, t.mesh())));
+    const auto faces = evaluation.enclosures(t.metric().input(), t.metric().history(), sides, 512);
+    const IT::Indexed_face f = indexed_face(t, h);
+    for (const auto& x : faces) // the same from both sides
+      EXPECT_TRUE(t.metric().squared_length(f.edges[0]).do_overlap(x.squared_lengths[0]));
+    EXPECT_TRUE(faces.front().squared_lengths[0].do_overlap(faces.back().squared_lengths[0]));
+    const auto& area = t.metric().quadruple_area(f.face);
+    EXPECT_TRUE(area.do_overlap(faces[0].quadruple_area));
+  }
+}
+
+std::vector<IT::Intrinsic_input> curved_inputs() {
+  std::vector<IT::Intrinsic_input> all;
+  for (const gallery::Surface& s : gallery::oriented())
+    all.emplace_back(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
+                     IT::Mollification::none);
+  for (const meshes::Mesh& m :
+       {meshes::box(1, 2, 1), meshes::rough_grid(2, 3), meshes::potato(1, 4)})
+    all.push_back(m.input());
+  return all;
+}
+
+using Exact_values = std::map<std::uint32_t, std::array<Gmpq, 4>>;
+
+// by edge: squared length, squares of the areas on both sides, -1 where irrational
+Exact_values exact_values(const Exact& t) {
+  Exact_values result;
+  for (const Halfedge h : properties::flippable_by_connectivity(t))
+    result[t.index(edge(h, t.mesh()))] = {
+        properties::rational_squared_length(t, h), properties::rational_squared_area(t, h),
+        properties::rational_squared_area(t, opposite(h, t.mesh()))};
+  return result;
+}
+
+TEST(Exact_vertex_moves, a_vertex_inserted_in_a_face_and_removed_leaves_the_exact_values) {
+  for (const IT::Intrinsic_input& in : curved_inputs()) {
+    Exact t(in);
+    const Exact_values before = exact_values(t);
+    for (const Halfedge h : halfedges_with_face(Exact(in))) {
+      const auto n = t.insert_vertex(h, {0.25, 0.125, 0.625});
+      ASSERT_EQ(n.status, Move_status::done);
+      ASSERT_EQ(t.remove_vertex(n.vertex), Move_status::done);
+    }
+    EXPECT_EQ(exact_values(t), before);
+    expect_stored_contains_history(t);
+  }
+}
+
+TEST(Exact_vertex_moves, stored_intervals_contain_what_the_history_says_on_any_surface) {
+  std::mt19937 random(20261121);
+  for (const IT::Intrinsic_input& in : curved_inputs()) {
+    Exact t(in);
+    std::vector<Vertex> inserted;
+    for (int i = 0; i < 40; ++i) {
+      const auto all = halfedges_with_face(t);
+      const Halfedge h = all[random() % all.size()];
+      const auto kind = random() % 6;
+      if (kind < 2) {
+        const auto n = kind == 0 ? t.split_edge(h, 0.375) : t.insert_vertex(h, {0.25, 0.25, 0.5});
+        if (n.status == Move_status::done) inserted.push_back(n.vertex);
+      } else if (kind == 2 && !inserted.empty()) {
+        if (t.remove_vertex(inserted.back()) == Move_status::done) inserted.pop_back();
+      } else
+        t.flip_edge(h);
+    }
+    expect_stored_contains_history(t);
+  }
+}
+
+TEST(Exact_vertex_moves, removing_all_vertices_inserted_gives_the_delaunay_tessellation_back) {
+  const auto tessellation = [](Exact& t) {
+    IT::flip_to_delaunay(t);
+    std::vector<properties::Tessellation_edge> result;
+    for (const Halfedge h : properties::flippable_by_connectivity(t)) {
+      if (t.delaunay_sign(h) == CGAL::ZERO) continue;
+      const auto i = t.input_vertex(source(h, t.mesh())), j = t.input_vertex(target(h, t.mesh()));
+      result.emplace_back(std::min(i, j), std::max(i, j), t.squared_length(edge(h, t.mesh())));
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  for (const meshes::Mesh& m :
+       {meshes::box(2, 2, 1), meshes::potato(1, 2), meshes::integer_height_field(3, 4, 5)}) {
+    std::mt19937 random(7);
+    Exact original(m.input()), t(m.input());
+    std::vector<Vertex> inserted;
+    for (int i = 0; i < 15; ++i) {
+      const auto all = halfedges_with_face(t);
+      const Halfedge h = all[random() % all.size()];
+      const auto n = i % 3 == 0 ? t.split_edge(h, 0.375) : t.insert_vertex(h, {0.25, 0.25, 0.5});
+      ASSERT_EQ(n.status, Move_status::done);
+      inserted.push_back(n.vertex);
+    }
+    IT::flip_to_delaunay(t);
+    for (const Vertex v : inserted) ASSERT_EQ(t.remove_vertex(v), Move_status::done);
+    // squared lengths are 2^-40 apart at most, far more than rounding
+    properties::expect_same_tessellation(tessellation(t), tessellation(original), 0x1p-40);
+    expect_stored_contains_history(t);
+  }
+}
+
+TEST(Exact_vertex_moves, a_vertex_on_an_edge_is_removed_by_a_flip_that_leaves_no_area) {
+  for (const double s : {0.5, 0.25, 0.1, 1.0 / 3}) {
+    // a diamond that is not convex at the vertex inserted, nor anywhere else on its edge
+    Planar p(meshes::Mesh{{{0, 0, 0}, {1, 0, 0}, {-3, 1, 0}, {-2, -3, 0}}, {{0, 1, 2}, {1, 0, 3}}});
+    const Halfedge h = properties::flippable_by_connectivity(p.t).at(0);
+    p.insert(h, {1 - s, s, 0});
+    expect_true_values(p);
+    ASSERT_EQ(p.remove(0), Move_status::done);
+    expect_true_values(p);
+    EXPECT_EQ(p.t.metric().history().number_of_vertex_moves(), 2U);
+    EXPECT_EQ(edges(p.t.mesh()).size(), 5U);
+  }
+}
+
+TEST(Exact_vertex_moves, diamonds_between_centres_of_squares_are_ties_for_certain) {
+  for (const meshes::Mesh& m : {meshes::grid(3, 3), meshes::box(2, 2, 1)}) {
+    Exact t(m.input());
+    std::vector<Halfedge> sides, diagonals;
+    for (const Halfedge h : properties::flippable_by_connectivity(t))
+      (std::abs(t.squared_length(edge(h, t.mesh())) - 2) < 0.1 ? diagonals : sides).push_back(h);
+    for (const Halfedge h : diagonals) ASSERT_EQ(t.split_edge(h, 0.5).status, Move_status::done);
+    t.metric().statistics() = {};
+    for (const Halfedge h : sides) EXPECT_EQ(t.delaunay_sign(h), CGAL::ZERO);
+    EXPECT_EQ(t.metric().statistics().certified_zero, sides.size());
+    EXPECT_EQ(t.metric().statistics().probable_zero, 0U);
+    EXPECT_EQ(IT::flip_to_delaunay(t).flips, 0U);
+  }
+}
+
+// the orientation of k, m and a point of ij, for faces ijk and jim
+struct Orientation {
+  double weight; // of j
+  template <class FT>
+  FT operator()(std::span<const IT::Face_values<FT>> faces) const {
+    const auto& [f, area_f] = faces[0];
+    const auto& [g, area_g] = faces[1];
+    const FT scale = FT(1) / (f[0] + f[0]);
+    const FT k_x = (f[0] + f[2] - f[1]) * scale, k_y = area_f * scale;
+    const FT m_x = (g[0] + g[1] - g[2]) * scale, m_y = FT(0) - area_g * scale;
+    return (m_x - k_x) * (FT(0) - k_y) - (m_y - k_y) * (FT(weight) - k_x);
+  }
+};
+
+TEST(Exact_vertex_moves, sides_of_unfolded_segments_are_told_exactly) {
+  std::mt19937 random(3);
+  Planar p(meshes::grid(3, 3));
+  for (int i = 0; i < 60; ++i) p.step(random);
+  int ties = 0;
+  p.t.metric().statistics() = {};
+  for (const Halfedge h : properties::flippable_by_connectivity(p.t)) {
+    const Halfedge o = opposite(h, p.t.mesh());
+    const std::array faces{indexed_face(p.t, h), indexed_face(p.t, o)};
+    const auto apex = [&](Halfedge x) { return p.at(target(next(x, p.t.mesh()), p.t.mesh())); };
+    const Position i = p.from(h), j = p.from(o), k = apex(h), m = apex(o);
+    for (int n = 0; n <= 16; ++n) {
+      const Gmpq w(n / 16.0);
+      const Position q{i[0] + w * (j[0] - i[0]), i[1] + w * (j[1] - i[1])};
+      const CGAL::Sign expected =
+          CGAL::sign(Gmpq((m[0] - k[0]) * (q[1] - k[1]) - (m[1] - k[1]) * (q[0] - k[0])));
+      const CGAL::Protect_FPU_rounding<true> upwards;
+      EXPECT_EQ(p.t.metric().sign(faces, Orientation{n / 16.0}), expected);
+      ties += expected == CGAL::ZERO ? 1 : 0;
+    }
+  }
+  EXPECT_GT(ties, 0);
+  const IT::Predicate_statistics& s = p.t.metric().statistics();
+  EXPECT_GT(s.certified_zero, 0U);
+  EXPECT_EQ(s.probable_zero, 0U);
+}
+
+TEST(Exact_vertex_moves, vague_intervals_of_faces_are_sharpened) {
+  Exact t(meshes::sheared_grid(2, 2, 50).input());
+  // rounding errors grow with each flip
+  for (const Halfedge h : properties::flippable_by_connectivity(t))
+    for (int i = 0; i < 40; ++i) t.flip_edge(h);
+  const auto width = [](const CGAL::Interval_nt<false>& x) {
+    return (x.sup() - x.inf()) / x.sup();
+  };
+  double widest = 0;
+  for (const Halfedge h : halfedges_with_face(t)) {
+    const CGAL::Protect_FPU_rounding<true> upwards;
+    const IT::Indexed_face f = indexed_face(t, h);
+    widest = std::max(widest, width(t.metric().quadruple_area(f.face)));
+    t.metric().sharpen(std::span(&f, 1));
+    EXPECT_LE(width(t.metric().quadruple_area(f.face)), 0x1p-40);
+    for (const std::uint32_t e : f.edges) EXPECT_LE(width(t.metric().squared_length(e)), 0x1p-40);
+  }
+  EXPECT_GT(widest, 0x1p-40); // there was something to do
+  expect_stored_contains_history(t);
+}
+
+} // namespace

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
+
+#include "gallery.h"
+#include "meshes.h"
+#include "random_history.h"
+
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolding.h>
+
+#include <CGAL/Gmpfi.h>
+#include <CGAL/Gmpq.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <utility>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using CGAL::Gmpfi;
+using CGAL::Gmpq;
+using random_history::Map;
+using random_history::Walk;
+
+struct Interval_input {
+  const IT::Input_metric* input;
+  std::pair<std::array<Gmpfi, 3>, Gmpfi> operator()(std::uint32_t f) const {
+    return {{Gmpfi(input->squared_length<Gmpq>(f, 0)), Gmpfi(input->squared_length<Gmpq>(f, 1)),
+             Gmpfi(input->squared_length<Gmpq>(f, 2))},
+            Gmpfi(input->squared_quadruple_area<Gmpq>(f)).sqrt()};
+  }
+};
+
+// flat and axis-aligned: all areas are rational
+struct Rational_input {
+  const IT::Input_metric* input;
+  std::pair<std::array<Gmpq, 3>, Gmpq> operator()(std::uint32_t f) const {
+    const Gmpq d = input->squared_quadruple_area<Gmpq>(f);
+    CGAL::Gmpz n, m;
+    mpz_sqrt(n.mpz(), d.numerator().mpz());
+    mpz_sqrt(m.mpz(), d.denominator().mpz());
+    EXPECT_EQ(Gmpq(n, m) * Gmpq(n, m), d);
+    return {{input->squared_length<Gmpq>(f, 0), input->squared_length<Gmpq>(f, 1),
+             input->squared_length<Gmpq>(f, 2)},
+            Gmpq(n, m)};
+  }
+};
+
+Walk walk_on(const meshes::Mesh& m) {
+  Map map = m.map();
+  IT::Input_metric input = IT::Input_metric::from_points(map, m.points, 0);
+  return {std::move(map), std::move(input)};
+}
+
+template <class Input, class FT>
+IT::Diamond_values<FT> evaluate(const Walk& walk, Map::Halfedge h) {
+  const Input input{&walk.input};
+  IT::History_values<FT> memory;
+  return IT::History_evaluator<FT, Input>(walk.history, input, memory)
+      .diamond(walk.side(h), walk.side(Map::opposite(h)));
+}
+
+TEST(History_evaluator, reproduces_all_values_after_four_flips_exactly) {
+  Walk walk = walk_on(meshes::box(2, 2, 1));
+  for (const Map::Halfedge h : walk.inner_edges()) {
+    if (!walk.is_convex(h)) continue;
+    const auto before = evaluate<Rational_input, Gmpq>(walk, h);
+    for (int i = 0; i < 4; ++i) walk.flip(h);
+    const auto after = evaluate<Rational_input, Gmpq>(walk, h);
+    EXPECT_EQ(before.ij, after.ij);
+    EXPECT_EQ(before.jk, after.jk);
+    EXPECT_EQ(before.ki, after.ki);
+    EXPECT_EQ(before.im, after.im);
+    EXPECT_EQ(before.mj, after.mj);
+    EXPECT_EQ(before.area_f, after.area_f);
+    EXPECT_EQ(before.area_g, after.area_g);
+  }
+}
+
+TEST(History_evaluator, overlaps_unfolding_in_intervals_of_256_bits_after_hundreds_of_flips) {
+  const IT::Gmpfi_precision precision(256);
+  std::mt19937 random(1);
+  Walk walk = walk_on(meshes::integer_height_field(4, 5, 3));
+  for (int i = 0; i < 30; ++i) {
+    walk.run(10, random);
+    // some come back, so that strips stay short
+    for (const Map::Halfedge h : walk.inner_edges())
+      if (walk.sign(h, IT::Delaunay_expression()) == CGAL::NEGATIVE) walk.flip(h);
+  }
+  EXPECT_GT(walk.history.number_of_flips(), 200U);
+  IT::Unfolding unfolding;
+  const Interval_input input{&walk.input};
+  std::size_t compared = 0;
+  for (const Map::Halfedge h : walk.inner_edges()) {
+    const auto d = unfolding.diamond(walk.history, walk.side(h), walk.side(Map::opposite(h)));
+    if (!d) continue;
+    ++compared;
+    const auto x = d->values<Gmpfi>(input);
+    const auto y = evaluate<Interval_input, Gmpfi>(walk, h);
+    EXPECT_TRUE(x.ij.do_overlap(y.ij) && x.jk.do_overlap(y.jk) && x.ki.do_overlap(y.ki) &&
+                x.im.do_overlap(y.im) && x.mj.do_overlap(y.mj) && x.area_f.do_overlap(y.area_f) &&
+                x.area_g.do_overlap(y.area_g));
+  }
+  EXPECT_GT(compared, 0U);
+}
+
+} // namespace

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolding.h>
+
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
+
+#include "gallery.h"
+#include "meshes.h"
+#include "random_history.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <unordered_map>
+#include <utility>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using CGAL::Gmpq;
+using IT::Multiquadratic_number;
+using random_history::Map;
+using random_history::Walk;
+using Face_values = IT::History_values<Multiquadratic_number>::Input_face;
+
+// input faces with exact areas
+class Exact_input {
+public:
+  explicit Exact_input(const IT::Input_metric& input) : input_(&input) {}
+  const Face_values& operator()(std::uint32_t f) const {
+    const auto found = faces_.find(f);
+    if (found != faces_.end()) return found->second;
+    const auto root = basis_.sqrt_of(input_->squared_quadruple_area<Gmpq>(f));
+    return faces_
+        .emplace(f, Face_values{{Multiquadratic_number(input_->squared_length<Gmpq>(f, 0)),
+                                 Multiquadratic_number(input_->squared_length<Gmpq>(f, 1)),
+                                 Multiquadratic_number(input_->squared_length<Gmpq>(f, 2))},
+                                Multiquadratic_number(basis_, root.value())})
+        .first->second;
+  }
+
+private:
+  const IT::Input_metric* input_;
+  mutable IT::Square_class_basis basis_;
+  mutable std::unordered_map<std::uint32_t, Face_values> faces_;
+};
+
+void expect_same(const IT::Diamond_values<Multiquadratic_number>& x,
+                 const IT::Diamond_values<Multiquadratic_number>& y) {
+  EXPECT_TRUE(x.ij == y.ij);
+  EXPECT_TRUE(x.jk == y.jk);
+  EXPECT_TRUE(x.ki == y.ki);
+  EXPECT_TRUE(x.im == y.im);
+  EXPECT_TRUE(x.mj == y.mj);
+  EXPECT_TRUE(x.area_f == y.area_f);
+  EXPECT_TRUE(x.area_g == y.area_g);
+}
+
+// what unfolding gives against what repeating the flips gives
+std::size_t check_all_edges(const Walk& walk) {
+  IT::Unfolding unfolding;
+  std::size_t checked = 0;
+  for (const Map::Halfedge h : walk.inner_edges()) {
+    const auto l = walk.side(h), r = walk.side(Map::opposite(h));
+    const std::optional<IT::Unfolded_diamond> d = unfolding.diamond(walk.history, l, r);
+    if (!d || d->triangles.size() > 40) continue;
+    const Exact_input input(walk.input);
+    IT::History_values<Multiquadratic_number> memory;
+    IT::History_evaluator<Multiquadratic_number, Exact_input> flips(walk.history, input, memory);
+    expect_same(d->values<Multiquadratic_number>(input), flips.diamond(l, r));
+    ++checked;
+  }
+  return checked;
+}
+
+Walk walk_on(const meshes::Mesh& m) {
+  Map map = m.map();
+  IT::Input_metric input = IT::Input_metric::from_points(map, m.points, 0);
+  return {std::move(map), std::move(input)};
+}
+
+TEST(Unfolding, agrees_exactly_with_repeated_flips_on_a_box) {
+  std::mt19937 random(1);
+  Walk walk = walk_on(meshes::box(2, 2, 2));
+  for (int round = 0; round < 5; ++round) {
+    walk.run(20, random);
+    EXPECT_EQ(check_all_edges(walk), walk.inner_edges().size());
+  }
+  EXPECT_GT(walk.history.number_of_flips(), 30U);
+}
+
+TEST(Unfolding, agrees_exactly_with_repeated_flips_where_every_face_has_its_own_square_class) {
+  std::mt19937 random(2);
+  Walk walk = walk_on(meshes::integer_height_field(3, 3, 5));
+  for (int round = 0; round < 3; ++round) {
+    walk.run(8, random);
+    EXPECT_GT(check_all_edges(walk), 0U);
+  }
+}
+
+TEST(Unfolding, agrees_exactly_with_repeated_flips_on_Delta_complexes) {
+  for (const gallery::Surface& s : gallery::oriented()) {
+    SCOPED_TRACE(s.name);
+    std::mt19937 random(3);
+    Map map(s.gluing);
+    std::vector<double> lengths = gallery::squared_lengths(s);
+    IT::Input_metric input = IT::Input_metric::from_squared_lengths(map, std::move(lengths), 0);
+    Walk walk(std::move(map), std::move(input));
+    for (int round = 0; round < 4; ++round) {
+      walk.run(4, random);
+      check_all_edges(walk);
+    }
+  }
+}
+
+TEST(Unfolding, gives_the_input_triangles_back_after_four_flips) {
+  Walk walk = walk_on(meshes::box(1, 1, 1));
+  for (const Map::Halfedge h : walk.inner_edges()) {
+    if (!walk.is_convex(h)) continue;
+    for (int i = 0; i < 4; ++i) walk.flip(h);
+    IT::Unfolding unfolding;
+    const auto d = unfolding.diamond(walk.history, walk.side(h), walk.side(Map::opposite(h)));
+    ASSERT_TRUE(d);
+    EXPECT_EQ(d->triangles.size(), 2U);
+    EXPECT_EQ(check_all_edges(walk), walk.inner_edges().size());
+  }
+}
+
+TEST(Unfolding, gives_up_where_paths_grow_exponentially) {
+  const gallery::Surface s = gallery::one_vertex_torus();
+  Map map(s.gluing);
+  IT::Input_metric input =
+      IT::Input_metric::from_squared_lengths(map, gallery::squared_lengths(s), 0);
+  Walk walk(std::move(map), std::move(input));
+  // each flip of the three edges in turn makes the next edge longer by the golden ratio
+  for (std::uint32_t i = 0; i < 60; ++i) walk.flip(Map::Halfedge{2 * (i % 3)});
+  IT::Unfolding unfolding;
+  EXPECT_FALSE(
+      unfolding.diamond(walk.history, walk.side(Map::Halfedge{0}), walk.side(Map::Halfedge{1})));
+}
+
+} // namespace

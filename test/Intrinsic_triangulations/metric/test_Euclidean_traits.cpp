@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "properties.h"
+
+#include <CGAL/CORE_Expr.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Lazy_exact_nt.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/metric/boost_float_traits.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+template <unsigned bits>
+using Float = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<bits, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::et_off>;
+template <class FT>
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<FT>>;
+using Exact = IT::Intrinsic_triangulation<>;
+
+static_assert(Triangulation<CGAL::Gmpq>::Metric::is_exact);
+static_assert(Triangulation<CORE::Expr>::Metric::is_exact);
+static_assert(Triangulation<CGAL::Lazy_exact_nt<CORE::Expr>>::Metric::is_exact);
+static_assert(!Triangulation<double>::Metric::is_exact);
+static_assert(!Triangulation<Float<100>>::Metric::is_exact);
+
+// Weights of thin faces lose some digits against lengths, which are good to about 1e-14.
+constexpr double tolerance = 1e-10;
+
+template <class FT>
+void expect_agreement(const meshes::Mesh& m) {
+  Triangulation<FT> t(m.input());
+  Exact expected(m.input());
+  EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done);
+  IT::flip_to_delaunay(expected);
+  EXPECT_TRUE(IT::is_delaunay(t));
+  properties::expect_same_tessellation(properties::tessellation(t),
+                                       properties::tessellation(expected), tolerance);
+  properties::expect_same_laplacian(properties::laplacian(t), properties::laplacian(expected),
+                                    tolerance);
+}
+
+template <class FT>
+class Euclidean_traits_of_inexact_types : public ::testing::Test {};
+using Inexact =
+    ::testing::Types<double, long double, Float<100>, Float<200>, CGAL::Interval_nt<true>>;
+TYPED_TEST_SUITE(Euclidean_traits_of_inexact_types, Inexact);
+
+TYPED_TEST(Euclidean_traits_of_inexact_types, agree_with_exact_ones_away_from_ties) {
+  expect_agreement<TypeParam>(meshes::rough_grid(8, 1));
+  expect_agreement<TypeParam>(meshes::potato(3, 2));
+  expect_agreement<TypeParam>(meshes::parabola_fan(9));
+}
+
+TEST(Euclidean_traits, of_rationals_are_exact_where_areas_are_rational) {
+  expect_agreement<CGAL::Gmpq>(meshes::grid(4, 4, 3, 4));
+  expect_agreement<CGAL::Gmpq>(meshes::sheared_grid(4, 5, 7));
+  expect_agreement<CGAL::Gmpq>(meshes::box(2, 3, 4)); // right triangles, rational legs
+  expect_agreement<CGAL::Gmpq>(meshes::folded_lattice(4, 6, 2));
+  expect_agreement<CGAL::Gmpq>(meshes::random_planar(40, 8, 3));
+  expect_agreement<CGAL::Gmpq>(meshes::with_cap(meshes::box(2, 1, 1), 4));
+}
+
+TEST(Euclidean_traits, of_rationals_name_the_face_whose_area_is_irrational) {
+  try {
+    Triangulation<CGAL::Gmpq> t(meshes::potato(0, 1).input());
+    FAIL();
+  } catch (const IT::Invalid_input& e) {
+    EXPECT_EQ(e.kind(), IT::Element_kind::face);
+  }
+}
+
+template <class FT>
+class Euclidean_traits_of_algebraic_numbers : public ::testing::Test {};
+using Algebraic = ::testing::Types<CORE::Expr, CGAL::Lazy_exact_nt<CORE::Expr>>;
+TYPED_TEST_SUITE(Euclidean_traits_of_algebraic_numbers, Algebraic);
+
+TYPED_TEST(Euclidean_traits_of_algebraic_numbers, are_exact_on_tiny_meshes) {
+  expect_agreement<TypeParam>(meshes::box(1, 1, 1));
+  expect_agreement<TypeParam>(meshes::integer_height_field(1, 9, 3));
+  expect_agreement<TypeParam>(meshes::sheared_grid(2, 2, 1));
+}
+
+TEST(Euclidean_traits, of_intervals_refuse_to_guess_at_ties) {
+  // right triangles: 4A = 2 sqrt(2) is no double, so that zero stays an interval around it
+  const meshes::Mesh m{{{0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  Triangulation<CGAL::Interval_nt<true>> t(m.input());
+  const auto h = properties::flippable_by_connectivity(t).at(0);
+  t.flip_edge(h);
+  EXPECT_THROW(t.delaunay_sign(h), CGAL::Uncertain_conversion_exception);
+}
+
+TEST(Euclidean_traits, a_flip_that_makes_no_area_is_refused_and_changes_nothing) {
+  // two caps on the same edge, as rounding may make them
+  const std::vector<double> lengths{1, 1, 4, 1, 1};
+  IT::Euclidean_metric<double> flat(0, lengths, {0, 0});
+  EXPECT_FALSE(flat.compute_flip({2, 0, 1, 3, 4, 0, 1}));
+  EXPECT_EQ(flat.squared_length(2), 4);
+  EXPECT_EQ(flat.quadruple_area(0), 0);
+  EXPECT_EQ(flat.quadruple_area(1), 0);
+}
+
+} // namespace

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "gallery.h"
+#include "meshes.h"
+#include "properties.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+
+#include <CGAL/Gmpq.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+using Exact = IT::Intrinsic_triangulation<>;
+using CGAL::Gmpq;
+using IT::Move_status;
+using Halfedge = Exact::halfedge_descriptor;
+
+struct Exact_state {
+  std::vector<Gmpq> lengths, squared_areas; // -1 where irrational
+  explicit Exact_state(const Exact& t) {
+    for (const Halfedge h : properties::flippable_by_connectivity(t)) {
+      lengths.push_back(properties::rational_squared_length(t, h));
+      squared_areas.push_back(properties::rational_squared_area(t, h));
+      squared_areas.push_back(properties::rational_squared_area(t, opposite(h, t.mesh())));
+    }
+  }
+  bool operator==(const Exact_state&) const = default;
+};
+
+std::vector<IT::Intrinsic_input> inputs() {
+  std::vector<IT::Intrinsic_input> all;
+  for (const gallery::Surface& s : gallery::oriented())
+    all.emplace_back(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
+                     IT::Mollification::none);
+  for (const meshes::Mesh& m :
+       {meshes::box(1, 1, 1), meshes::rough_grid(2, 3), meshes::potato(1, 4)})
+    all.push_back(m.input());
+  return all;
+}
+
+TEST(Exact_euclidean_traits, two_and_four_flips_give_lengths_and_areas_back_exactly) {
+  for (const IT::Intrinsic_input& in : inputs())
+    for (const Halfedge h : properties::flippable_by_connectivity(Exact(in))) {
+      Exact t(in);
+      const auto state = [&t](Halfedge x) {
+        return std::array{properties::rational_squared_length(t, x),
+                          properties::rational_squared_area(t, x),
+                          properties::rational_squared_area(t, opposite(x, t.mesh()))};
+      };
+      const Halfedge o = opposite(h, t.mesh());
+      const auto before = state(h), swapped = state(o);
+      if (t.flip_edge(h) != Move_status::done) continue;
+      ASSERT_EQ(t.flip_edge(h), Move_status::done);
+      EXPECT_EQ(state(h), swapped);
+      ASSERT_EQ(t.flip_edge(h), Move_status::done);
+      ASSERT_EQ(t.flip_edge(h), Move_status::done);
+      EXPECT_EQ(state(h), before);
+    }
+}
+
+TEST(Exact_euclidean_traits, random_flips_and_back_give_lengths_and_areas_back_exactly) {
+  std::mt19937 random(20260711);
+  for (const IT::Intrinsic_input& in : inputs()) {
+    Exact t(in);
+    const Exact_state before(t);
+    const auto connectivity = properties::connectivity(t);
+    const auto edges = properties::flippable_by_connectivity(t);
+    std::vector<Halfedge> flipped;
+    for (std::size_t i = 0; !edges.empty() && i < 10; ++i) {
+      const Halfedge h = edges[random() % edges.size()];
+      if (t.flip_edge(h) == Move_status::done) flipped.push_back(h);
+    }
+    for (; !flipped.empty(); flipped.pop_back())
+      for (int i = 0; i < 3; ++i) ASSERT_EQ(t.flip_edge(flipped.back()), Move_status::done);
+    EXPECT_EQ(properties::connectivity(t), connectivity);
+    EXPECT_EQ(Exact_state(t), before);
+  }
+}
+
+TEST(Exact_euclidean_traits, stored_intervals_contain_the_exact_values) {
+  std::mt19937 random(20260711);
+  for (const IT::Intrinsic_input& in : inputs()) {
+    Exact t(in);
+    const auto edges = properties::flippable_by_connectivity(t);
+    for (std::size_t i = 0; !edges.empty() && i < 8; ++i)
+      t.flip_edge(edges[random() % edges.size()]);
+    for (const Halfedge h : properties::flippable_by_connectivity(t))
+      properties::with_exact_values(t, h, [&](const auto& exact) {
+        const IT::Gmpfi_precision precision(300);
+        const auto d = t.diamond(h);
+        const auto contains = [](const CGAL::Interval_nt<false>& i, const auto& x) {
+          const CGAL::Gmpfi e = x.enclosure();
+          return !(e.sup() < CGAL::Gmpfr(i.inf())) && !(e.inf() > CGAL::Gmpfr(i.sup()));
+        };
+        EXPECT_TRUE(contains(t.metric().squared_length(d.ij), exact.ij));
+        EXPECT_TRUE(contains(t.metric().quadruple_area(d.f), exact.area_f));
+        EXPECT_TRUE(contains(t.metric().quadruple_area(d.g), exact.area_g));
+      });
+  }
+}
+
+TEST(Exact_euclidean_traits, signs_agree_with_exact_arithmetic_after_random_flips) {
+  std::mt19937 random(20260711);
+  int ties = 0;
+  for (const meshes::Mesh& m : {meshes::box(2, 2, 1), meshes::folded_lattice(3, 4, 1),
+                                meshes::integer_height_field(3, 2, 1)}) {
+    Exact t(m.input());
+    auto edges = properties::flippable_by_connectivity(t);
+    for (int i = 0; i < 25; ++i) t.flip_edge(edges[random() % edges.size()]);
+    for (const Halfedge h : properties::flippable_by_connectivity(t))
+      properties::with_exact_values(t, h, [&](const auto& exact) {
+        const auto value = IT::Delaunay_expression()(exact);
+        const IT::Gmpfi_precision precision(2000);
+        const CGAL::Sign expected =
+            value.is_zero() ? CGAL::ZERO : CGAL::Sign(CGAL::sign(value.enclosure()));
+        EXPECT_EQ(t.delaunay_sign(h), expected);
+        ties += expected == CGAL::ZERO;
+      });
+  }
+  EXPECT_GT(ties, 0);
+}
+
+TEST(Exact_euclidean_traits, cotangent_weights_are_zero_on_ties_and_of_the_right_sign_elsewhere) {
+  for (const meshes::Mesh& m : {meshes::box(2, 3, 1), meshes::folded_lattice(4, 5, 2)}) {
+    Exact t(m.input());
+    for (int round = 0; round < 2; ++round) {
+      Exact::Session session(t);
+      for (const Halfedge h : properties::flippable_by_connectivity(t)) {
+        const double w = session.cotangent_weight(edge(h, t.mesh()));
+        EXPECT_EQ(CGAL::sign(w), session.delaunay_sign(h));
+      }
+      IT::flip_to_delaunay(t);
+    }
+  }
+}
+
+TEST(Exact_euclidean_traits, statistics_tell_how_predicates_were_decided) {
+  Exact smooth(meshes::potato(2, 5).input());
+  IT::flip_to_delaunay(smooth);
+  EXPECT_GT(smooth.metric().statistics().checks, 0U);
+  EXPECT_EQ(smooth.metric().statistics().filter_failures, 0U);
+  EXPECT_EQ(smooth.metric().statistics().certified_zero, 0U);
+
+  Exact ties(meshes::folded_lattice(4, 6, 1).input());
+  IT::flip_to_delaunay(ties);
+  const IT::Predicate_statistics& s = ties.metric().statistics();
+  EXPECT_GT(s.certified_zero, 0U);
+  EXPECT_EQ(s.probable_zero, 0U);
+  std::uint64_t decided = s.certified_zero + s.probable_zero + s.integer;
+  for (const auto& [bits, count] : s.escalations) decided += count;
+  EXPECT_EQ(decided, s.filter_failures);
+}
+
+TEST(Exact_euclidean_traits, near_ties_are_decided_and_not_taken_for_ties) {
+  for (int k = 1; k <= 52; ++k)
+    for (const double sign : {-1.0, 1.0}) {
+      // a square with one corner off by an ulp of 2^-k
+      const double x = 1 + sign * std::ldexp(1.0, -k);
+      Exact t(meshes::Mesh{{{0, 0, 0}, {1, 0, 0}, {x, x, 0}, {0, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}}
+                  .input());
+      const Halfedge h = properties::flippable_by_connectivity(t).at(0);
+      EXPECT_EQ(t.delaunay_sign(h), sign > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE) << k;
+    }
+}
+
+} // namespace

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "mesh_types.h"
+#include "meshes.h"
+#include "properties.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+// The same flips on every type of mesh, as what is flipped and as the input.
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+template <class Mesh>
+class Delaunay_on : public ::testing::Test {};
+TYPED_TEST_SUITE(Delaunay_on, All_meshes);
+
+std::vector<meshes::Mesh> shapes() {
+  return {meshes::box(2, 1, 2), meshes::sheared_grid(5, 6, 3), meshes::rough_grid(6, 1),
+          meshes::potato(2, 2), meshes::folded_lattice(4, 4, 1)};
+}
+
+template <class Mesh>
+Mesh mesh_of(const meshes::Mesh& m) {
+  Mesh mesh;
+  IT::copy_gluing_map(m.map(), mesh);
+  std::size_t i = 0;
+  for (const typename boost::graph_traits<Mesh>::vertex_descriptor v : vertices(mesh)) {
+    const auto& p = m.points[i++];
+    if constexpr (requires { mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2])); })
+      mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2]));
+    else
+      put(get(CGAL::vertex_point, mesh), v, Kernel::Point_3(p[0], p[1], p[2]));
+  }
+  return mesh;
+}
+
+TYPED_TEST(Delaunay_on, this_type_of_mesh_is_the_same_as_on_a_gluing_map) {
+  for (const meshes::Mesh& m : shapes()) {
+    IT::Intrinsic_triangulation<> expected(m.input());
+    IT::Intrinsic_triangulation<TypeParam> t(m.input());
+    const auto flips = IT::flip_to_delaunay(expected).flips;
+    EXPECT_EQ(IT::flip_to_delaunay(t).flips, flips);
+    EXPECT_EQ(properties::tessellation(t), properties::tessellation(expected));
+    EXPECT_EQ(properties::laplacian(t), properties::laplacian(expected));
+  }
+}
+
+TYPED_TEST(Delaunay_on, this_type_of_mesh_flips_four_times_to_the_identity) {
+  for (const meshes::Mesh& m : shapes()) {
+    IT::Intrinsic_triangulation<TypeParam> t(m.input());
+    const auto ends = [&t](auto h) {
+      return std::pair{t.input_vertex(source(h, t.mesh())), t.input_vertex(target(h, t.mesh()))};
+    };
+    for (const auto h : properties::flippable_by_connectivity(t)) {
+      const auto before = ends(h);
+      if (t.flip_edge(h) != IT::Move_status::done) continue;
+      EXPECT_NE(ends(h), before);
+      ASSERT_EQ(t.flip_edge(h), IT::Move_status::done);
+      EXPECT_EQ(ends(h), std::pair(before.second, before.first));
+      t.flip_edge(h);
+      t.flip_edge(h);
+      EXPECT_EQ(ends(h), before);
+    }
+  }
+}
+
+TYPED_TEST(Delaunay_on, this_type_of_mesh_as_input_is_the_same) {
+  if constexpr (!std::is_same_v<TypeParam, IT::Gluing_map>)
+    for (const meshes::Mesh& m : shapes()) {
+      const TypeParam mesh = mesh_of<TypeParam>(m);
+      IT::Intrinsic_triangulation<> expected(m.input()), t(mesh);
+      IT::flip_to_delaunay(expected);
+      IT::flip_to_delaunay(t);
+      EXPECT_EQ(properties::tessellation(t), properties::tessellation(expected));
+      EXPECT_EQ(properties::laplacian(t), properties::laplacian(expected));
+    }
+}
+
+} // namespace

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
+
+#include "meshes.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+template <class T>
+class Measure_quality : public testing::Test {};
+using Triangulations =
+    testing::Types<IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits>,
+                   IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>>;
+TYPED_TEST_SUITE(Measure_quality, Triangulations);
+
+// relative error of a few operations
+constexpr double eps = 1e-14;
+
+TYPED_TEST(Measure_quality, of_an_octahedron_is_that_of_equilateral_triangles) {
+  TypeParam t(meshes::sphere(0).input());
+  const IT::Quality q = IT::measure_quality(t);
+  EXPECT_NEAR(q.minimum_angle, 60, 60 * eps);
+  EXPECT_NEAR(q.maximum_angle, 60, 60 * eps);
+  EXPECT_EQ(q.angles[5] + q.angles[6], 24U); // on the limit between both
+  EXPECT_NEAR(q.maximum_aspect_ratio, 1, eps);
+  EXPECT_NEAR(q.mean_aspect_ratio, 1, eps);
+  EXPECT_NEAR(q.minimum_weight, 1 / std::sqrt(3.0), eps);
+  EXPECT_NEAR(q.maximum_weight, 1 / std::sqrt(3.0), eps);
+  EXPECT_EQ(q.weights[3], 12U);
+}
+
+TYPED_TEST(Measure_quality, of_a_grid_is_that_of_half_squares) {
+  TypeParam t(meshes::grid(3, 2).input());
+  const IT::Quality q = IT::measure_quality(t);
+  EXPECT_NEAR(q.minimum_angle, 45, 45 * eps);
+  EXPECT_NEAR(q.maximum_angle, 90, 90 * eps);
+  EXPECT_EQ(q.angles[4], 24U);
+  EXPECT_EQ(q.angles[8] + q.angles[9], 12U);
+  // R / (2 r) with legs 1: R = sqrt(2) / 2, r = 1 - sqrt(2) / 2
+  EXPECT_NEAR(q.mean_aspect_ratio, std::sqrt(0.5) / (2 - std::sqrt(2.0)), 4 * eps);
+  // diagonals have weight 0, the 7 other inner edges (cot 45 + cot 45) / 2; the border is not counted
+  EXPECT_NEAR(q.minimum_weight, 0, eps);
+  EXPECT_NEAR(q.maximum_weight, 1, eps);
+  EXPECT_EQ(std::accumulate(q.weights.begin(), q.weights.end(), std::size_t{0}), 13U);
+}
+
+TYPED_TEST(Measure_quality, counts_obtuse_angles_and_negative_weights) {
+  TypeParam t(meshes::sheared_grid(3, 3, 2).input());
+  const IT::Quality q = IT::measure_quality(t);
+  EXPECT_EQ(std::accumulate(q.angles.begin(), q.angles.end(), std::size_t{0}), 54U);
+  EXPECT_GT(std::accumulate(q.angles.begin() + 9, q.angles.end(), std::size_t{0}), 0U);
+  EXPECT_GT(q.weights[0], 0U);
+  EXPECT_LT(q.minimum_weight, 0);
+}
+
+TYPED_TEST(Measure_quality, believes_what_it_is_told_of_ties) {
+  TypeParam t(meshes::grid(2, 2).input());
+  const IT::Quality q = IT::measure_quality(t, [](auto) { return true; });
+  EXPECT_EQ(q.minimum_weight, 0);
+  EXPECT_EQ(q.maximum_weight, 0);
+}
+
+} // namespace

@@ -1,0 +1,430 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+
+#include "constrained_edges.h"
+#include "gallery.h"
+#include "meshes.h"
+#include "subdivision_oracle.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+
+#include <boost/property_map/property_map.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using constrained_edges::Constraints;
+using constrained_edges::Edge_map;
+using constrained_edges::total_length;
+using IT::Refinement_order;
+using IT::Refinement_status;
+using IT::Unsatisfied_reason;
+using subdivision_oracle::defect;
+using subdivision_oracle::Exact;
+using subdivision_oracle::input;
+using subdivision_oracle::Rounded;
+
+constexpr double degree = std::numbers::pi / 180;
+
+template <class T>
+double area(const T& t) {
+  double sum = 0;
+  for (const auto f : faces(t.mesh())) sum += t.area(f);
+  return sum;
+}
+
+/// Lengths of the sides of a face.
+template <class T, class Face>
+std::array<double, 3> sides(const T& t, Face f) {
+  auto h = halfedge(f, t.mesh());
+  std::array<double, 3> l{};
+  for (double& x : l) {
+    x = std::sqrt(t.squared_length(edge(h, t.mesh())));
+    h = next(h, t.mesh());
+  }
+  return l;
+}
+
+/// Least angle of a face in degrees, from its sides alone: by the law of cosines, as nothing in the
+/// library does.
+template <class T, class Face>
+double least_angle(const T& t, Face f) {
+  std::array<double, 3> l = sides(t, f);
+  std::sort(l.begin(), l.end());
+  const double c = (l[1] * l[1] + l[2] * l[2] - l[0] * l[0]) / (2 * l[1] * l[2]);
+  return std::acos(std::min(1.0, c)) / degree;
+}
+
+/// Least angle of the faces that are not listed.
+template <class T, class Result>
+double least_angle_elsewhere(const T& t, const Result& result) {
+  std::set<std::uint32_t> listed;
+  for (const auto& u : result.unsatisfied) listed.insert(t.index(u.face));
+  double least = 180;
+  for (const auto f : faces(t.mesh()))
+    if (listed.count(t.index(f)) == 0) least = std::min(least, least_angle(t, f));
+  return least;
+}
+
+/// With floating point numbers the flips of other edges may change a tie by rounding.
+template <class T>
+void expect_delaunay(T& t) {
+  if constexpr (T::Metric::is_exact) {
+    EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
+  }
+  typename T::Session session(t);
+  for (const auto e : edges(t.mesh()))
+    if (!CGAL::is_border(e, t.mesh())) {
+      EXPECT_GE(session.cotangent_weight(e), -1e-10);
+    }
+}
+
+/// How many faces are listed for a reason.
+template <class Result>
+std::size_t count(const Result& result, Unsatisfied_reason reason) {
+  return static_cast<std::size_t>(std::count_if(result.unsatisfied.begin(),
+                                                result.unsatisfied.end(),
+                                                [&](const auto& u) { return u.reason == reason; }));
+}
+
+/// Rounding of the law of cosines: an angle has error u / tan(angle), in radians.
+constexpr double rounding = 1e-12;
+
+std::vector<meshes::Mesh> surfaces() {
+  return {meshes::rough_grid(5, 3),
+          meshes::sheared_grid(4, 5, 3),
+          meshes::potato(2, 5),
+          meshes::integer_terrain(40, 50, 7),
+          meshes::prism({{0, 0}, {4, 0}, {4, 3}, {0, 3}}, 5),
+          meshes::stairs(3, 2, 1),
+          meshes::parabola_fan(12),
+          meshes::grid(3, 40, 1, 0.01)};
+}
+
+template <class T>
+class Delaunay_refine : public testing::Test {};
+using Triangulations = testing::Types<Exact, Rounded>;
+TYPED_TEST_SUITE(Delaunay_refine, Triangulations);
+
+TYPED_TEST(Delaunay_refine, Reaches_the_angle_except_where_it_says_so_and_keeps_the_surface) {
+  for (const double angle : {20., 25., 30.}) {
+    int n = 0;
+    for (const meshes::Mesh& m : surfaces()) {
+      SCOPED_TRACE(testing::Message() << "surface " << n++ << ", " << angle << " degrees");
+      TypeParam t(input(m));
+      const double before = area(t);
+      const auto result = IT::delaunay_refine(t, {.minimum_angle = angle});
+      EXPECT_EQ(result.status, Refinement_status::done);
+      EXPECT_GE(least_angle_elsewhere(t, result), angle - rounding);
+      EXPECT_EQ(count(result, Unsatisfied_reason::refused), 0U);
+      EXPECT_EQ(count(result, Unsatisfied_reason::stopped), 0U);
+      expect_delaunay(t);
+      EXPECT_NEAR(area(t), before, 1e-12 * before);
+      std::size_t inserted = 0;
+      for (const auto w : vertices(t.mesh())) inserted += t.is_inserted(w) ? 1 : 0;
+      EXPECT_EQ(inserted, result.counts.inserted_vertices());
+      EXPECT_EQ(defect(t), "");
+      const IT::Common_subdivision s = IT::common_subdivision(t);
+      const IT::Gluing_map original = m.map();
+      const auto euler = [](const auto& x) {
+        return static_cast<long>(x.number_of_vertices()) - static_cast<long>(x.number_of_edges()) +
+               static_cast<long>(x.number_of_faces());
+      };
+      EXPECT_EQ(euler(s), euler(original));
+    }
+  }
+}
+
+TYPED_TEST(Delaunay_refine, Leaves_the_face_around_a_needle_vertex) {
+  // a pyramid with three sides, so high that the angles at its tip sum to about 6 degrees
+  meshes::Mesh m;
+  m.points = {{1, 0, 0}, {-0.5, 0.75, 0}, {-0.5, -0.75, 0}, {0, 0, 40}};
+  m.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  TypeParam t(input(m));
+  const auto result = IT::delaunay_refine(t, {.minimum_angle = 30});
+  EXPECT_EQ(result.status, Refinement_status::done);
+  ASSERT_EQ(result.unsatisfied.size(), 1U);
+  EXPECT_EQ(result.unsatisfied[0].reason, Unsatisfied_reason::needle);
+  // it has the whole angle of the tip, and two sides that are one
+  double tip = 0;
+  for (int k = 0; k < 3; ++k) {
+    const auto& a = m.points[static_cast<std::size_t>(k)];
+    const auto& b = m.points[static_cast<std::size_t>((k + 1) % 3)];
+    const auto dot = a[0] * b[0] + a[1] * b[1] + 1600;
+    tip += std::acos(
+        dot / std::sqrt((a[0] * a[0] + a[1] * a[1] + 1600) * (b[0] * b[0] + b[1] * b[1] + 1600)));
+  }
+  EXPECT_NEAR(least_angle(t, result.unsatisfied[0].face), tip / degree, 1e-9);
+  EXPECT_GE(least_angle_elsewhere(t, result), 30 - rounding);
+}
+
+TYPED_TEST(Delaunay_refine, Ends_in_corners_of_the_border_that_are_too_sharp) {
+  for (const double corner : {0.01, 1., 5., 20., 44., 59.}) {
+    SCOPED_TRACE(corner);
+    meshes::Mesh m;
+    m.points = {
+        {0, 0, 0}, {3, 0, 0}, {2 * std::cos(corner * degree), 2 * std::sin(corner * degree), 0}};
+    m.triangles = {{0, 1, 2}};
+    TypeParam t(input(m));
+    const double before = area(t);
+    const auto result = IT::delaunay_refine(t, {.minimum_angle = 25});
+    EXPECT_EQ(result.status, Refinement_status::done);
+    EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle));
+    EXPECT_EQ(result.unsatisfied.empty(), corner >= 25);
+    EXPECT_GE(least_angle_elsewhere(t, result), 25 - rounding);
+    EXPECT_NEAR(area(t), before, 1e-12 * before);
+    // few faces are excused: those in the corner and across shells
+    EXPECT_LE(result.unsatisfied.size(), 40U);
+  }
+}
+
+TYPED_TEST(Delaunay_refine, Makes_faces_small_enough) {
+  TypeParam t(input(meshes::potato(1, 2)));
+  const auto result = IT::delaunay_refine(
+      t, {.minimum_angle = 0, .maximum_circumradius = 0.2, .maximum_edge_length = 0.3});
+  EXPECT_TRUE(result.unsatisfied.empty());
+  for (const auto f : faces(t.mesh())) {
+    const auto [a, b, c] = sides(t, f);
+    EXPECT_LE(std::max({a, b, c}), 0.3 * (1 + 1e-12));
+    EXPECT_LE(a * b * c / (4 * t.area(f)), 0.2 * (1 + 1e-9));
+  }
+}
+
+/// Constrains `n` edges spread over the mesh, none of the border.
+template <class T>
+void constrain(const T& t, std::size_t n, Constraints<T>& m) {
+  const std::size_t all = num_edges(t.mesh());
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto e = *std::next(edges(t.mesh()).begin(), static_cast<std::ptrdiff_t>(k * all / n));
+    put(m, e, true);
+  }
+}
+
+TYPED_TEST(Delaunay_refine, Keeps_constrained_edges_as_unions_of_edges) {
+  for (const bool conforming : {false, true}) {
+    SCOPED_TRACE(conforming);
+    // like a scan: rough, with 41 edges marked
+    TypeParam t(input(meshes::rough_grid(14, 11, 1.5)));
+    Edge_map is_constrained;
+    Constraints<TypeParam> constrained{&t, &is_constrained};
+    constrain(t, 41, constrained);
+    const double length = total_length(t, constrained), before = area(t);
+    const auto result = IT::delaunay_refine(t, {.minimum_angle = 25, .conforming = conforming},
+                                            CGAL::parameters::edge_is_constrained_map(constrained));
+    EXPECT_EQ(result.status, Refinement_status::done);
+    EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle));
+    EXPECT_GE(least_angle_elsewhere(t, result), 25 - rounding);
+    EXPECT_NEAR(total_length(t, constrained), length, 1e-12 * length);
+    EXPECT_NEAR(area(t), before, 1e-12 * before);
+    EXPECT_EQ(defect(t), "");
+    typename TypeParam::Session session(t);
+    for (const auto e : edges(t.mesh())) {
+      const bool may_fail = !conforming && get(constrained, e);
+      EXPECT_TRUE(may_fail || session.is_locally_delaunay(halfedge(e, t.mesh())));
+    }
+  }
+}
+
+/// A column: a polygon with many sides, its walls as slivers.
+meshes::Mesh column(std::uint32_t sides, double height) {
+  std::vector<std::array<double, 2>> polygon;
+  for (std::uint32_t k = 0; k < sides; ++k) {
+    const double angle = 2 * std::numbers::pi * k / sides;
+    polygon.push_back({std::cos(angle), std::sin(angle)});
+  }
+  meshes::Mesh m = meshes::prism(polygon, 1);
+  for (meshes::Point& p : m.points) p[2] *= height;
+  return m;
+}
+
+/// Constrained edges by the unordered pair of their ends, each with the sum of lengths of its parts: every
+/// chain of parts through inserted vertices, from one vertex of the input to the next.
+template <class T>
+std::multimap<std::set<std::uint32_t>, double> chains(const T& t, const Constraints<T>& m) {
+  std::multimap<std::set<std::uint32_t>, double> result;
+  const auto next_part = [&](auto h) { // the only other one at the target of h
+    for (auto g = opposite(next(h, t.mesh()), t.mesh());; g = opposite(next(g, t.mesh()), t.mesh()))
+      if (g == h || get(m, edge(g, t.mesh()))) return opposite(g, t.mesh());
+  };
+  for (const auto first : halfedges(t.mesh())) {
+    if (!get(m, edge(first, t.mesh())) || t.is_inserted(source(first, t.mesh()))) continue;
+    auto h = first;
+    double length = std::sqrt(t.squared_length(edge(h, t.mesh())));
+    while (t.is_inserted(target(h, t.mesh()))) {
+      h = next_part(h);
+      length += std::sqrt(t.squared_length(edge(h, t.mesh())));
+    }
+    // found from both ends
+    const auto a = t.index(source(first, t.mesh())), b = t.index(target(h, t.mesh()));
+    if (a <= b) result.insert({{a, b}, length});
+  }
+  return result;
+}
+
+TEST(Delaunay_refine_constraints, Among_slivers_refinement_ends_and_keeps_every_edge) {
+  for (const std::uint32_t sides : {40U, 90U})
+    for (const double angle : {25., 30.})
+      for (const std::size_t n : {std::size_t{7}, std::size_t{41}, std::size_t{3} * sides}) {
+        SCOPED_TRACE(testing::Message()
+                     << sides << " sides, " << angle << " degrees, " << n << " constraints");
+        Rounded t(input(column(sides, 5)));
+        Edge_map is_constrained;
+        Constraints<Rounded> constrained{&t, &is_constrained};
+        constrain(t, n, constrained);
+        const auto before = chains(t, constrained);
+        const auto result = IT::delaunay_refine(
+            t, {.minimum_angle = angle, .maximum_insertions = std::uint64_t{100000}},
+            CGAL::parameters::edge_is_constrained_map(constrained));
+        EXPECT_EQ(result.status, Refinement_status::done);
+        EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle));
+        EXPECT_GE(least_angle_elsewhere(t, result), angle - 1e-9);
+        const auto after = chains(t, constrained);
+        ASSERT_EQ(after.size(), before.size());
+        for (auto b = before.begin(), a = after.begin(); b != before.end(); ++a, ++b) {
+          EXPECT_EQ(a->first, b->first);
+          // slivers of ratio r: their splits lose a factor of r^4, here at most 72^4, of u
+          EXPECT_NEAR(a->second, b->second, 1e-8 * b->second);
+        }
+      }
+}
+
+TYPED_TEST(Delaunay_refine, Ends_where_a_constrained_edge_sees_itself_around_a_sharp_tip) {
+  for (const double height : {1.2, 2., 5., 40.}) {
+    SCOPED_TRACE(height);
+    meshes::Mesh m;
+    m.points = {{1, 0, 0}, {-0.5, 0.75, 0}, {-0.5, -0.75, 0}, {0, 0, height}};
+    m.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    IT::Intrinsic_input i = input(m);
+    i.may_renumber = false;
+    TypeParam t(std::move(i));
+    Edge_map is_constrained;
+    Constraints<TypeParam> constrained{&t, &is_constrained};
+    for (const auto e : edges(t.mesh())) {
+      const auto h = halfedge(e, t.mesh());
+      const auto a = t.index(source(h, t.mesh())), b = t.index(target(h, t.mesh()));
+      put(constrained, e, std::max(a, b) == 3 && std::min(a, b) == 0);
+    }
+    const double length = total_length(t, constrained);
+    const auto result = IT::delaunay_refine(t, {.minimum_angle = 30},
+                                            CGAL::parameters::edge_is_constrained_map(constrained));
+    EXPECT_EQ(result.status, Refinement_status::done);
+    EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle) +
+                                             count(result, Unsatisfied_reason::needle));
+    EXPECT_GE(least_angle_elsewhere(t, result), 30 - rounding);
+    EXPECT_NEAR(total_length(t, constrained), length, 1e-12 * length);
+  }
+}
+
+TYPED_TEST(Delaunay_refine, Splits_edges_that_are_not_Delaunay_if_it_shall_conform) {
+  TypeParam t(input(meshes::sheared_grid(3, 6, 4)));
+  Edge_map is_constrained;
+  Constraints<TypeParam> constrained{&t, &is_constrained};
+  for (const auto e : edges(t.mesh())) put(constrained, e, true);
+  const double length = total_length(t, constrained);
+  const auto result = IT::delaunay_refine(t, {.minimum_angle = 0, .conforming = true},
+                                          CGAL::parameters::edge_is_constrained_map(constrained));
+  EXPECT_EQ(result.status, Refinement_status::done);
+  EXPECT_GT(result.counts.segment_splits, 0U);
+  EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
+  EXPECT_NEAR(total_length(t, constrained), length, 1e-12 * length);
+}
+
+TYPED_TEST(Delaunay_refine, Stops_where_it_is_told_to) {
+  TypeParam t(input(meshes::sheared_grid(4, 5, 3)));
+  const auto capped =
+      IT::delaunay_refine(t, {.minimum_angle = 30, .maximum_insertions = std::uint64_t{5}});
+  EXPECT_EQ(capped.status, Refinement_status::cap);
+  EXPECT_EQ(capped.counts.circumcenters + capped.counts.segment_splits, 5U);
+  EXPECT_GT(count(capped, Unsatisfied_reason::stopped), 0U);
+  EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U); // in a good state
+  struct Impatient : IT::Refinement_visitor {
+    std::uint64_t calls = 0;
+    bool progress(const IT::Refinement_counts&) { return ++calls < 1; }
+  } visitor;
+  const auto cancelled = IT::delaunay_refine(t, {.maximum_circumradius = 0.05},
+                                             CGAL::parameters::visitor(std::ref(visitor)));
+  EXPECT_EQ(cancelled.status, Refinement_status::cancelled);
+  EXPECT_EQ(visitor.calls, 1U);
+}
+
+TYPED_TEST(Delaunay_refine, Refines_what_a_visitor_asks_for) {
+  struct Near_the_origin : IT::Refinement_visitor {
+    bool is_bad(const TypeParam& t, typename TypeParam::face_descriptor f) {
+      const auto h = halfedge(f, t.mesh());
+      const bool is_near = !t.is_inserted(source(h, t.mesh())) && t.index(source(h, t.mesh())) == 0;
+      return is_near && t.area(f) > 0.01;
+    }
+  };
+  TypeParam t(input(meshes::grid(4, 4)));
+  const auto result =
+      IT::delaunay_refine(t, {.minimum_angle = 20}, CGAL::parameters::visitor(Near_the_origin()));
+  EXPECT_TRUE(result.unsatisfied.empty());
+  EXPECT_GT(result.counts.inserted_vertices(), 0U);
+  Near_the_origin asks;
+  for (const auto f : faces(t.mesh())) EXPECT_FALSE(asks.is_bad(t, f));
+}
+
+TEST(Delaunay_refine_options, Every_order_reaches_the_bound) {
+  for (const Refinement_order order :
+       {Refinement_order::largest_first, Refinement_order::worst_first,
+        Refinement_order::first_come}) {
+    Rounded t(input(meshes::potato(2, 5)));
+    const auto result = IT::delaunay_refine(t, {.minimum_angle = 28, .order = order});
+    EXPECT_TRUE(result.unsatisfied.empty());
+    EXPECT_GE(least_angle_elsewhere(t, result), 28 - rounding);
+  }
+}
+
+TEST(Delaunay_refine_options, Bounds_that_make_no_sense_are_refused) {
+  Rounded t(input(meshes::sphere(0)));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double x : {-1., 60., nan})
+    EXPECT_THROW(IT::delaunay_refine(t, {.minimum_angle = x}), std::invalid_argument);
+  for (const double x : {-1., 0., nan}) {
+    EXPECT_THROW(IT::delaunay_refine(t, {.maximum_circumradius = x}), std::invalid_argument);
+    EXPECT_THROW(IT::delaunay_refine(t, {.maximum_edge_length = x}), std::invalid_argument);
+  }
+  EXPECT_EQ(num_vertices(t.mesh()), 6U);
+}
+
+TEST(Delaunay_refine_gallery, Every_surface_reaches_the_bound) {
+  for (const gallery::Surface& s : gallery::oriented()) {
+    SCOPED_TRACE(s.name);
+    for (const double angle : {25., 30.}) {
+      IT::Intrinsic_input i =
+          s.points.empty()
+              ? IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s))
+              : IT::Intrinsic_input(IT::Gluing_map(s.gluing), s.points);
+      IT::Intrinsic_triangulation<> t(std::move(i));
+      const double before = area(t);
+      const auto result = IT::delaunay_refine(t, {.minimum_angle = angle});
+      EXPECT_EQ(result.status, Refinement_status::done);
+      EXPECT_EQ(count(result, Unsatisfied_reason::refused), 0U);
+      EXPECT_GE(least_angle_elsewhere(t, result), angle - rounding);
+      EXPECT_NEAR(area(t), before, 1e-12 * before);
+    }
+  }
+}
+
+} // namespace

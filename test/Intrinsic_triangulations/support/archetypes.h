@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TEST_INTRINSIC_TRIANGULATIONS_ARCHETYPES_H
+#define TEST_INTRINSIC_TRIANGULATIONS_ARCHETYPES_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+// Models that offer what a concept asks for and nothing else. Algorithms that compile with them use
+// no more than the concept promises. They say that everything is Delaunay already.
+
+namespace archetypes {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+/// Can be copied only where the concept asks for it.
+struct Metric {
+  using FT = double;
+  struct Scope {};
+  static constexpr bool is_exact = false;
+
+  Metric() = default;
+  Metric(Metric&&) = default;
+  Metric& operator=(Metric&&) = default;
+  Metric(const Metric&) = delete;
+  Metric& operator=(const Metric&) = delete;
+  Metric(const IT::Gluing_map&, const std::shared_ptr<const IT::Input_metric>&) {}
+
+  bool is_locally_delaunay(const IT::Diamond&) { return true; }
+  template <class Expression>
+  CGAL::Sign sign(const IT::Diamond&, const Expression&) {
+    return CGAL::POSITIVE;
+  }
+  struct Flipped {};
+  std::optional<Flipped> compute_flip(const IT::Diamond&) const { return Flipped(); }
+  std::optional<Flipped> compute_flip_to_zero_area(const IT::Diamond&) const { return Flipped(); }
+  void store_flip(const IT::Diamond&, const Flipped&) {}
+  double cotangent_weight(const IT::Diamond&) { return 0; }
+  double cotangent_weight(std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t) { return 0; }
+  bool is_degenerate(std::uint32_t) const { return false; }
+  bool is_zero_length(std::uint32_t) const { return false; }
+  double squared_length(std::uint32_t) const { return 1; }
+  double quadruple_area(std::uint32_t) const { return 1; }
+  double approximate_squared_length(std::uint32_t) const { return 1; }
+  double approximate_quadruple_area(std::uint32_t) const { return 1; }
+  int scale_exponent() const { return 0; }
+};
+
+struct Traits {
+  using FT = double;
+  using Metric = archetypes::Metric;
+};
+
+/// Hears of every move and keeps count.
+struct Correspondence {
+  Correspondence() = default;
+  Correspondence(Correspondence&&) = default;
+  Correspondence& operator=(Correspondence&&) = default;
+  Correspondence(const Correspondence&) = delete;
+  Correspondence& operator=(const Correspondence&) = delete;
+
+  template <class Triangulation>
+  void start(const Triangulation&) {}
+  template <class Triangulation>
+  bool before_flip(const Triangulation&, std::uint32_t) {
+    return announce();
+  }
+  template <class Triangulation>
+  void after_flip(const Triangulation&, std::uint32_t) {
+    ++done;
+  }
+  template <class Triangulation>
+  bool before_insert_in_face(const Triangulation&, std::uint32_t, const std::array<double, 3>&) {
+    return announce();
+  }
+  template <class Triangulation>
+  void after_insert_in_face(const Triangulation&, std::uint32_t) {
+    ++done;
+  }
+  template <class Triangulation>
+  bool before_insert_in_border_edge(const Triangulation&, std::uint32_t, double) {
+    return announce();
+  }
+  template <class Triangulation>
+  void after_insert_in_border_edge(const Triangulation&, std::uint32_t) {
+    ++done;
+  }
+  template <class Triangulation>
+  bool before_remove(const Triangulation&, std::uint32_t) {
+    return announce();
+  }
+  template <class Triangulation>
+  void after_remove(const Triangulation&, std::uint32_t) {
+    ++done;
+  }
+  template <class Triangulation>
+  bool before_remove_from_border(const Triangulation&, std::uint32_t) {
+    return announce();
+  }
+  template <class Triangulation>
+  void after_remove_from_border(const Triangulation&, std::uint32_t) {
+    ++done;
+  }
+  int announced = 0, done = 0;
+
+private:
+  bool announce() {
+    ++announced;
+    return true;
+  }
+};
+
+/// Has no metric at all: it is Delaunay when every edge was flipped once.
+class Triangulation {
+public:
+  enum class Status { done };
+  using Mesh = IT::Gluing_map;
+  struct Metric {
+    static constexpr bool is_exact = true;
+  };
+  using halfedge_descriptor = Mesh::Halfedge;
+  using edge_descriptor = Mesh::Edge;
+
+  class Session {
+  public:
+    explicit Session(Triangulation& t) : t_(t) {}
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+    bool is_locally_delaunay(halfedge_descriptor h) const { return t_.flipped_[h.index / 2] != 0; }
+    CGAL::Sign delaunay_sign(halfedge_descriptor h) const {
+      return is_locally_delaunay(h) ? CGAL::ZERO : CGAL::NEGATIVE;
+    }
+    Status flip_status(halfedge_descriptor) const { return Status::done; }
+    Status flip_non_delaunay_edge(halfedge_descriptor h) {
+      t_.flipped_[h.index / 2] = 1;
+      return Status::done;
+    }
+    template <class Function>
+    auto suspended(Function f) const {
+      return f();
+    }
+
+  private:
+    Triangulation& t_;
+  };
+
+  explicit Triangulation(Mesh mesh)
+      : mesh_(std::move(mesh)), flipped_(mesh_.number_of_edges(), 0) {}
+  Triangulation(const Triangulation&) = delete;
+  Triangulation& operator=(const Triangulation&) = delete;
+
+  const Mesh& mesh() const { return mesh_; }
+  std::uint32_t index(edge_descriptor e) const { return e.index; }
+
+private:
+  Mesh mesh_;
+  std::vector<char> flipped_;
+};
+
+} // namespace archetypes
+
+#endif // TEST_INTRINSIC_TRIANGULATIONS_ARCHETYPES_H

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TEST_INTRINSIC_TRIANGULATIONS_MESH_TYPES_H
+#define TEST_INTRINSIC_TRIANGULATIONS_MESH_TYPES_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Polyhedron_3_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+
+#include <OpenMesh/Core/Geometry/VectorT.hh>
+
+#include <gtest/gtest.h>
+
+// All models of MutableDeltaComplex, for typed tests.
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Polyhedron_with_ids = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
+
+struct Double_traits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+};
+using OpenMesh_triangles = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
+using OpenMesh_polygons = OpenMesh::PolyMesh_ArrayKernelT<Double_traits>;
+
+using All_meshes =
+    ::testing::Types<CGAL::Intrinsic_triangulations::Gluing_map, Surface_mesh, Polyhedron,
+                     Polyhedron_with_ids, OpenMesh_triangles, OpenMesh_polygons>;
+
+#endif // TEST_INTRINSIC_TRIANGULATIONS_MESH_TYPES_H

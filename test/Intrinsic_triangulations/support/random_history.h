@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TEST_INTRINSIC_TRIANGULATIONS_RANDOM_HISTORY_H
+#define TEST_INTRINSIC_TRIANGULATIONS_RANDOM_HISTORY_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+// Triangulations that are flipped at random: any edge of a convex diamond, Delaunay or not.
+
+namespace random_history {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Map = IT::Gluing_map;
+using Side = IT::Flip_history::Side;
+
+class Walk {
+public:
+  Walk(Map map, IT::Input_metric metric)
+      : mesh(std::move(map)), input(std::move(metric)), history(mesh.number_of_faces()) {
+    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
+      first_.push_back({f, mesh.halfedge(Map::Face{f})});
+  }
+
+  Side side(Map::Halfedge h) const {
+    const auto& [version, first] = first_[mesh.face(h).index];
+    return {version, h == first ? 0U : h == mesh.next(first) ? 1U : 2U};
+  }
+
+  bool is_inner(Map::Halfedge h) const {
+    return mesh.face(h).index != IT::Gluing::none &&
+           mesh.face(Map::opposite(h)).index != IT::Gluing::none &&
+           mesh.face(h) != mesh.face(Map::opposite(h));
+  }
+
+  template <class Expression>
+  CGAL::Sign sign(Map::Halfedge h, const Expression& e) {
+    IT::Diamond_values<CGAL::Interval_nt<false>> values;
+    return evaluation_.sign(input, history, side(h), side(Map::opposite(h)), e, values, statistics);
+  }
+
+  bool is_convex(Map::Halfedge h) {
+    return sign(h, IT::Convexity_at_source_expression()) == CGAL::POSITIVE &&
+           sign(h, IT::Convexity_at_target_expression()) == CGAL::POSITIVE;
+  }
+
+  // turns h clockwise
+  void flip(Map::Halfedge h) {
+    const std::uint32_t version = history.record_flip(side(h), side(Map::opposite(h)));
+    CGAL::Euler::flip_edge(h, mesh);
+    first_[mesh.face(h).index] = {version, h};
+    first_[mesh.face(Map::opposite(h)).index] = {version + 1, Map::opposite(h)};
+  }
+
+  bool try_flip(Map::Halfedge h) {
+    if (!is_inner(h) || !is_convex(h)) return false;
+    flip(h);
+    return true;
+  }
+
+  // tries to flip random edges
+  void run(std::size_t tries, std::mt19937& random) {
+    for (std::size_t i = 0; i < tries; ++i)
+      try_flip(Map::Halfedge{static_cast<std::uint32_t>(random() % mesh.number_of_halfedges())});
+  }
+
+  std::vector<Map::Halfedge> inner_edges() const {
+    std::vector<Map::Halfedge> result;
+    for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
+      if (is_inner(Map::Halfedge{2 * e})) result.push_back(Map::Halfedge{2 * e});
+    return result;
+  }
+
+  Map mesh;
+  IT::Input_metric input;
+  IT::Flip_history history;
+  IT::Predicate_statistics statistics;
+
+private:
+  std::vector<std::pair<std::uint32_t, Map::Halfedge>> first_; // version, and its slot 0
+  IT::Exact_evaluation evaluation_;
+};
+
+} // namespace random_history
+
+#endif // TEST_INTRINSIC_TRIANGULATIONS_RANDOM_HISTORY_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include "archetypes.h"
+#include "gallery.h"
+#include "mesh_types.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+// ---- MutableDeltaComplex
+
+static_assert(IT::MutableDeltaComplex<IT::Gluing_map>);
+static_assert(IT::MutableDeltaComplex<Surface_mesh>);
+static_assert(IT::MutableDeltaComplex<Polyhedron>);
+static_assert(IT::MutableDeltaComplex<Polyhedron_with_ids>);
+static_assert(IT::MutableDeltaComplex<OpenMesh_triangles>);
+static_assert(IT::MutableDeltaComplex<OpenMesh_polygons>);
+static_assert(!IT::MutableDeltaComplex<int>);
+static_assert(!IT::MutableDeltaComplex<std::vector<int>>);
+static_assert(!IT::MutableDeltaComplex<IT::Gluing>);
+static_assert(!IT::MutableDeltaComplex<const IT::Gluing_map>);
+
+// ---- IntrinsicMetric
+
+struct Metric_that_cannot_flip : archetypes::Metric {
+  using archetypes::Metric::Metric;
+  void store_flip(const IT::Diamond&, const Flipped&) = delete;
+};
+struct Metric_without_scope : archetypes::Metric {
+  using archetypes::Metric::Metric;
+
+private:
+  using Scope = void;
+};
+struct Metric_without_input : archetypes::Metric {};
+
+static_assert(IT::IntrinsicMetric<archetypes::Metric>);
+static_assert(IT::IntrinsicMetric<IT::Euclidean_metric<double>>);
+static_assert(IT::IntrinsicMetric<IT::Euclidean_metric<long double>>);
+static_assert(IT::IntrinsicMetric<IT::Exact_euclidean_metric>);
+static_assert(!IT::IntrinsicMetric<Metric_that_cannot_flip>);
+static_assert(!IT::IntrinsicMetric<Metric_without_scope>);
+static_assert(!IT::IntrinsicMetric<Metric_without_input>);
+static_assert(!IT::IntrinsicMetric<double>);
+
+// ---- IntrinsicTriangulationTraits
+
+struct Traits_of_two_minds {
+  using FT = float;
+  using Metric = archetypes::Metric;
+};
+
+static_assert(IT::IntrinsicTriangulationTraits<archetypes::Traits>);
+static_assert(IT::IntrinsicTriangulationTraits<IT::Euclidean_traits<double>>);
+static_assert(IT::IntrinsicTriangulationTraits<IT::Exact_euclidean_traits>);
+static_assert(!IT::IntrinsicTriangulationTraits<Traits_of_two_minds>);
+static_assert(!IT::IntrinsicTriangulationTraits<IT::Exact_euclidean_metric>);
+static_assert(!IT::IntrinsicTriangulationTraits<double>);
+
+// ---- IntrinsicTriangulation
+
+using Archetypical =
+    IT::Intrinsic_triangulation<IT::Gluing_map, archetypes::Traits, archetypes::Correspondence>;
+
+struct Triangulation_without_sessions {
+  using Mesh = IT::Gluing_map;
+  using Metric = archetypes::Triangulation::Metric;
+  using halfedge_descriptor = Mesh::Halfedge;
+  using edge_descriptor = Mesh::Edge;
+  const Mesh& mesh() const;
+  std::uint32_t index(edge_descriptor) const;
+};
+
+static_assert(IT::IntrinsicTriangulation<archetypes::Triangulation>);
+static_assert(IT::IntrinsicTriangulation<Archetypical>);
+static_assert(IT::IntrinsicTriangulation<IT::Intrinsic_triangulation<>>);
+static_assert(IT::IntrinsicTriangulation<
+              IT::Intrinsic_triangulation<Surface_mesh, IT::Euclidean_traits<double>>>);
+static_assert(IT::IntrinsicTriangulation<IT::Intrinsic_triangulation<OpenMesh_polygons>>);
+static_assert(!IT::IntrinsicTriangulation<Triangulation_without_sessions>);
+static_assert(!IT::IntrinsicTriangulation<IT::Gluing_map>);
+
+// ---- IntrinsicCorrespondence
+
+struct Correspondence_that_hears_nothing {};
+struct Correspondence_that_hears_too_late {
+  template <class Triangulation>
+  void after_flip(const Triangulation&, std::uint32_t) {}
+};
+struct Correspondence_that_cannot_refuse : archetypes::Correspondence {
+  template <class Triangulation>
+  void before_remove(const Triangulation&, std::uint32_t) {}
+};
+
+static_assert(IT::IntrinsicCorrespondence<archetypes::Correspondence, archetypes::Triangulation>);
+static_assert(IT::IntrinsicCorrespondence<IT::No_correspondence, archetypes::Triangulation>);
+static_assert(IT::IntrinsicCorrespondence<IT::No_correspondence, IT::Intrinsic_triangulation<>>);
+static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_hears_nothing, Archetypical>);
+static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_hears_too_late, Archetypical>);
+static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_cannot_refuse, Archetypical>);
+
+// ---- the archetypes are enough for the algorithms
+
+TEST(Concepts, flip_to_delaunay_asks_no_more_of_a_triangulation_than_its_concept) {
+  archetypes::Triangulation t{IT::Gluing_map(gallery::flat_torus(3, 3).gluing)};
+  EXPECT_FALSE(IT::is_delaunay(t));
+  EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 27U);
+  const IT::Flip_to_delaunay_result r = IT::flip_to_delaunay(t);
+  EXPECT_EQ(r.status, IT::Flip_to_delaunay_status::done);
+  EXPECT_EQ(r.flips, 27U);
+  EXPECT_TRUE(IT::is_delaunay(t));
+}
+
+TEST(Concepts, owner_asks_no_more_of_metric_and_correspondence_than_their_concepts) {
+  const gallery::Surface s = gallery::flat_torus(3, 3);
+  Archetypical t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+  EXPECT_TRUE(IT::is_delaunay(t));
+  EXPECT_TRUE(IT::check_delaunay(t).cocircular_edges.empty());
+  EXPECT_EQ(IT::flip_to_delaunay(t).flips, 0U);
+  const IT::Gluing_map::Edge e{0};
+  EXPECT_EQ(t.flip_edge({0}), IT::Move_status::done);
+  EXPECT_EQ(t.squared_length(e), 1.0);
+  EXPECT_EQ(t.area({0}), 0.25);
+}
+
+TEST(Concepts, correspondence_hears_of_each_flip_before_and_after_and_of_no_refused_one) {
+  const gallery::Surface s = gallery::self_folded_cone();
+  Archetypical t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+  for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); ++h)
+    EXPECT_NE(t.flip_edge({h}), IT::Move_status::done);
+  EXPECT_EQ(t.correspondence().announced, 0);
+  const gallery::Surface torus = gallery::one_vertex_torus();
+  Archetypical u(
+      IT::Intrinsic_input(IT::Gluing_map(torus.gluing), gallery::squared_lengths(torus)));
+  EXPECT_EQ(u.flip_edge({0}), IT::Move_status::done);
+  EXPECT_EQ(u.correspondence().announced, 1);
+  EXPECT_EQ(u.correspondence().done, 1);
+}
