@@ -221,8 +221,8 @@ private:
   using View = Intrinsic_view<Integer_only_triangulation>;
 
   explicit Integer_only_triangulation(internal::Prepared_input<Exact_euclidean_metric>&& p)
-      : mesh_(mesh_from_gluing_map<Mesh>(Gluing_map(p.input->mesh()))), number_(mesh_),
-        geometry_(p.input), has_only_positive_areas_(true) {
+      : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_), geometry_(p.input),
+        has_only_positive_areas_(true) {
     correspondence_.start(*this);
   }
 

@@ -184,9 +184,7 @@ public:
   \brief indexes the faces at an edge and their sides.
   \pre both sides of the edge have a face
   */
-  Diamond diamond(halfedge_descriptor h) const {
-    return internal::flip_record(h, mesh_, number_).diamond();
-  }
+  Diamond diamond(halfedge_descriptor h) const { return internal::diamond_of(h, mesh_, number_); }
 
   /*!
   \brief tells whether the angles opposite an edge sum to at most pi.
@@ -264,7 +262,7 @@ private:
   static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
 
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
-      : Intrinsic_triangulation(Gluing_map(p.input->mesh()), std::move(p.metric), p.input) {}
+      : Intrinsic_triangulation(std::move(p.mesh), std::move(p.metric), std::move(p.input)) {}
 
   std::shared_ptr<const Input> input_;
   Mesh mesh_;

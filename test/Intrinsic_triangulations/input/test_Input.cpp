@@ -96,7 +96,7 @@ TEST(Input, names_edges_and_polygons_that_were_renumbered) {
     return Mesh::Vertex_index(order[i * (n + 1) + j]);
   };
   Mesh mesh;
-  mesh.add_vertices((n + 1) * (n + 1));
+  for (std::uint32_t v = 0; v < (n + 1) * (n + 1); ++v) mesh.add_vertex();
   for (std::uint32_t i = 0; i <= n; ++i)
     for (std::uint32_t j = 0; j <= n; ++j) mesh.point(corner(i, j)) = Point(i, j, std::sin(i * j));
   for (const std::uint32_t square : meshes::permutation(n * n, 4)) {
@@ -144,9 +144,9 @@ TEST(Input, is_shared_by_copies_and_correspondence_and_never_changes) {
 
 TEST(Input, keeps_lengths_and_areas_where_a_correspondence_needs_them) {
   const meshes::Mesh m = meshes::box(2, 1, 1);
-  EXPECT_FALSE(Triangulation(m.input()).input().has_values());
+  EXPECT_FALSE(Triangulation(m.input()).input().has_surface());
   const Integer t(m.input());
-  ASSERT_TRUE(t.input().has_values());
+  ASSERT_TRUE(t.input().has_surface());
   for (std::uint32_t f = 0; f < t.input().number_of_faces(); ++f) // 4 A, scaled
     EXPECT_EQ(t.input().quadruple_area(f), std::ldexp(2.0, 2 * t.input().scale_exponent()));
 }

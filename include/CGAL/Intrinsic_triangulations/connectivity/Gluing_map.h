@@ -66,8 +66,14 @@ public:
   */
   explicit Gluing_map(const Gluing& gluing) {
     validate(gluing);
-    number_edges(gluing);
-    link_border();
+    build(gluing);
+  }
+  /// builds the connectivity of a gluing that is known to be valid, as those of `gluing_from_triangles()`.
+  /// \pre `validate(gluing)` does not throw \complexity linear
+  static Gluing_map from_valid(const Gluing& gluing) {
+    Gluing_map result;
+    result.build(gluing);
+    return result;
   }
 
   /// constructs elements that are not connected yet; the setters connect them.
@@ -196,6 +202,11 @@ private:
     std::uint32_t target = Gluing::none;
     std::uint32_t face = Gluing::none;
   };
+
+  void build(const Gluing& g) {
+    number_edges(g);
+    link_border();
+  }
 
   void number_edges(const Gluing& g) {
     const auto corners = static_cast<std::uint32_t>(g.origin.size());

@@ -24,6 +24,9 @@ The triangulation owns it, shared with its copies and with all that reads it: me
 queries, certificates and files. It never changes. Numbers of vertices, edges and faces are those of the
 triangulation before its first move; halfedges `2e` and `2e + 1` are the sides of edge `e`.
 
+Connectivity, lengths and areas are kept where a correspondence needs them, see `has_surface()`: to copy them
+costs a triangulation without one as much as its flips.
+
 A triangulation that was read from a file is its own input: the connectivity is that of the file. What
 defines its values exactly, `metric()`, is that of the triangulation before all moves.
 \cgalModels{NumberedComplex}
@@ -40,9 +43,10 @@ public:
   \param names the numbers in the user's mesh
   */
   Input(Gluing_map mesh, Input_metric metric, Input_names names = {})
-      : mesh_(std::move(mesh)), metric_(std::move(metric)), names_(std::move(names)) {}
+      : mesh_(std::move(mesh)), number_of_vertices_(mesh_.number_of_vertices()),
+        metric_(std::move(metric)), names_(std::move(names)) {}
 
-  /// returns the connectivity.
+  /// returns the connectivity. \pre `has_surface()`, for all that asks for edges or faces
   const Gluing_map& mesh() const { return mesh_; }
   /// returns what defines lengths and areas exactly.
   const Input_metric& metric() const { return metric_; }
@@ -67,7 +71,7 @@ public:
   int scale_exponent() const { return metric_.scale_exponent(); }
 
   /// returns the number of vertices.
-  std::uint32_t number_of_vertices() const { return mesh_.number_of_vertices(); }
+  std::uint32_t number_of_vertices() const { return number_of_vertices_; }
   /// returns the number of edges.
   std::uint32_t number_of_edges() const { return mesh_.number_of_edges(); }
   /// returns the number of halfedges.
@@ -99,12 +103,12 @@ public:
   std::uint32_t outgoing_halfedge(std::uint32_t v) const {
     return mesh_.halfedge(Gluing_map::Vertex{v}).index ^ 1U;
   }
-  /// returns the squared length of edge `e`, in scaled units. \pre `has_values()`
+  /// returns the squared length of edge `e`, in scaled units. \pre `has_surface()`
   double squared_length(std::uint32_t e) const { return squared_length_[e]; }
-  /// returns the quadruple area of face `f`, in scaled units. \pre `has_values()`
+  /// returns the quadruple area of face `f`, in scaled units. \pre `has_surface()`
   double quadruple_area(std::uint32_t f) const { return quadruple_area_[f]; }
-  /// tells whether lengths and areas are kept as doubles: a triangulation with correspondence asks for it.
-  bool has_values() const { return squared_length_.size() == mesh_.number_of_edges(); }
+  /// tells whether connectivity, lengths and areas are kept: those of a triangulation with correspondence are.
+  bool has_surface() const { return !squared_length_.empty(); }
 
   /// \name Construction
   /// A triangulation that is being built completes its input; afterwards all see it const.
@@ -123,6 +127,8 @@ public:
     for (std::uint32_t f = 0; f < number_of_faces(); ++f)
       quadruple_area_.push_back(metric.approximate_quadruple_area(f));
   }
+  /// gives the connectivity away.
+  Gluing_map release_mesh() { return std::exchange(mesh_, {}); }
   /// changes what defines lengths and areas.
   void set_metric(Input_metric metric) { metric_ = std::move(metric); }
   /// reports what was done to the input.
@@ -131,6 +137,7 @@ public:
 
 private:
   Gluing_map mesh_;
+  std::uint32_t number_of_vertices_ = 0;
   Input_metric metric_;
   Input_names names_;
   Input_report report_;

@@ -74,7 +74,8 @@ struct Intrinsic_input {
   \throws Invalid_input naming faces that do not fit together, or a vertex that does not exist
   */
   explicit Intrinsic_input(const Triangle_soup& soup, Mollification m = Mollification::automatic)
-      : mesh(gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles)),
+      : mesh(Gluing_map::from_valid(
+            gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles))),
         points(soup.points), mollification(m), triangulated_polygons(soup.triangulated_polygons) {
     names.polygon_of_triangle = soup.polygon_of_triangle;
   }
@@ -110,6 +111,7 @@ namespace internal {
 template <class Metric>
 struct Prepared_input {
   std::shared_ptr<const Input> input;
+  Gluing_map mesh;
   Metric metric;
 };
 
@@ -180,9 +182,9 @@ inline std::shared_ptr<Input> scaled_and_ordered(Intrinsic_input&& in, Input_rep
 }
 
 // \tparam Metric a model of `IntrinsicMetric`
-// \param keep_values whether the input is to keep lengths and areas, for a correspondence
+// \param keep_surface whether the input keeps its surface, for a correspondence
 template <class Metric>
-Prepared_input<Metric> prepare(Intrinsic_input&& in, bool keep_values) {
+Prepared_input<Metric> prepare(Intrinsic_input&& in, bool keep_surface) {
   check_faces(in.mesh);
   check_sizes(in);
   Input_report report;
@@ -199,8 +201,9 @@ Prepared_input<Metric> prepare(Intrinsic_input&& in, bool keep_values) {
     metric = Metric(input);
   }
   input->set_report(report);
-  if (keep_values) input->keep_values(metric);
-  return {input, std::move(metric)};
+  if (keep_surface) input->keep_values(metric);
+  Gluing_map mesh = keep_surface ? input->mesh() : input->release_mesh();
+  return {input, std::move(mesh), std::move(metric)};
 }
 
 } // namespace internal

@@ -163,7 +163,7 @@ Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
     gluing.glue_sides(one, other);
     side_of_edge.push_back(std::min(gluing.side(one), gluing.side(other)));
   }
-  const Gluing_map result(gluing.take(n));
+  const Gluing_map result = Gluing_map::from_valid(gluing.take(n));
   names.polygon_of_triangle = std::move(polygon_of_triangle);
   names.edges = internal::names_of_sides(result, side_of_edge);
   return result;

@@ -16,6 +16,7 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
 #include <boost/container/small_vector.hpp>
 
 #include <array>
@@ -73,7 +74,7 @@ public:
         quadruple_area_(std::move(quadruple_areas)) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
-  bool is_locally_delaunay(const Diamond& d) const {
+  BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
     ++statistics_.checks;
     const FT& ij = squared_length_[d.ij];
     const FT q_f = squared_length_[d.jk] + squared_length_[d.ki] - ij;

@@ -12,6 +12,7 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
@@ -20,19 +21,34 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The record of the flip of an edge with two faces.
+// The edges and faces at an edge with two faces.
 template <class Mesh>
-Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const Mesh& mesh,
-                 const Mesh_adaptor<Mesh>& number) {
+BOOST_FORCEINLINE Diamond diamond_of(typename boost::graph_traits<Mesh>::halfedge_descriptor h,
+                                     const Mesh& mesh, const Mesh_adaptor<Mesh>& number) {
   using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   const Halfedge o = opposite(h, mesh), jk = next(h, mesh), im = next(o, mesh);
+  return {number.halfedge(h) / 2,
+          number.halfedge(jk) / 2,
+          number.halfedge(next(jk, mesh)) / 2,
+          number.halfedge(im) / 2,
+          number.halfedge(next(im, mesh)) / 2,
+          number.face(face(h, mesh)),
+          number.face(face(o, mesh))};
+}
+
+// The record of the flip of an edge with two faces. The diamond is no function of the other numbers: to
+// divide what was just stored costs more than to ask the mesh again.
+template <class Mesh>
+BOOST_FORCEINLINE Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_descriptor h,
+                                   const Mesh& mesh, const Mesh_adaptor<Mesh>& number) {
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  const Halfedge jk = next(h, mesh), im = next(opposite(h, mesh), mesh);
   return {number.halfedge(h),
           number.halfedge(jk),
           number.halfedge(next(jk, mesh)),
           number.halfedge(im),
           number.halfedge(next(im, mesh)),
-          number.face(face(h, mesh)),
-          number.face(face(o, mesh))};
+          diamond_of(h, mesh, number)};
 }
 
 // The elementary moves of a triangulation, each in the one order: make its record, compute the values, ask
@@ -91,15 +107,21 @@ public:
             face_number(pj),      number_.vertex(target(h, mesh_))};
   }
 
-  Move_status flip(Halfedge h, bool to_zero_area = false) {
+  Move_status flip(Halfedge h) {
+    return flip(h, [this](const Diamond& d) { return metric_.compute_flip(d); });
+  }
+  Move_status flip_to_zero_area(Halfedge h) {
+    return flip(h, [this](const Diamond& d) { return metric_.compute_flip_to_zero_area(d); });
+  }
+  // Inlined by force, for the loops over many flips: a call costs a third of a flip in doubles.
+  template <class Compute>
+  BOOST_FORCEINLINE Move_status flip(Halfedge h, const Compute& compute_values) {
     const Flip move = flip_record(h, mesh_, number_);
-    const Diamond d = move.diamond();
-    const auto values =
-        to_zero_area ? metric_.compute_flip_to_zero_area(d) : metric_.compute_flip(d);
+    const auto values = compute_values(move.diamond);
     if (!values) return Move_status::arithmetic;
     if (!correspondence_.before(t_, move)) return Move_status::crossings;
     CGAL::Euler::flip_edge(h, mesh_);
-    metric_.store_flip(d, *values);
+    metric_.store_flip(move.diamond, *values);
     correspondence_.after(t_, move);
     return Move_status::done;
   }
@@ -115,8 +137,8 @@ public:
       return;
     }
     if (weights[2] == 0) // four flips are the identity; the vertex is a source, then a target
-      if (flip(h, true) != Move_status::done || flip(h) != Move_status::done ||
-          flip(opposite(h, mesh_), true) != Move_status::done)
+      if (flip_to_zero_area(h) != Move_status::done || flip(h) != Move_status::done ||
+          flip_to_zero_area(opposite(h, mesh_)) != Move_status::done)
         return;
     remove_from_face(h);
   }

@@ -33,11 +33,7 @@ struct Flip {
   std::uint32_t ki; ///< the halfedge from k to i
   std::uint32_t im; ///< the halfedge from i to m
   std::uint32_t mj; ///< the halfedge from m to j
-  std::uint32_t f;  ///< the face on the left of `ij`
-  std::uint32_t g;  ///< the face on the right of `ij`
-
-  /// returns the edges and faces, from which the metric reads.
-  Diamond diamond() const { return {ij / 2, jk / 2, ki / 2, im / 2, mj / 2, f, g}; }
+  Diamond diamond;  ///< the edges and faces, from which the metric reads
 };
 
 /*!

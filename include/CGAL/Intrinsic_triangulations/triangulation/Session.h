@@ -13,6 +13,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
@@ -125,7 +126,9 @@ public:
   }
   /// flips an edge that is known not to be locally Delaunay, which implies that it can be
   /// flipped. \pre `!is_locally_delaunay(h)`
-  Move_status flip_non_delaunay_edge(halfedge_descriptor h) { return Mover(t_).flip(h); }
+  BOOST_FORCEINLINE Move_status flip_non_delaunay_edge(halfedge_descriptor h) {
+    return Mover(t_).flip(h, [this](const Diamond& d) { return t_.metric().compute_flip(d); });
+  }
   /// see `Intrinsic_triangulation::insert_vertex()`
   Insertion insert_vertex(halfedge_descriptor h, const std::array<double, 3>& weights) {
     const std::optional<Place> p = place(h, weights);
@@ -161,7 +164,7 @@ public:
   to be followed by `remove_degree_three_vertex()`.
   \pre the diamond is a triangle with the source of `h` on a side
   */
-  Move_status flip_to_zero_area(halfedge_descriptor h) { return Mover(t_).flip(h, true); }
+  Move_status flip_to_zero_area(halfedge_descriptor h) { return Mover(t_).flip_to_zero_area(h); }
   /*!
   \brief removes an inserted vertex that has three edges.
   \param h the side opposite the vertex of one of its faces, which will be the remaining face
