@@ -26,7 +26,7 @@ def path(name):
 
 class Rooms(unittest.TestCase):
     def setUp(self):
-        for name in ("ALLOWED_INCLUDES", "ALLOWED_LENGTHS"):
+        for name in ("ALLOWED_INCLUDES", "ALLOWED_LENGTHS", "ALLOWED_SIZES"):
             patch = unittest.mock.patch.object(check_rooms, name, {})
             patch.start()
             self.addCleanup(patch.stop)
