@@ -31,9 +31,11 @@ target_link_libraries(shared_precompiled PRIVATE shared_settings)
 if(INTRINSIC_TRIANGULATIONS_BUILD_TESTS)
   find_package(GTest QUIET)
   if(GTest_FOUND)
-    # Users of a precompiled header must have the definitions that it was made with.
+    # Users of a precompiled header must have the macros that it was made with.
     target_compile_definitions(shared_settings INTERFACE
       $<TARGET_PROPERTY:GTest::gtest,INTERFACE_COMPILE_DEFINITIONS>)
+    target_compile_options(shared_settings INTERFACE
+      $<TARGET_PROPERTY:GTest::gtest,INTERFACE_COMPILE_OPTIONS>)
     target_precompile_headers(shared_precompiled PRIVATE <gtest/gtest.h>)
   endif()
 endif()
