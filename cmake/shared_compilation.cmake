@@ -55,3 +55,6 @@ target_precompile_headers(shared_precompiled PRIVATE
   <CGAL/Surface_mesh.h>
   <CGAL/boost/graph/Euler_operations.h>
   <CGAL/boost/graph/IO/polygon_mesh_io.h>)
+if(TARGET Eigen3::Eigen)
+  target_precompile_headers(shared_precompiled PRIVATE <Eigen/Dense> <Eigen/Sparse>)
+endif()
