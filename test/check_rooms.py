@@ -1,0 +1,208 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks that the headers keep to their rooms.
+
+The rooms and their order are the headings of include/CGAL/Intrinsic_triangulations/README.md, lowest
+room first. Fails, and says where, if
+
+- a header includes one of a higher room (so folders cannot form a cycle either),
+- headers of one room include each other in a circle,
+- a header lies in no room, or a room has no headers,
+- a room has more than 15 headers, or a header more than 350 lines,
+- an include guard is not the path of its header,
+- an own header is included by a path that is not the full one, or that does not exist,
+- an exception below is not needed any more.
+"""
+
+import argparse
+import collections
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FOLDER = "CGAL/Intrinsic_triangulations"
+MOST_HEADERS = 15
+MOST_LINES = 350
+
+# What is wrong today and why it stays for now. Shrinks only.
+# (header, included header of a higher room): reason
+ALLOWED_INCLUDES = {
+    ("exact/numbers/Conjugate_bound.h", "exact/unfolding/Unfolded_diamond.h"):
+        "evaluates an unfolded diamond: belongs to exact/",
+    ("exact/numbers/Conjugate_evaluator.h", "exact/unfolding/Unfolded_diamond.h"):
+        "evaluates an unfolded diamond: belongs to exact/",
+    ("exact/unfolding/Unfolded_evaluation.h", "exact/Diamond_zero_test.h"):
+        "escalates: belongs to exact/",
+    ("exact/unfolding/Unfolded_evaluation.h", "exact/Predicate_statistics.h"):
+        "escalates: belongs to exact/",
+    ("exact/unfolding/Unfolded_evaluation.h", "exact/escalation.h"):
+        "escalates: belongs to exact/",
+    ("correspondence/curves/Crossing_parameters.h", "correspondence/queries/locate_on_input.h"):
+        "locates crossings by walking the curves: what it needs of the query belongs to curves/",
+    ("correspondence/curves/Edge_crossings.h", "correspondence/queries/locate_on_input.h"):
+        "locates crossings by walking the curves: what it needs of the query belongs to curves/",
+}
+# header: reason
+ALLOWED_LENGTHS = {
+    "metric/Exact_euclidean_traits.h": "filter, history and the back door of moves in one class",
+    "retriangulation/refinement/Delaunay_refiner.h": "queue, constraints and moves in one class",
+}
+# room: reason
+ALLOWED_SIZES = {
+    "input": "what is done to an input before it is built may need a room of its own",
+}
+
+
+def read_rooms(readme):
+    """Returns the rooms in order: for each a folder (or None) and the headers beside the folder it names."""
+    rooms = []
+    for line in readme.read_text().splitlines():
+        if line.startswith("## "):
+            names = re.findall(r"`([^`]+)`", line)
+            folders = [name.rstrip("/") for name in names if name.endswith("/")]
+            headers = [f"CGAL/{name}" for name in names if name.endswith(".h")]
+            if folders or headers:
+                rooms.append((folders, headers))
+    return rooms
+
+
+def room_numbers(rooms):
+    """Returns the place in the order of each folder, and of each header beside the folder."""
+    places = {}
+    for number, (folders, headers) in enumerate(rooms):
+        for name in [f"{FOLDER}/{folder}" for folder in folders] + headers:
+            if name in places:
+                raise ValueError(f"{name} is named twice")
+            places[name] = number
+    return places
+
+
+def place_of(header, places):
+    """Returns the place of a header in the order of rooms, None if it lies in no room."""
+    return places.get(header, places.get(header.rpartition("/")[0]))
+
+
+def short(header):
+    return header.removeprefix(FOLDER + "/")
+
+
+def own_includes(text):
+    """Returns what a header includes of this package, and includes in quotes, as they are written."""
+    included = re.findall(r'^[ \t]*#[ \t]*include[ \t]*([<"][^>"]+[>"])', text, re.MULTILINE)
+    is_own = re.compile(r'"|<(CGAL/)?(Intrinsic|Integer_only)_triangulation')
+    return [name for name in included if is_own.match(name)]
+
+
+def check_includes(header, text, headers, places, used):
+    """Yields what is wrong with the includes of a header; notes in `used` the exceptions that it needs."""
+    place = place_of(header, places)
+    for written in own_includes(text):
+        included = written[1:-1]
+        if included not in headers:
+            yield f"{header} includes {written}, which is not the full path of a header"
+            continue
+        other = place_of(included, places)
+        if place is None or other is None or other <= place:
+            continue
+        pair = (short(header), short(included))
+        used.add(pair)
+        if pair not in ALLOWED_INCLUDES:
+            yield f"{header} includes {included}, of a higher room"
+
+
+def expected_guard(header):
+    return re.sub(r"[/.]", "_", header).upper()
+
+
+def check_header(header, text, places, used):
+    """Yields what is wrong with a header by itself."""
+    if place_of(header, places) is None:
+        yield f"{header} lies in no room: name its folder in {FOLDER}/README.md"
+    guard = re.search(r"^#ifndef (\w+)\n#define (\w+)$", text, re.MULTILINE)
+    if not guard or set(guard.groups()) != {expected_guard(header)}:
+        yield f"{header} needs the include guard {expected_guard(header)}"
+    lines = text.count("\n")
+    if lines > MOST_LINES:
+        used.add(short(header))
+        if short(header) not in ALLOWED_LENGTHS:
+            yield f"{header} has {lines} lines, at most {MOST_LINES} are allowed"
+
+
+def check_rooms(headers, rooms, used):
+    """Yields what is wrong with rooms as a whole."""
+    count = collections.Counter(header.rpartition("/")[0] for header in headers)
+    for folders, beside in rooms:
+        for folder in folders:
+            number = count[f"{FOLDER}/{folder}"]
+            if number == 0:
+                yield f"{folder}/ is named in README.md and has no headers"
+            if number > MOST_HEADERS:
+                used.add(folder)
+                if folder not in ALLOWED_SIZES:
+                    yield f"{folder}/ has {number} headers, at most {MOST_HEADERS} are allowed"
+        for header in beside:
+            if header not in headers:
+                yield f"{header} is named in README.md and does not exist"
+
+
+def find_circle(graph):
+    """Returns headers each of which includes the next, and the last the first; None if there are none."""
+    done, path = set(), []
+
+    def visit(header):
+        if header in path:
+            return path[path.index(header):] + [header]
+        if header in done:
+            return None
+        path.append(header)
+        circle = next(filter(None, map(visit, graph[header])), None)
+        path.pop()
+        done.add(header)
+        return circle
+
+    return next(filter(None, map(visit, sorted(graph))), None)
+
+
+def check_circles(headers):
+    graph = {header: [name[1:-1] for name in own_includes(text) if name[1:-1] in headers]
+             for header, text in headers.items()}
+    circle = find_circle(graph)
+    if circle:
+        yield "headers include each other in a circle: " + " -> ".join(map(short, circle))
+
+
+def check_exceptions(used):
+    for name in [*ALLOWED_INCLUDES, *ALLOWED_LENGTHS, *ALLOWED_SIZES]:
+        if name not in used:
+            yield f"check_rooms.py allows {name}, which is not needed any more: remove it"
+
+
+def check(include):
+    """Yields all that is wrong with the headers below the directory `include`."""
+    rooms = read_rooms(include / FOLDER / "README.md")
+    places = room_numbers(rooms)
+    headers = {path.relative_to(include).as_posix(): path.read_text()
+               for path in sorted(include.rglob("*.h"))}
+    used = set()
+    for header, text in headers.items():
+        yield from check_header(header, text, places, used)
+        yield from check_includes(header, text, headers, places, used)
+    yield from check_rooms(headers, rooms, used)
+    yield from check_circles(headers)
+    yield from check_exceptions(used)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--include", type=pathlib.Path, default=ROOT / "include",
+                        help="directory of the headers; default: that of this project")
+    errors = list(check(parser.parse_args().include))
+    for error in errors:
+        print(error, file=sys.stderr)
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

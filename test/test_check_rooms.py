@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests of check_rooms.py: each test is a small tree of headers with one thing wrong."""
+
+import pathlib
+import tempfile
+import unittest
+import unittest.mock
+
+import check_rooms
+
+OWNER = "CGAL/Intrinsic_triangulation.h"
+README = "# Rooms\n\n## `low/`\n\nText.\n\n## `high/inner/`\n\n## The owner: `Intrinsic_triangulation.h`\n"
+
+
+def header(name, *included, lines=0, guard=None):
+    guard = guard or check_rooms.expected_guard(name)
+    body = "".join(f"#include <{i}>\n" for i in included) + "//\n" * lines
+    return f"#ifndef {guard}\n#define {guard}\n{body}#endif\n"
+
+
+def path(name):
+    return f"{check_rooms.FOLDER}/{name}"
+
+
+class Rooms(unittest.TestCase):
+    def setUp(self):
+        for name in ("ALLOWED_INCLUDES", "ALLOWED_LENGTHS", "ALLOWED_SIZES"):
+            patch = unittest.mock.patch.object(check_rooms, name, {})
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def errors(self, changes=None, readme=README):
+        files = {path("low/a.h"): (), path("high/inner/b.h"): (path("low/a.h"),),
+                 OWNER: (path("high/inner/b.h"),)}
+        texts = {name: header(name, *included) for name, included in files.items()}
+        texts.update(changes or {})
+        with tempfile.TemporaryDirectory() as directory:
+            root = pathlib.Path(directory)
+            for name, text in {path("README.md"): readme, **texts}.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text)
+            return list(check_rooms.check(root))
+
+    def assert_one_error(self, expected, *arguments):
+        errors = self.errors(*arguments)
+        self.assertEqual(len(errors), 1, errors)
+        self.assertIn(expected, errors[0])
+
+    def test_a_good_tree_has_no_errors(self):
+        self.assertEqual(self.errors(), [])
+
+    def test_a_header_of_a_lower_room_must_not_include_one_of_a_higher(self):
+        name = path("low/c.h")
+        self.assert_one_error("of a higher room", {name: header(name, path("high/inner/b.h"))})
+        self.assert_one_error("of a higher room", {name: header(name, OWNER)})
+
+    def test_an_exception_is_heeded_and_reported_once_it_is_not_needed(self):
+        name = path("low/c.h")
+        pair = ("low/c.h", "high/inner/b.h")
+        with unittest.mock.patch.object(check_rooms, "ALLOWED_INCLUDES", {pair: "reason"}):
+            self.assertEqual(self.errors({name: header(name, path("high/inner/b.h"))}), [])
+            self.assert_one_error("not needed any more")
+
+    def test_headers_of_a_room_must_not_include_each_other_in_a_circle(self):
+        one, two = path("low/c.h"), path("low/d.h")
+        self.assert_one_error("in a circle: low/c.h -> low/d.h -> low/c.h",
+                              {one: header(one, two), two: header(two, one)})
+
+    def test_every_header_lies_in_a_room_and_every_room_has_headers(self):
+        for name in (path("other/c.h"), path("high/c.h"), "CGAL/Stray.h"):
+            self.assert_one_error("lies in no room", {name: header(name)})
+        self.assert_one_error("has no headers", {}, README + "## `empty/`\n")
+        self.assert_one_error("does not exist", {}, README + "## `Missing.h`\n")
+
+    def test_rooms_and_headers_must_not_be_too_large(self):
+        many = {path(f"low/c{i}.h"): header(path(f"low/c{i}.h")) for i in range(15)}
+        self.assert_one_error("has 16 headers", many)
+        name = path("low/c.h")
+        self.assert_one_error("351 lines", {name: header(name, lines=348)})
+        self.assertEqual(self.errors({name: header(name, lines=347)}), [])
+
+    def test_an_include_guard_is_the_path(self):
+        name = path("low/c.h")
+        self.assert_one_error("needs the include guard CGAL_INTRINSIC_TRIANGULATIONS_LOW_C_H",
+                              {name: header(name, guard="C_H")})
+
+    def test_own_headers_are_included_by_their_full_path(self):
+        name = path("low/c.h")
+        self.assert_one_error("not the full path", {name: header(name, path("low/missing.h"))})
+        quoted = header(name).replace("#endif", '#include "a.h"\n#endif')
+        self.assert_one_error("not the full path", {name: quoted})
+
+    def test_a_room_must_not_be_named_twice(self):
+        with self.assertRaises(ValueError):
+            self.errors({}, README + "## `low/`\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
