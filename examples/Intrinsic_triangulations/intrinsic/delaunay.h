@@ -7,9 +7,8 @@
 #include "load.h"
 #include "options.h"
 #include "output_files.h"
-#include "progress.h"
+#include "support/progress.h"
 #include "refine.h"
-#include "report.h"
 #include "statistics.h"
 #include "view.h"
 

@@ -4,8 +4,7 @@
 #include "commands.h"
 #include "load.h"
 #include "output_files.h"
-#include "progress.h"
-#include "report.h"
+#include "support/progress.h"
 #include "statistics.h"
 
 #include <iostream>

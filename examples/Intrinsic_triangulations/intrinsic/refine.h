@@ -6,7 +6,7 @@
 
 #include "load.h"
 #include "options.h"
-#include "progress.h"
+#include "support/progress.h"
 #include "statistics.h"
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>

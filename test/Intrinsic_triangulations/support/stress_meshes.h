@@ -6,7 +6,7 @@
 
 #include "stress_families.h"
 
-#include "../../benchmark/Intrinsic_triangulations/synthetic_meshes.h"
+#include "../../../benchmark/Intrinsic_triangulations/synthetic_meshes.h"
 #include "meshes.h"
 
 #include <algorithm>

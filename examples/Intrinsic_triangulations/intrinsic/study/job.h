@@ -4,18 +4,13 @@
 #ifndef INTRINSIC_STUDY_JOB_H
 #define INTRINSIC_STUDY_JOB_H
 
-#include "study_json.h"
-#include "study_options.h"
+#include "options.h"
 
 #include <string>
-#include <vector>
 
 // A job of the study: one arithmetic on one mesh, in a process of its own.
 
 namespace program {
-
-/// returns the names of the arithmetics, in the order of the study.
-std::vector<std::string> study_arithmetics();
 
 /// How a job ends that has no memory left: without another allocation.
 constexpr int exit_out_of_memory = 3;

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "study_processes.h"
-#include "study_job.h"
+#include "processes.h"
+#include "job.h"
+#include "machine.h"
 
 #include <algorithm>
 #include <array>
@@ -39,8 +40,8 @@ std::string digits(double x) { return Json(x).dump(); }
 class Process {
 public:
   Process(const Study_job& job, const Study_limits& limits) : job_(job), limits_(limits) {
-    const std::array<std::string, 6> words{"intrinsic",
-                                           "study-job",
+    const std::array<std::string, 6> words{"intrinsic-study",
+                                           "--job",
                                            "--source=" + job.source.location,
                                            "--arithmetic=" + job.arithmetic,
                                            "--time-limit=" + digits(limits.seconds),
@@ -108,6 +109,8 @@ public:
       }
     }
     findings["limits"] = {{"seconds", limits_.seconds}, {"mib", limits_.mib}};
+    findings["version"] = INTRINSIC_TRIANGULATIONS_VERSION;
+    findings["machine"] = machine();
     return findings;
   }
 

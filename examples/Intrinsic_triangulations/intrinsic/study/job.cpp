@@ -1,18 +1,17 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "study_job.h"
+#include "job.h"
 
-#include "load.h"
-#include "study_run.h"
-#include "study_sources.h"
+#include "arithmetics.h"
+#include "run.h"
+#include "sources.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 
 #include <gmp.h>
 
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
@@ -20,7 +19,6 @@
 #include <new>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include <malloc.h>
 #include <sys/resource.h>
@@ -30,29 +28,10 @@ namespace program {
 
 namespace {
 
-struct Arithmetic {
-  const char* name;
-  Study_function study;
-};
-
-constexpr std::array<Arithmetic, 13> arithmetics{{{"double", study_double},
-                                                  {"double-1e-12", study_double_1e_12},
-                                                  {"double-1e-6", study_double_1e_6},
-                                                  {"double-1e-5", study_double_1e_5},
-                                                  {"long-double", study_long_double},
-                                                  {"interval", study_interval},
-                                                  {"boost-100", study_boost_100},
-                                                  {"boost-200", study_boost_200},
-                                                  {"gmpq", study_gmpq},
-                                                  {"core-expr", study_core_expr},
-                                                  {"lazy-core-expr", study_lazy_core_expr},
-                                                  {"exact", study_exact},
-                                                  {"exact-integer", study_exact_integer}}};
-
-Study_function function_of(const std::string& arithmetic) {
-  for (const Arithmetic& a : arithmetics)
-    if (a.name == arithmetic) return a.study;
-  throw std::invalid_argument(arithmetic + ": there is no such arithmetic");
+const Arithmetic& arithmetic_named(const std::string& name) {
+  for (const Arithmetic& a : arithmetics())
+    if (a.name == name) return a;
+  throw std::invalid_argument(name + ": there is no such arithmetic");
 }
 
 // GMP aborts if there is no memory, and number types may not survive an exception.
@@ -112,10 +91,15 @@ std::string without_path(std::string message, const Study_source& source) {
 
 } // namespace
 
-std::vector<std::string> study_arithmetics() {
-  std::vector<std::string> names;
-  for (const Arithmetic& a : arithmetics) names.emplace_back(a.name);
-  return names;
+const std::vector<Arithmetic>& arithmetics() {
+  static const std::vector<Arithmetic> all = [] {
+    std::vector<Arithmetic> sorted;
+    for (const auto& kind : {hardware_arithmetics(), interval_arithmetics(), boost_arithmetics(),
+                             exact_number_types(), certified_arithmetics()})
+      sorted.insert(sorted.end(), kind.begin(), kind.end());
+    return sorted;
+  }();
+  return all;
 }
 
 void Study_run::emit() const {
@@ -145,7 +129,7 @@ double peak_memory_mib() {
 
 void run_study_job(const std::string& location, const std::string& arithmetic,
                    const Study_limits& limits) {
-  const Study_function study = function_of(arithmetic);
+  const Arithmetic& chosen = arithmetic_named(arithmetic);
   const Study_source source = study_source(location);
   limit_this_process(limits);
   Study_run run;
@@ -159,7 +143,7 @@ void run_study_job(const std::string& location, const std::string& arithmetic,
   }
   run.emit();
   try {
-    study(run);
+    chosen.study(run);
   } catch (const IT::Invalid_input& e) { // not so in exact arithmetic
     end_with(run, "not_applicable", e.what());
   } catch (const std::exception& e) {

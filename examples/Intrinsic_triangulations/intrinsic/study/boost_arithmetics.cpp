@@ -5,7 +5,8 @@
 
 #include <CGAL/Intrinsic_triangulations/metric/boost_float_traits.h>
 
-#include "study_measure.h"
+#include "arithmetics.h"
+#include "measure.h"
 
 namespace program {
 
@@ -18,7 +19,9 @@ using Float = boost::multiprecision::number<
 
 } // namespace
 
-void study_boost_100(Study_run& run) { measure_and_compare<IT::Euclidean_traits<Float<100>>>(run); }
-void study_boost_200(Study_run& run) { measure_and_compare<IT::Euclidean_traits<Float<200>>>(run); }
+std::vector<Arithmetic> boost_arithmetics() {
+  return {{"boost-100", measure_and_compare<IT::Euclidean_traits<Float<100>>>},
+          {"boost-200", measure_and_compare<IT::Euclidean_traits<Float<200>>>}};
+}
 
 } // namespace program

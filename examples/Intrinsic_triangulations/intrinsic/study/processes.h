@@ -4,9 +4,9 @@
 #ifndef INTRINSIC_STUDY_PROCESSES_H
 #define INTRINSIC_STUDY_PROCESSES_H
 
-#include "study_json.h"
-#include "study_options.h"
-#include "study_sources.h"
+#include "json.h"
+#include "options.h"
+#include "sources.h"
 
 #include <functional>
 #include <string>

@@ -1,10 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTRINSIC_PROGRESS_H
-#define INTRINSIC_PROGRESS_H
-
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#ifndef INTRINSIC_SUPPORT_PROGRESS_H
+#define INTRINSIC_SUPPORT_PROGRESS_H
 
 #include <chrono>
 #include <string>
@@ -40,8 +38,6 @@ public:
 
   /// shows what is being done now.
   void show(const std::string& what);
-  /// is called while flipping, as a visitor.
-  bool progress(const CGAL::Intrinsic_triangulations::Flip_to_delaunay_result& result);
 
 private:
   bool is_terminal_;
@@ -51,4 +47,4 @@ private:
 
 } // namespace program
 
-#endif // INTRINSIC_PROGRESS_H
+#endif // INTRINSIC_SUPPORT_PROGRESS_H

@@ -4,8 +4,8 @@
 #ifndef INTRINSIC_STUDY_RUN_H
 #define INTRINSIC_STUDY_RUN_H
 
-#include "study_json.h"
-#include "study_results.h"
+#include "json.h"
+#include "results.h"
 
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
@@ -29,24 +29,6 @@ void reset_peak_memory();
 
 /// returns the peak of resident memory since `reset_peak_memory()`, in MiB.
 double peak_memory_mib();
-
-/// runs an arithmetic. \throws Invalid_input if it cannot hold the values of the input
-using Study_function = void (*)(Study_run&);
-
-// One function for each arithmetic; several translation units, to compile in little memory.
-void study_double(Study_run& run);
-void study_double_1e_12(Study_run& run);
-void study_double_1e_6(Study_run& run);
-void study_double_1e_5(Study_run& run);
-void study_long_double(Study_run& run);
-void study_interval(Study_run& run);
-void study_boost_100(Study_run& run);
-void study_boost_200(Study_run& run);
-void study_gmpq(Study_run& run);
-void study_core_expr(Study_run& run);
-void study_lazy_core_expr(Study_run& run);
-void study_exact(Study_run& run);
-void study_exact_integer(Study_run& run);
 
 } // namespace program
 

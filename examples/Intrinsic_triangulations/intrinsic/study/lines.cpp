@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "study_lines.h"
+#include "lines.h"
 
 #include <array>
 #include <cerrno>
@@ -55,7 +55,9 @@ std::string study_line(const Json& findings) {
                             "comparison",
                             "seconds",
                             "peak_rss_mib",
-                            "limits"};
+                            "limits",
+                            "version",
+                            "machine"};
   Json ordered = Json::object();
   for (const char* key : keys)
     if (findings.contains(key)) ordered[key] = findings[key];

@@ -4,7 +4,7 @@
 #ifndef INTRINSIC_STUDY_LINES_H
 #define INTRINSIC_STUDY_LINES_H
 
-#include "study_json.h"
+#include "json.h"
 
 #include <cstddef>
 #include <string>

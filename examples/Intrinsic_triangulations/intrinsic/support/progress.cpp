@@ -26,9 +26,4 @@ void Progress::show(const std::string& what) {
   last_ = now;
 }
 
-bool Progress::progress(const CGAL::Intrinsic_triangulations::Flip_to_delaunay_result& result) {
-  show("flipping to Delaunay: " + std::to_string(result.flips) + " flips");
-  return true;
-}
-
 } // namespace program

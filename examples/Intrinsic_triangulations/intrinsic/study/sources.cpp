@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "study_sources.h"
-#include "load.h"
+#include "sources.h"
+#include "../support/read_mesh.h"
 
 #include <stress_families.h>
 
@@ -81,11 +81,7 @@ IT::Intrinsic_input read_study_source(const Study_source& source) {
         IT::gluing_from_triangles(static_cast<std::uint32_t>(mesh.points.size()), mesh.faces);
     return {IT::Gluing_map(gluing), std::move(mesh.points)};
   }
-  Options options;
-  options.input = source.location;
-  Input_facts facts;
-  std::vector<std::uint32_t> polygons;
-  return read_mesh(options, facts, polygons);
+  return read_mesh(source.location, IT::Mollification::automatic).input;
 }
 
 } // namespace program

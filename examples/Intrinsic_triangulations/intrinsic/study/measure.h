@@ -4,11 +4,11 @@
 #ifndef INTRINSIC_STUDY_MEASURE_H
 #define INTRINSIC_STUDY_MEASURE_H
 
-#include "progress.h"
-#include "study_compared_metric.h"
-#include "study_cycle_counter.h"
-#include "study_results.h"
-#include "study_run.h"
+#include "../support/progress.h"
+#include "Compared_metric.h"
+#include "Cycle_counter.h"
+#include "results.h"
+#include "run.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/certify_delaunay.h>

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "study_measure.h"
+#include "arithmetics.h"
+#include "measure.h"
 
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
@@ -35,8 +36,6 @@ void note_agreement(Study_run& run, std::uint64_t cycles) {
 
 using Counted_exact =
     IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Cycle_counter>;
-
-} // namespace
 
 void study_interval(Study_run& run) {
   measure_and_compare<IT::Interval_traits>(run, [&run](const auto& t) {
@@ -80,6 +79,14 @@ void study_exact_integer(Study_run& run) {
                              .cocircular_edges = report.cocircular_edges.size(),
                              .statistics = {}});
   note_agreement(run, expected.correspondence().cycles());
+}
+
+} // namespace
+
+std::vector<Arithmetic> interval_arithmetics() { return {{"interval", study_interval}}; }
+
+std::vector<Arithmetic> certified_arithmetics() {
+  return {{"exact", study_exact}, {"exact-integer", study_exact_integer}};
 }
 
 } // namespace program

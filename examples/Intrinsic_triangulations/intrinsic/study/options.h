@@ -18,9 +18,9 @@ struct Study_limits {
 
 /// What the command line asks of the study.
 struct Study_options {
-  std::vector<std::string> corpus;      ///< see `study_sources()`; or files of results
+  std::vector<std::string> corpus;      ///< see `study_sources()`
   std::vector<std::string> arithmetics; ///< empty: all
-  std::string report;                   ///< empty: none
+  std::string output = "study.jsonl";   ///< where results are appended
   unsigned jobs = 1;                    ///< processes at a time
   Study_limits limits;
 };
