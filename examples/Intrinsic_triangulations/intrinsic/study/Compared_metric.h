@@ -4,9 +4,8 @@
 #ifndef INTRINSIC_STUDY_COMPARED_METRIC_H
 #define INTRINSIC_STUDY_COMPARED_METRIC_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 
 #include <cstdint>
@@ -27,10 +26,10 @@ template <class Metric>
 class Compared_metric : public Metric {
 public:
   Compared_metric() = default;
-  Compared_metric(const IT::Gluing_map& mesh, const std::shared_ptr<IT::Input_metric>& input)
-      : Metric(mesh, input), exact_(mesh, input) {}
+  explicit Compared_metric(const std::shared_ptr<const IT::Input>& input)
+      : Metric(input), exact_(input) {}
 
-  bool is_locally_delaunay(const IT::Diamond& d) {
+  bool is_locally_delaunay(const IT::Diamond& d) const {
     const bool answer = Metric::is_locally_delaunay(d);
     if (is_following_ && answer != is_exactly_delaunay(d)) ++different_decisions_;
     return answer;
@@ -55,7 +54,7 @@ private:
   using Exact = IT::Exact_euclidean_metric;
 
   // Not inline: the other metric's arithmetic must not be moved to where rounding is upwards.
-  [[gnu::noinline]] bool is_exactly_delaunay(const IT::Diamond& d) {
+  [[gnu::noinline]] bool is_exactly_delaunay(const IT::Diamond& d) const {
     const Exact::Scope scope;
     return exact_.is_locally_delaunay(d);
   }
@@ -71,7 +70,8 @@ private:
 
   Exact exact_;
   bool is_following_ = true;
-  std::uint64_t different_decisions_ = 0, nonconvex_flips_ = 0;
+  mutable std::uint64_t different_decisions_ = 0;
+  std::uint64_t nonconvex_flips_ = 0;
 };
 
 /// lets an intrinsic triangulation compute as with other traits, compared with exact ones.

@@ -4,8 +4,8 @@
 #ifndef INTRINSIC_STUDY_CYCLE_COUNTER_H
 #define INTRINSIC_STUDY_CYCLE_COUNTER_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -29,16 +29,16 @@ public:
     last_flip_.assign(number_of_edges(), 0);
   }
 
+  using IT::Integer_coordinates::after;
+
   template <class Triangulation>
-  void after_flip(const Triangulation& t, std::uint32_t h) {
-    IT::Integer_coordinates::after_flip(t, h);
-    const IT::Intrinsic_view<Triangulation> view(t);
+  void after(const Triangulation& t, const IT::Flip& move) {
+    IT::Integer_coordinates::after(t, move);
     std::uint64_t last_nearby = 0;
-    for (const std::uint32_t side : {h, h ^ 1U})
-      for (std::uint32_t k = 0, x = view.next(side); k < 2; ++k, x = view.next(x))
-        last_nearby = std::max(last_nearby, last_flip_[x / 2]);
-    if (last_flip_[h / 2] > last_nearby) ++cycles_;
-    last_flip_[h / 2] = ++flips_;
+    for (const std::uint32_t side : {move.jk, move.ki, move.im, move.mj})
+      last_nearby = std::max(last_nearby, last_flip_[side / 2]);
+    if (last_flip_[move.ij / 2] > last_nearby) ++cycles_;
+    last_flip_[move.ij / 2] = ++flips_;
   }
 
   /// returns how many flips undid another.

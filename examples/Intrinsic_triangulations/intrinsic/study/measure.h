@@ -89,7 +89,7 @@ inline void note_result(Json& findings, const IT::Delaunay_certificate& certific
 template <class Triangulation>
 void certify(Study_run& run, const Triangulation& t) {
   try {
-    note_result(run.findings, IT::certify_delaunay(t, run.input));
+    note_result(run.findings, IT::certify_delaunay(t));
   } catch (const std::length_error&) {
     return;
   }
