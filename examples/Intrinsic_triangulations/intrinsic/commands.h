@@ -14,12 +14,8 @@ void run_delaunay(const Options& options);
 void run_laplacian(const Options& options);
 /// describes a mesh or an intrinsic triangulation, as it is.
 void run_info(const Options& options);
-/// runs arithmetics on meshes and appends what they do to a file, or makes a report of such files.
+/// becomes the program `intrinsic-study`. \throws std::runtime_error if that is not found
 void run_study(const Options& options);
-/// tells whether the study is to make a report of files of results.
-bool is_study_merge(const Study_options& study);
-/// runs one arithmetic on one mesh, as a process of the study.
-void run_study_job(const Options& options);
 
 } // namespace program
 

@@ -7,10 +7,9 @@
 #include "load.h"
 #include "options.h"
 #include "output_files.h"
-#include "progress.h"
 #include "refine.h"
-#include "report.h"
 #include "statistics.h"
+#include "support/progress.h"
 #include "view.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>

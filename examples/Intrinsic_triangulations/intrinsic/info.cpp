@@ -4,9 +4,8 @@
 #include "commands.h"
 #include "load.h"
 #include "output_files.h"
-#include "progress.h"
-#include "report.h"
 #include "statistics.h"
+#include "support/progress.h"
 
 #include <iostream>
 #include <stdexcept>

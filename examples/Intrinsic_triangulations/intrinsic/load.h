@@ -5,38 +5,22 @@
 #define INTRINSIC_LOAD_H
 
 #include "options.h"
-#include "progress.h"
+#include "support/progress.h"
+#include "support/read_mesh.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace program {
-
-namespace IT = CGAL::Intrinsic_triangulations;
-
-/// Coordinates of a vertex.
-using Point = std::array<double, 3>;
-
-/// What is known of the input before anything is done with it.
-struct Input_facts {
-  std::size_t vertices = 0, edges = 0, faces = 0, boundary_edges = 0, components = 0;
-  std::optional<std::size_t> genus;
-  std::size_t boundary_loops = 0, isolated_vertices = 0, nonmanifold_vertices = 0;
-  std::size_t polygons = 0, triangulated_polygons = 0; ///< 0 for an intrinsic triangulation
-};
 
 /// Seconds that the parts of the work took.
 struct Seconds {
@@ -63,13 +47,8 @@ struct Loaded {
   }
 };
 
-/// counts the elements of a mesh.
-Input_facts facts_of(const IT::Gluing_map& mesh);
-
-/// reads a mesh file; also returns what it contains, and the polygons if some were triangulated.
-/// \throws Invalid_input naming the file, the element and the remedy
-IT::Intrinsic_input read_mesh(const Options& options, Input_facts& facts,
-                              std::vector<std::uint32_t>& polygon_of_triangle);
+/// returns what the option `--mollification` means.
+IT::Mollification mollification_of(const Options& options);
 
 /// tells whether a file name has the extension of intrinsic triangulations.
 inline bool is_triangulation_file(const std::string& path) {
@@ -80,20 +59,21 @@ inline bool is_triangulation_file(const std::string& path) {
 template <class Triangulation>
 Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   Stopwatch watch;
-  Input_facts facts;
   Seconds seconds;
   progress.show("reading");
-  std::vector<std::uint32_t> polygon_of_triangle;
-  IT::Intrinsic_input input = read_mesh(options, facts, polygon_of_triangle);
+  Mesh_file file = read_mesh(options.input, mollification_of(options));
   seconds.read = watch.lap();
   progress.show("building");
   // exact traits keep the points unless they only keep changed lengths
   const bool are_points_kept =
-      Triangulation::Metric::is_exact && input.mollification != IT::Mollification::lengths;
-  const std::vector<Point> points = are_points_kept ? std::vector<Point>() : input.points;
+      Triangulation::Metric::is_exact && file.input.mollification != IT::Mollification::lengths;
+  const std::vector<Point> points = are_points_kept ? std::vector<Point>() : file.input.points;
   try {
-    Loaded<Triangulation> loaded{
-        Triangulation(std::move(input)), facts, seconds, {}, std::move(polygon_of_triangle)};
+    Loaded<Triangulation> loaded{Triangulation(std::move(file.input)),
+                                 file.facts,
+                                 seconds,
+                                 {},
+                                 std::move(file.polygon_of_triangle)};
     const Triangulation& t = loaded.triangulation;
     loaded.points.reserve(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) {

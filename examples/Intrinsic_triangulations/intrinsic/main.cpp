@@ -4,12 +4,9 @@
 #include "commands.h"
 #include "options.h"
 #include "output_files.h"
-#include "study_job.h"
-
-#include <CLI/CLI.hpp>
+#include "support/command_line.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -20,23 +17,9 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
+using program::extension;
 using program::Options;
-using program::Study_options;
 using Command = void (*)(const Options&);
-
-// Exit codes: valid usage that failed, and usage that is not valid.
-constexpr int failed = 1, misused = 2;
-
-CLI::Validator extension(const std::string& wanted, const std::string& what) {
-  return CLI::Validator(
-      [=](std::string& path) {
-        return std::filesystem::path(path).extension() == wanted
-                   ? std::string()
-                   : path + ": this version writes " + what + ", to a file with extension " +
-                         wanted + " only";
-      },
-      "FILE" + wanted);
-}
 
 CLI::Validator triangulation_or_mesh() {
   return CLI::Validator(
@@ -109,13 +92,15 @@ void add_refine(CLI::App& app, Options& options, Command& chosen) {
   add_correspondence_options(command, options);
   IT::Refinement_options& r = options.refinement;
   command.add_option("--min-angle", r.minimum_angle, "least angle in degrees; default 30")
-      ->check(CLI::Range(0.0, 59.0));
+      ->check(program::between(0, 59));
   command.add_option("--max-circumradius", r.maximum_circumradius, "largest circumradius of faces")
-      ->check(CLI::PositiveNumber);
+      ->check(program::positive());
   command.add_option("--max-edge-length", r.maximum_edge_length, "largest length of edges")
-      ->check(CLI::PositiveNumber);
-  command.add_option("--max-insertions", r.maximum_insertions,
-                     "cap on the number of insertions; default a million and ten per face");
+      ->check(program::positive());
+  command
+      .add_option("--max-insertions", r.maximum_insertions,
+                  "cap on the number of insertions; default a million and ten per face")
+      ->check(program::between(0, 1e18));
   command
       .add_option_function<std::string>(
           "--order",
@@ -131,7 +116,7 @@ void add_refine(CLI::App& app, Options& options, Command& chosen) {
           "--odt", options.odt_length,
           "then move inserted vertices to an optimal Delaunay triangulation, and split edges "
           "longer than this")
-      ->check(CLI::PositiveNumber);
+      ->check(program::positive());
   command
       .add_option("--laplacian", options.laplacian,
                   "write the Laplacian of the refined triangulation in Matrix Market format")
@@ -164,70 +149,25 @@ void add_info(CLI::App& app, Options& options, Command& chosen) {
   command.callback([&chosen] { chosen = program::run_info; });
 }
 
-void add_study_limits(CLI::App& command, Study_options& study) {
-  command
-      .add_option("--time-limit", study.limits.seconds,
-                  "seconds that an arithmetic may take on a mesh; default 60")
-      ->check(CLI::Range(0.001, 1e9));
-  command
-      .add_option("--memory-limit", study.limits.mib,
-                  "MiB of address space that it may take; default 4096")
-      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 40U));
-}
-
+// All that follows goes to the other program.
 void add_study(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
-      "study", "compare arithmetics: run each on each mesh, in a process of its own");
-  Study_options& study = options.study;
-  command
-      .add_option("CORPUS", study.corpus,
-                  "meshes, directories of meshes, stress:FAMILY[:key=value]..., or stress (the "
-                  "standard list); or results (.jsonl) to be merged into a report")
-      ->required();
-  command
-      .add_option("--arithmetic", study.arithmetics,
-                  "arithmetics, separated by commas; default all")
-      ->delimiter(',')
-      ->check(CLI::IsMember(program::study_arithmetics()));
-  command
-      .add_option("-o", options.output,
-                  "append results to this file, one JSON object per line, unless it has them; "
-                  "default study.jsonl")
-      ->check(extension(".jsonl", "JSON lines"));
-  command.add_option("--report", study.report, "write a page with tables and plots")
-      ->check(extension(".html", "pages"));
-  command.add_option("--jobs", study.jobs, "processes at a time; default 1")
-      ->check(CLI::Range(1U, 1024U));
-  add_study_limits(command, study);
-  command.callback([&chosen] { chosen = program::run_study; });
+      "study", "compare arithmetics: run each on each mesh (the program intrinsic-study)");
+  command.prefix_command()->set_help_flag();
+  command.callback([&command, &options, &chosen] {
+    options.study = command.remaining();
+    chosen = program::run_study;
+  });
 }
 
-// What `study` starts for every mesh and arithmetic.
-void add_study_job(CLI::App& app, Options& options, Command& chosen) {
-  CLI::App& command = *app.add_subcommand("study-job")->group("");
-  command.add_option("--source", options.study.corpus)->required()->expected(1);
-  command.add_option("--arithmetic", options.study.arithmetics)
-      ->required()
-      ->expected(1)
-      ->check(CLI::IsMember(program::study_arithmetics()));
-  add_study_limits(command, options.study);
-  command.callback([&chosen] { chosen = program::run_study_job; });
-}
-
-bool merges_wrongly(const Options& o) {
-  return program::is_study_merge(o.study) &&
-         (o.study.report.empty() || !o.output.empty() ||
-          !std::all_of(o.study.corpus.begin(), o.study.corpus.end(), [](const std::string& path) {
-            return std::filesystem::path(path).extension() == ".jsonl";
-          }));
-}
-
+// However they are spelled, and through links.
 bool names_a_file_twice(const Options& o) {
-  std::vector<std::string> names;
-  for (const std::string& name : {o.output, o.mass, o.laplacian, o.stats, o.view, o.study.report})
-    if (!name.empty()) names.push_back(name);
-  std::sort(names.begin(), names.end());
-  return std::adjacent_find(names.begin(), names.end()) != names.end();
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& name : {o.output, o.mass, o.laplacian, o.stats, o.view})
+    if (!name.empty() && name != "-")
+      paths.push_back(std::filesystem::weakly_canonical(std::filesystem::absolute(name)));
+  std::sort(paths.begin(), paths.end());
+  return std::adjacent_find(paths.begin(), paths.end()) != paths.end();
 }
 
 bool lacks_correspondence(const Options& o) {
@@ -246,31 +186,25 @@ int run(int argc, char** argv) {
   add_laplacian(app, options, chosen);
   add_info(app, options, chosen);
   add_study(app, options, chosen);
-  add_study_job(app, options, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
       std::cerr << "intrinsic: there is no command \"" << argv[1]
                 << "\"; use delaunay, refine, laplacian, info or study, or --help\n";
-      return misused;
+      return program::misused;
     }
-    return app.exit(e) == 0 ? 0 : misused;
+    return app.exit(e) == 0 ? 0 : program::misused;
   }
   if (names_a_file_twice(options)) {
-    std::cerr << "intrinsic: two outputs have the same file name; give each its own\n";
-    return misused;
+    std::cerr << "intrinsic: two outputs are the same file; give each its own\n";
+    return program::misused;
   }
   if (lacks_correspondence(options)) {
     std::cerr
         << "intrinsic: without correspondence nothing is known of the common subdivision; use "
            "--correspondence integer, or write the intrinsic triangulation to .idt\n";
-    return misused;
-  }
-  if (merges_wrongly(options)) {
-    std::cerr << "intrinsic: results are merged with nothing but results, and into a report only; "
-                 "use --report\n";
-    return misused;
+    return program::misused;
   }
   chosen(options);
   return 0;
@@ -288,5 +222,5 @@ int main(int argc, char** argv) {
   } catch (const std::exception& e) {
     std::cerr << "intrinsic: " << e.what() << '\n';
   }
-  return failed;
+  return program::failed;
 }

@@ -4,14 +4,12 @@
 #ifndef INTRINSIC_OPTIONS_H
 #define INTRINSIC_OPTIONS_H
 
-#include "study_options.h"
-
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/input/mollification.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace program {
 
@@ -32,19 +30,10 @@ struct Options {
   bool no_flip = false;
   bool refines = false;
   CGAL::Intrinsic_triangulations::Refinement_options refinement{.minimum_angle = 30};
-  Study_options study;
+  std::vector<std::string> study; ///< what follows the command `study`
   bool is_arithmetic_given = false;
   bool is_mollification_given = false;
 };
-
-/// returns what the option `--mollification` means.
-inline CGAL::Intrinsic_triangulations::Mollification mollification_of(const Options& options) {
-  using CGAL::Intrinsic_triangulations::Mollification;
-  if (options.mollification == "none") return Mollification::none;
-  if (options.mollification == "lengths") return Mollification::lengths;
-  if (options.mollification == "squared") return Mollification::squared_lengths;
-  return Mollification::automatic;
-}
 
 /// tells whether the output is the common subdivision, not the intrinsic triangulation
 inline bool is_mesh_output(const Options& options) {

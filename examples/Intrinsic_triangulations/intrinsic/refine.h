@@ -6,8 +6,8 @@
 
 #include "load.h"
 #include "options.h"
-#include "progress.h"
 #include "statistics.h"
+#include "support/progress.h"
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>

@@ -5,6 +5,7 @@
 
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -163,6 +164,17 @@ void print_summary(std::ostream& stream, const Json& json) {
 
 void print_summary_on_terminal(const Json& json) {
   if (isatty(STDERR_FILENO) != 0) print_summary(std::cerr, json);
+}
+
+void finish(Json& json, const Options& options, Output_files& files, Stopwatch& watch) {
+  json["seconds"]["write"] = watch.lap();
+  json["peak_rss_mib"] = peak_rss_mib();
+  const bool to_standard_output = options.stats == "-";
+  if (!options.stats.empty() && !to_standard_output)
+    files.open(options.stats) << json.dump(2) << '\n';
+  files.commit();
+  if (to_standard_output && !(std::cout << json.dump(2) << std::endl))
+    throw std::runtime_error("standard output cannot be written");
 }
 
 } // namespace program

@@ -6,6 +6,7 @@
 
 #include "load.h"
 #include "options.h"
+#include "output_files.h"
 
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
@@ -145,6 +146,17 @@ void add_integrals(Json& json, const Integrals& integrals, double input_area, bo
 /// returns the peak of resident memory so far, in MiB.
 double peak_rss_mib();
 
+/// Shows progress.
+struct Delaunay_progress {
+  /// where to show it
+  Progress* line = nullptr;
+  /// is called while flipping
+  bool progress(const IT::Flip_to_delaunay_result& result) {
+    line->show("flipping to Delaunay: " + std::to_string(result.flips) + " flips");
+    return true;
+  }
+};
+
 /*!
 \brief loads, flips unless told not to, and measures; the common part of all commands.
 \param loaded what was loaded
@@ -165,10 +177,10 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   const double area = input_area(loaded);
   Stopwatch watch;
   IT::Flip_to_delaunay_result result;
+  Delaunay_progress visitor{&progress};
   t.metric().statistics() = {};
   if (flip)
-    result =
-        IT::flip_to_delaunay(t, edges(t.mesh()), CGAL::parameters::visitor(std::ref(progress)));
+    result = IT::flip_to_delaunay(t, edges(t.mesh()), CGAL::parameters::visitor(std::ref(visitor)));
   const double delaunay_seconds = watch.lap();
   if (result.status == IT::Flip_to_delaunay_status::cap)
     throw std::runtime_error(options.input + ": flipping did not end after " +
@@ -205,6 +217,15 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
 void print_summary(std::ostream& out, const Json& json);
 /// prints the summary to standard error if that is a terminal.
 void print_summary_on_terminal(const Json& json);
+
+/*!
+\brief completes all outputs: adds the last measurements, writes the statistics, commits the files.
+\param json the statistics
+\param options where they go
+\param files the files written so far
+\param watch started when writing began
+*/
+void finish(Json& json, const Options& options, Output_files& files, Stopwatch& watch);
 
 } // namespace program
 

@@ -3,6 +3,7 @@
 """What the tests of the program `intrinsic` share: running it, and reading what it writes."""
 
 import argparse
+import importlib.util
 import json
 import math
 import os
@@ -13,6 +14,13 @@ import time
 import unittest
 
 TIME_LIMIT = 60  # seconds, for machines that are slow or busy
+
+REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "benchmark",
+                      "study", "report.py")
+# Debian's packages pandas and matplotlib are not for a Python that is found before its own.
+REPORT_PYTHON = (sys.executable
+                 if all(importlib.util.find_spec(m) for m in ("pandas", "matplotlib"))
+                 else "/usr/bin/python3")
 
 
 class Run:
@@ -63,6 +71,10 @@ class Cli_test(unittest.TestCase):
         lines += [" ".join(repr(float(x)) for x in p) for p in points]
         lines += [" ".join(str(i) for i in [len(f), *f]) for f in faces]
         return self.write(name, "\n".join(lines) + "\n")
+
+    def make_report(self, *arguments):
+        """Runs the script that makes a page of the results of a study."""
+        return Run(REPORT_PYTHON, [REPORT, *arguments], self.directory)
 
     def assert_close(self, a, b, relative, message=None):
         self.assertLessEqual(abs(a - b), relative * max(abs(a), abs(b)), message or f"{a} {b}")

@@ -69,6 +69,29 @@ class Options(Cli_test):
         self.assert_misused("laplacian", self.mesh, "-o", "out.txt", word=".mtx")
         self.assert_misused("laplacian", self.mesh, "-o", "a.mtx", "--mass", "a.mtx", word="two")
 
+    def test_outputs_are_told_apart_by_what_they_name(self):
+        os.mkdir(self.path("d"))
+        os.symlink(".", self.path("link"))
+        for stats in ("a.ply", "./a.ply", "d/../a.ply", "link/a.ply", self.path("a.ply")):
+            self.assert_misused("delaunay", self.mesh, "-o", "a.ply", "--stats", stats, word="two")
+        self.write("a.ply", "what was there before")
+        os.symlink("a.ply", self.path("other.json"))
+        self.assert_misused("delaunay", self.mesh, "-o", "a.ply", "--stats", "other.json",
+                            word="two")
+        run = self.run_program("delaunay", self.mesh, "-o", "a.ply", "--stats", "d/a.ply")
+        self.assertEqual(run.code, 0, run.err)
+
+    def test_numbers_that_mean_nothing(self):
+        for option in ("--odt", "--max-circumradius", "--max-edge-length"):
+            for number in ("nan", "inf", "-1", "0", "many"):
+                self.assert_misused("refine", self.mesh, option, number)
+        for number in ("nan", "-1", "1e999", "59.5"):
+            self.assert_misused("refine", self.mesh, "--min-angle", number)
+        for number in ("-1", "nan", "1.5", "1e30"):
+            self.assert_misused("refine", self.mesh, "--max-insertions", number)
+        run = self.run_program("refine", self.mesh, "--max-insertions", "0")
+        self.assertEqual(run.code, 0, run.err)
+
     def test_keys_of_the_statistics(self):
         for command in ("delaunay", "laplacian", "info"):
             for arithmetic in ("exact", "double"):

@@ -4,6 +4,8 @@
 
 import json
 import os
+import shutil
+import subprocess
 
 from cli_support import Cli_test, grid, icosphere, main
 
@@ -47,6 +49,11 @@ class Study(Cli_test):
         self.assertEqual(len(result), len(lines))
         return result
 
+    def report(self, *names):
+        run = self.make_report(*names, "-o", "report.html")
+        self.assertEqual((run.code, run.out, run.err), (0, "", ""))
+        return self.text("report.html")
+
     def text(self, name):
         with open(self.path(name), encoding="utf-8") as file:
             return file.read()
@@ -76,6 +83,8 @@ class Study(Cli_test):
             self.assertGreater(line["seconds"]["flip"], 0)
             self.assertGreater(line["peak_rss_mib"], 1)
             self.assertEqual(line["limits"], {"seconds": 60, "mib": 4096})
+            self.assertRegex(line["version"], r"^\d+\.\d+\.\d+$")
+            self.assertIn("processors", line["machine"])
             self.assertEqual("largest_interval_width" in line, arithmetic in ("interval", "exact"))
             self.assertEqual("certified_zero" in line, arithmetic.startswith("exact"))
             self.assertEqual("undecided" in line, arithmetic == "interval")
@@ -98,8 +107,7 @@ class Study(Cli_test):
     def test_time_limit_is_a_result(self):
         points, faces = icosphere(2)
         mesh = self.write_off("sphere.off", [(x, 3 * y, 0.2 * z) for x, y, z in points], faces)
-        self.study(mesh, "--arithmetic", "core-expr,double", "--time-limit", "1.5", "--jobs", "2",
-                   "--report", "r.html")
+        self.study(mesh, "--arithmetic", "core-expr,double", "--time-limit", "1.5", "--jobs", "2")
         results = self.by_key()
         late = results["sphere.off", "core-expr"]
         self.assertEqual(late["status"], "timed_out")
@@ -146,28 +154,27 @@ class Study(Cli_test):
             self.assertEqual(without_times(line), without_times(b[key]))
 
     def test_resumes_where_it_was_interrupted(self):
-        self.study("corpus", "--arithmetic", FAST, "--report", "whole.html")
+        self.study("corpus", "--arithmetic", FAST)
         whole = self.by_key()
         lines = self.text("study.jsonl").splitlines(keepends=True)
         kept = lines[:3] + lines[5:7]
         self.write("study.jsonl", "".join(kept) + lines[8][:20])  # the last line is not complete
-        self.study("corpus", "--arithmetic", FAST, "--report", "resumed.html")
+        self.study("corpus", "--arithmetic", FAST)
         self.assertEqual(self.text("study.jsonl").splitlines(keepends=True)[:5], kept)
         resumed = self.by_key()
         self.assertEqual(resumed.keys(), whole.keys())
         for key, line in whole.items():
             self.assertEqual(without_times(line), without_times(resumed[key]))
-        self.assertNotEqual(self.text("resumed.html"), "")
+        self.assertNotEqual(self.report("study.jsonl"), "")
 
     def test_results_are_merged_in_any_order(self):
         self.study("corpus", "--arithmetic", FAST)
         lines = self.text("study.jsonl").splitlines(keepends=True)
         self.write("a.jsonl", "".join(lines[4:]))
         self.write("b.jsonl", "".join(reversed(lines[:6])))
-        self.study("study.jsonl", "--report", "whole.html")
-        self.study("a.jsonl", "b.jsonl", "--report", "merged.html")
-        self.assertEqual(self.text("merged.html"), self.text("whole.html"))
-        self.assertIn("flat.off", self.text("whole.html"))
+        whole = self.report("study.jsonl")
+        self.assertEqual(self.report("a.jsonl", "b.jsonl"), whole)
+        self.assertIn("flat.off", whole)
 
     def test_stress_meshes(self):
         spec = "stress:caps:amount=1e-8:seed=3"
@@ -184,14 +191,39 @@ class Study(Cli_test):
         self.study("corpus", "--jobs", "0", code=2)
         self.study("corpus", "--time-limit", "0", code=2)
         self.study("corpus", "-o", "a.json", code=2)
-        self.study("corpus", "--report", "a.txt", code=2)
-        self.study("a.jsonl", code=2)
-        self.study("a.jsonl", "corpus", "--report", "r.html", code=2)
+        self.study("corpus", "--report", "r.html", code=2)
+        for arguments in (["a.jsonl"], ["a.jsonl", "corpus"]):
+            self.assertIn("report.py", self.study(*arguments, code=2).err)
+        self.study("corpus", "--time-limit", "nan", code=2)
         self.assert_fails(self.run_program("study", "nothing.off"), "nothing.off")
         self.assert_fails(self.run_program("study", "corpus", "corpus/flat.off"), "flat.off")
         self.assert_fails(self.run_program("study", "stress:nothing"), "nothing")
-        self.assert_fails(self.run_program("study", "a.jsonl", "--report", "r.html"), "a.jsonl")
         self.assertEqual(sorted(os.listdir(self.directory)), before)
+
+    def test_help(self):
+        run = self.run_program("study", "--help")
+        self.assertEqual((run.code, run.err), (0, ""))
+        self.assertIn("--time-limit", run.out)
+        self.assertIn("study", self.run_program("--help").out)
+
+    def test_program_of_the_study_is_found(self):
+        """Beside the program, else on PATH; if it is nowhere the message says how to build it."""
+        here, path, nowhere = self.path("here"), self.path("path"), self.path("nowhere")
+        for directory in (here, path, nowhere):
+            os.mkdir(directory)
+        for directory in (here, nowhere):
+            shutil.copy2(self.program, directory)
+        for directory, code in ((here, 10), (path, 11)):
+            self.write(directory + "/intrinsic-study", f"#!/bin/sh\necho \"$@\"\nexit {code}\n")
+            os.chmod(directory + "/intrinsic-study", 0o755)
+        for program, code in ((here, 10), (nowhere, 11)):
+            done = subprocess.run([program + "/intrinsic", "study", "a b", "--jobs", "2", "-x"],
+                                  env=os.environ | {"PATH": path}, capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout), (code, "a b --jobs 2 -x\n"))
+        done = subprocess.run([nowhere + "/intrinsic", "study", "a"], env={"PATH": here + "/none"},
+                              capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("--target intrinsic-study", done.stderr)
 
     def test_other_lines_are_named(self):
         self.write("study.jsonl", "{\"mesh\": 1}\n")

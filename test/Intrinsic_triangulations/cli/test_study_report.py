@@ -1,9 +1,11 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page that `intrinsic study --report` makes of lines of results, written by hand here."""
+"""The page that `benchmark/study/report.py` makes of lines of results, written by hand here."""
 
 import json
+import os
 import random
+import re
 import xml.etree.ElementTree
 from html.parser import HTMLParser
 
@@ -73,12 +75,21 @@ class Page(HTMLParser):
 
 
 class Study_report(Cli_test):
+    pages = {}
+
     def report(self, lines, *more_files):
-        self.write("lines.jsonl", "".join(json.dumps(x) + "\n" for x in lines))
-        run = self.run_program("study", "lines.jsonl", *more_files, "--report", "r.html")
-        self.assertEqual(run.code, 0, run.err)
-        with open(self.path("r.html"), encoding="utf-8") as file:
-            return file.read()
+        """The page of lines, and of files if any; made once for all tests."""
+        text = "".join(json.dumps(x) + "\n" for x in lines)
+        if more_files or text not in self.pages:
+            self.write("lines.jsonl", text)
+            run = self.make_report("lines.jsonl", *more_files, "-o", "r.html")
+            self.assertEqual((run.code, run.out, run.err), (0, "", ""))
+            with open(self.path("r.html"), encoding="utf-8") as file:
+                page = file.read()
+            if more_files:
+                return page
+            self.pages[text] = page
+        return self.pages[text]
 
     def table(self, page, first_column, *columns):
         """The cells of a row by name of columns, of the first table that has these columns."""
@@ -93,8 +104,12 @@ class Study_report(Cli_test):
         source = self.report(LINES)
         page = Page(source)
         self.assertNotIn("script", page.tags)
+        identifiers = [value for name, value in page.attributes if name == "id"]
+        self.assertEqual(len(set(identifiers)), len(identifiers))
         for name, value in page.attributes:
-            self.assertNotIn(name, ("src", "href"))
+            self.assertNotEqual(name, "src")
+            if name.endswith("href"):  # markers, defined once
+                self.assertIn(value, ["#" + i for i in identifiers])
             self.assertNotIn("http", value or "")
         self.assertNotIn("url(", source)
         self.assertNotIn("@import", source)
@@ -106,10 +121,15 @@ class Study_report(Cli_test):
             svg = xml.etree.ElementTree.fromstring("<svg" + plot.split("</svg>")[0] + "</svg>")
             titles.append(svg.get("aria-label"))
             _, _, width, height = map(float, svg.get("viewBox").split())
-            for polyline in svg.iter("polyline"):
-                for point in polyline.get("points").split():
-                    x, y = map(float, point.split(","))
-                    self.assertTrue(0 <= x <= width and 0 <= y <= height, point)
+            drawn = [(use.get("x"), use.get("y")) for use in svg.iter("use")]
+            for definitions in list(svg.iter("defs")):
+                definitions.clear()  # relative to where they are used
+            for path in svg.iter("path"):
+                self.assertIsNone(path.get("transform"))
+                drawn += re.findall(r"[ML] (\S+) (\S+)", path.get("d", ""))
+            self.assertGreater(len(drawn), 10)
+            for x, y in drawn:
+                self.assertTrue(0 <= float(x) <= width and 0 <= float(y) <= height, (x, y))
         self.assertEqual(len(titles), 4)
         self.assertIn("stress:caps: edges that are not Delaunay", titles)
 
@@ -154,7 +174,8 @@ class Study_report(Cli_test):
         self.assertEqual(tolerance["in so many meshes"], "4")
         self.assertEqual(tolerance["same result as exact"], "4 of 5")
         row = self.table(page, "b.off", "mesh", "double", "double-1e-5")
-        self.assertEqual((row["double"], row["double-1e-5"]), ("", "11"))
+        self.assertEqual((row["double"], row["double-1e-5"]), ("0", "11"))
+        self.assertNotIn("", [c for row in page.rows for c in row])  # a blank would say nothing
 
     def test_agreement_of_exact_arithmetics(self):
         page = Page(self.report(LINES))
@@ -175,6 +196,38 @@ class Study_report(Cli_test):
         row = self.table(page, "b.off", "mesh", "core-expr", "exact")
         self.assertEqual((row["core-expr"], row["exact"]), ("timed out", "1.5 s"))
         self.assertIn(["a<&>.off", "core-expr", "crashed", "signal <11>"], page.rows)
+
+    def test_version_and_machine_are_named(self):
+        self.assertIn("Program: intrinsic unknown. Machine: unknown.", self.report(LINES))
+        lines = [line("a.off", "exact", version="0.1.0", machine="a <fast> one"),
+                 line("b.off", "exact", version="0.1.0", machine="a slow one")]
+        self.assertIn("Program: intrinsic 0.1.0. Machine: a &lt;fast&gt; one; a slow one.",
+                      self.report(lines))
+
+    def test_points_say_what_they_are(self):
+        svg = self.report(LINES).split("<svg")[1].split("</svg>")[0]
+        svg = xml.etree.ElementTree.fromstring("<svg" + svg + "</svg>")
+        titles = [use.find("title").text for use in svg.iter("use") if use.find("title") is not None]
+        timed = [f"{x['mesh']}, {x['arithmetic']}" + ("" if "seconds" in x else ", not finished")
+                 for x in LINES if x["status"] in ("done", "timed_out") and
+                 (x["mesh"] == "b.off" or "seconds" in x)]
+        self.assertEqual(sorted(titles), sorted(timed))
+
+    def test_what_is_no_result_is_named(self):
+        good = json.dumps(line("a.off", "exact"))
+        for name, text, *words in (("no.jsonl", None), ("empty.jsonl", "", "no results"),
+                                   ("bad.jsonl", good + "\n{\"mesh\": 1}\n", "line 2"),
+                                   ("text.jsonl", "text\n", "line 1")):
+            if text is not None:
+                self.write(name, text)
+            self.assert_fails(self.make_report(name, "-o", "r.html"), name, *words)
+        self.write("good.jsonl", good + "\n" + good[:20])  # the last line is not complete
+        self.assertEqual(self.make_report("good.jsonl", "-o", "r.html").code, 0)
+        self.assert_fails(self.make_report("good.jsonl", "-o", "none/r.html"), "none/r.html")
+        for arguments in ([], ["good.jsonl"], ["good.jsonl", "-o", "r.txt"]):
+            self.assertEqual(self.make_report(*arguments).code, 2)
+        self.assertEqual(sorted(os.listdir(self.directory)),
+                         ["bad.jsonl", "empty.jsonl", "good.jsonl", "r.html", "text.jsonl"])
 
     def test_few_lines_are_enough(self):
         self.assertIn("1 mesh, 1 arithmetic, 1 job", self.report([line("a.off", "exact")]))

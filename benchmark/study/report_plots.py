@@ -1,0 +1,251 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The plots of the report of a study."""
+
+import io
+import json
+import math
+import re
+import xml.etree.ElementTree as ElementTree
+
+import matplotlib
+import pandas
+from matplotlib.figure import Figure
+
+from report_lines import (ARITHMETICS, CERTIFIED, OTHER_STYLE, arithmetics_of, decided_by, of, rank,
+                          times_beside_double)
+from report_tables import grouped, paragraph
+SVG, XLINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}"
+matplotlib.rcParams.update({
+    "svg.fonttype": "none", "svg.hashsalt": "study", "font.size": 10, "axes.spines.top": False,
+    "axes.spines.right": False, "axes.edgecolor": "#444444", "axes.grid": True,
+    "axes.axisbelow": True, "grid.color": "#e2e2e2", "lines.linewidth": 1.4,
+    "lines.markersize": 5})
+
+
+def style_of(arithmetic):
+    return ARITHMETICS.get(arithmetic, OTHER_STYLE)
+
+
+def power_of_ten(exponent):
+    digits = str(exponent).translate(str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3"
+                                                   "\u2074\u2075\u2076\u2077\u2078\u2079"))
+    return {0: "1", 1: "10"}.get(exponent, f"10{digits}")
+
+
+def set_logarithmic(axes, name, values):
+    """Makes an axis logarithmic in whole decades, with a place for zero if there is one."""
+    values = list(values)
+    positive = [x for x in values if x > 0] or [1]
+    low = math.floor(math.log10(min(positive)) + 1e-9)
+    high = max(low + 1, math.ceil(math.log10(max(positive)) - 1e-9))
+    ticks = list(range(low, high + 1, 1 + (high - low) // 10))
+    places, labels = [10.0**k for k in ticks], [power_of_ten(k) for k in ticks]
+    start = 0.85 * 10.0**low  # markers need room
+    set_scale = getattr(axes, f"set_{name}scale")
+    if 0 in values:
+        places, labels, start = [0, *places], ["0", *labels], -0.05 * 10.0**low
+        set_scale("symlog", linthresh=10.0**low, linscale=0.6)
+    else:
+        set_scale("log")
+    getattr(axes, f"set_{name}lim")(start, 1.15 * 10.0**high)
+    axis = getattr(axes, f"{name}axis")
+    axis.set_ticks(places, labels)
+    axis.set_ticks([], minor=True)
+
+
+def figure(title, x_label, y_label):
+    plot = Figure(figsize=(9, 4.9))
+    axes = plot.add_axes((0.085, 0.115, 0.675, 0.8))
+    axes.set_title(title, fontsize=11, fontweight="bold")
+    axes.set(xlabel=x_label, ylabel=y_label)
+    axes.tick_params(length=0)
+    return plot, axes
+
+
+def add_legend(axes):
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), frameon=False, handlelength=2.6)
+
+
+def set_texts(artist, texts):
+    """Sets what is shown when the mouse rests on the points of an artist, for `add_texts()`."""
+    artist.set_gid("texts:" + json.dumps(texts))
+
+
+def add_points(axes, points, style, label, is_hollow=False):
+    """Adds points, triples x, y, text."""
+    color, marker, _ = style
+    xs, ys, texts = zip(*points)
+    drawn = axes.scatter(xs, ys, s=22, marker=marker, edgecolors=color, linewidths=1, label=label,
+                         facecolors="white" if is_hollow else color, zorder=3)
+    set_texts(drawn, texts)
+
+
+def add_texts(root):
+    for group in root.iter(SVG + "g"):
+        if group.get("id", "").startswith("texts:"):
+            for use, text in zip(group.iter(SVG + "use"), json.loads(group.get("id")[6:])):
+                ElementTree.SubElement(use, SVG + "title").text = text
+
+
+def clean(root, number):
+    """Drops what the page does not need, and makes names those of one plot only."""
+    for parent in list(root.iter()):
+        for child in list(parent):
+            if child.tag in (SVG + "metadata", SVG + "style", SVG + "clipPath"):
+                parent.remove(child)
+    used = {e.get(XLINK + "href", "")[1:] for e in root.iter()}
+    for e in root.iter():
+        e.attrib.pop("clip-path", None)  # nothing is drawn outside
+        name, reference = e.attrib.pop("id", ""), e.attrib.pop(XLINK + "href", "")
+        if name in used - {""}:
+            e.set("id", f"plot{number}-{name}")
+        if reference:
+            e.set("href", f"#plot{number}-{reference[1:]}")
+        if "style" in e.attrib:
+            e.set("style", re.sub(r"(font: [\w ]*?[\d.]+px) [^;]*", r"\1 sans-serif",
+                                  e.get("style")))
+        e.tag = e.tag.replace(SVG, "")
+
+
+class Plots:
+    """Numbers plots, and writes them as `svg` elements."""
+
+    def __init__(self):
+        self.count = 0
+
+    def svg(self, plot):
+        self.count += 1
+        text = io.StringIO()
+        plot.savefig(text, format="svg", metadata={"Date": None})
+        root = ElementTree.fromstring(text.getvalue())
+        add_texts(root)
+        clean(root, self.count)
+        attributes = {"viewBox": root.get("viewBox"), "role": "img",
+                      "aria-label": plot.axes[0].get_title()}
+        root.attrib.clear()
+        root.attrib.update(attributes)
+        return ElementTree.tostring(root, encoding="unicode") + "\n"
+
+
+def time_points(lines, arithmetic):
+    """Places, and whether jobs have finished: others are where they would be at the earliest."""
+    late = lines["status"] == "timed_out"
+    seconds = lines["seconds"].mask(late, lines["limits.seconds"])
+    for mesh in lines.index[(seconds > 0) & (lines["faces"] > 0)]:
+        text = f"{mesh}, {arithmetic}" + ("" if lines["is_done"][mesh] else ", not finished")
+        yield (lines["faces"][mesh], seconds[mesh], text), lines["is_done"][mesh]
+
+
+def plot_times(plots, results):
+    points = {a: list(time_points(of(results, a), a)) for a in arithmetics_of(results)}
+    drawn = [p for found in points.values() for p, _ in found]
+    if not drawn:
+        return ""
+    plot, axes = figure("Time to build and flip", "faces", "seconds (hollow: limit reached)")
+    set_logarithmic(axes, "x", (x for x, _, _ in drawn))
+    set_logarithmic(axes, "y", (y for _, y, _ in drawn))
+    for a, found in points.items():
+        label = a
+        for is_done in (True, False):
+            some = [p for p, d in found if d == is_done]
+            if some:
+                add_points(axes, some, style_of(a), label, is_hollow=not is_done)
+                label = None  # one entry of the legend
+    add_legend(axes)
+    return plots.svg(plot)
+
+
+def sorted_ratios(results, arithmetic):
+    """Times in multiples of those of double; 1 where double takes no time that can be measured."""
+    both = times_beside_double(results, arithmetic)
+    return sorted((both["own"] / both["double"]).where(both["double"] > 0, 1))
+
+
+def plot_profile(plots, results):
+    ratios = {a: sorted_ratios(results, a) for a in arithmetics_of(results)}
+    number = len(ratios.get("double", []))
+    if number == 0:
+        return ""
+    plot, axes = figure("Share of meshes done within x times the time of double", "x",
+                        "share of the meshes that double has done")
+    every = [1, *(r for found in ratios.values() for r in found if r > 0)]
+    set_logarithmic(axes, "x", every)
+    axes.set_ylim(0, 1.02)
+    for a, found in ratios.items():
+        if found:
+            color, _, dashes = style_of(a)
+            shares = [k / number for k in range(len(found) + 1)]
+            axes.step([found[0], *found, max(every)], [*shares, shares[-1]], where="post",
+                      color=color, linestyle=dashes, label=a)
+    add_legend(axes)
+    return plots.svg(plot)
+
+
+def split_name(mesh):
+    """The name of a stress mesh without `amount`: meshes that share it differ in nothing else."""
+    found = re.search(r":amount=([^:]*)", mesh)
+    try:
+        return (mesh[:found.start()] + mesh[found.end():], float(found[1])) if found else None
+    except ValueError:
+        return None
+
+
+def stressed(results):
+    """Lines of stress meshes with several amounts, by the rest of their names."""
+    lines = results[~results["is_file"]].copy()
+    names = lines["mesh"].map(split_name)
+    lines = lines[names.notna()].assign(name=names.map(lambda n: n and n[0]),
+                                        amount=names.map(lambda n: n and n[1]))
+    lines = lines[lines["amount"] >= 0]
+    return [(name, of_name) for name, of_name in lines.groupby("name")
+            if of_name["amount"].nunique() > 1]
+
+
+def plot_stress(plots, results):
+    text = "<h2>By amount of stress</h2>\n" + paragraph(
+        "Meshes of a stress family that differ in the amount only, and arithmetics that leave such "
+        "edges. Axes are logarithmic, with a place for zero.")
+    drawn = ""
+    for name, lines in stressed(results):
+        counts = lines.pivot(index="amount", columns="arithmetic", values="non_delaunay_edges")
+        # lines of those that leave none anywhere would hide each other
+        counts = counts[sorted(counts.columns[counts.sum() > 0], key=rank)]
+        if counts.empty or len(counts.columns) == 0:
+            continue
+        plot, axes = figure(f"{name}: edges that are not Delaunay", "amount", "edges of the result")
+        counts = counts.dropna(how="all")
+        set_logarithmic(axes, "x", counts.index)
+        set_logarithmic(axes, "y", (n for n in counts.to_numpy().flat if n >= 0))
+        for a in counts.columns:
+            color, marker, dashes = style_of(a)
+            points = counts[a].dropna()
+            drawn_line, = axes.plot(points.index, points, color=color, marker=marker,
+                                    linestyle=dashes, label=a)
+            set_texts(drawn_line, [f"{a}, {grouped(n)}" for n in points])
+        add_legend(axes)
+        drawn += plots.svg(plot)
+    return text + (drawn or paragraph("None."))
+
+
+def plot_escalations(plots, results):
+    names = [a for a in arithmetics_of(results) if a in CERTIFIED]
+    steps = pandas.DataFrame({a: decided_by(results, a) for a in names}).fillna(0)
+    if not steps.to_numpy().sum() > 0:
+        return ""
+    plot, axes = figure("What decided where the filter did not", "step", "predicates")
+    set_logarithmic(axes, "y", [1, *(n for n in steps.to_numpy().flat if n >= 1)])
+    bottom = axes.get_ylim()[0]  # a bar of height 1 is there, if only just
+    width = 0.8 / len(names)
+    for i, a in enumerate(names):
+        color = "#56B4E9" if a == "exact-integer" else style_of(a)[0]  # without markers or dashes
+        places = [k - 0.4 + (i + 0.5) * width for k in range(len(steps))]
+        bars = axes.bar(places, steps[a].where(steps[a] >= 1) - bottom, width, bottom, color=color,
+                        label=a)
+        counts = [grouped(n) if n >= 1 else "" for n in steps[a]]
+        axes.bar_label(bars, counts, fontsize=8, padding=2)
+    axes.set_xlim(-0.5, len(steps) - 0.5)
+    axes.set_xticks(range(len(steps)), steps.index)
+    axes.grid(False, axis="x")
+    add_legend(axes)
+    return plots.svg(plot)

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_STUDY_COMPARED_METRIC_H
+#define INTRINSIC_STUDY_COMPARED_METRIC_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace program {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+/*!
+\brief decides as another metric does, and compares with an exact one that follows the same flips.
+
+Once a diamond is flipped that is not convex there is no triangulation any more that the exact metric could
+follow: it stops.
+\tparam Metric a model of `IntrinsicMetric`
+*/
+template <class Metric>
+class Compared_metric : public Metric {
+public:
+  Compared_metric() = default;
+  explicit Compared_metric(const std::shared_ptr<const IT::Input>& input)
+      : Metric(input), exact_(input) {}
+
+  bool is_locally_delaunay(const IT::Diamond& d) const {
+    const bool answer = Metric::is_locally_delaunay(d);
+    if (is_following_ && answer != is_exactly_delaunay(d)) ++different_decisions_;
+    return answer;
+  }
+
+  void store_flip(const IT::Diamond& d, const typename Metric::Flipped& n) {
+    Metric::store_flip(d, n);
+    if (is_following_ && !follow(d)) {
+      ++nonconvex_flips_;
+      is_following_ = false;
+    }
+  }
+
+  /// tells whether the exact metric is one of the triangulation as it is now.
+  bool is_following() const { return is_following_; }
+  /// returns how many edges were taken for Delaunay and are not, or the other way round.
+  std::uint64_t different_decisions() const { return different_decisions_; }
+  /// returns whether a diamond was flipped that is not convex.
+  std::uint64_t nonconvex_flips() const { return nonconvex_flips_; }
+
+private:
+  using Exact = IT::Exact_euclidean_metric;
+
+  // Not inline: the other metric's arithmetic must not be moved to where rounding is upwards.
+  [[gnu::noinline]] bool is_exactly_delaunay(const IT::Diamond& d) const {
+    const Exact::Scope scope;
+    return exact_.is_locally_delaunay(d);
+  }
+
+  [[gnu::noinline]] bool follow(const IT::Diamond& d) {
+    const Exact::Scope scope;
+    if (exact_.sign(d, IT::Convexity_at_source_expression()) != CGAL::POSITIVE ||
+        exact_.sign(d, IT::Convexity_at_target_expression()) != CGAL::POSITIVE)
+      return false;
+    exact_.store_flip(d, *exact_.compute_flip(d));
+    return true;
+  }
+
+  Exact exact_;
+  bool is_following_ = true;
+  mutable std::uint64_t different_decisions_ = 0;
+  std::uint64_t nonconvex_flips_ = 0;
+};
+
+/// lets an intrinsic triangulation compute as with other traits, compared with exact ones.
+template <class Traits>
+struct Compared_traits {
+  using FT = typename Traits::FT;
+  using Metric = Compared_metric<typename Traits::Metric>;
+};
+
+} // namespace program
+
+#endif // INTRINSIC_STUDY_COMPARED_METRIC_H

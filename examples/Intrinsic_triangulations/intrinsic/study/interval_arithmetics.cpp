@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "arithmetics.h"
+#include "measure.h"
+
+#include <CGAL/Integer_only_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Interval_traits.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+
+#include <string>
+
+namespace program {
+
+namespace {
+
+void note_exact_decisions(Json& findings, const IT::Predicate_statistics& statistics) {
+  findings["filter_failures"] = statistics.filter_failures;
+  Json& escalations = findings["escalations"] = Json::object();
+  for (const auto& [bits, count] : statistics.escalations)
+    escalations[std::to_string(bits)] = count;
+  findings["integer"] = statistics.integer;
+  findings["certified_zero"] = statistics.certified_zero;
+  findings["probable_zero"] = statistics.probable_zero;
+}
+
+void note_agreement(Study_run& run, std::uint64_t cycles) {
+  run.findings["different_decisions"] = 0;
+  run.findings["nonconvex_flips"] = 0;
+  run.findings["cycles"] = cycles;
+  run.findings["comparison"] = "complete";
+  run.emit();
+}
+
+using Counted_exact =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Cycle_counter>;
+
+void study_interval(Study_run& run) {
+  measure_and_compare<IT::Interval_traits>(run, [&run](const auto& t) {
+    run.findings["undecided"] = t.metric().statistics().undecided;
+    run.findings["largest_interval_width"] = largest_interval_width(t);
+  });
+}
+
+// Exact decisions need not be compared with themselves.
+void study_exact(Study_run& run) {
+  using Traits = IT::Exact_euclidean_traits;
+  {
+    const auto t = measure<Measured<Traits>>(run, [&run](const auto& done) {
+      note_exact_decisions(run.findings, done.metric().statistics());
+      run.findings["largest_interval_width"] = largest_interval_width(done);
+    });
+    note_drift(run, t);
+    certify(run, t);
+  }
+  Counted_exact counted{IT::Intrinsic_input(run.input)};
+  IT::flip_to_delaunay(counted);
+  note_agreement(run, counted.correspondence().cycles());
+}
+
+// The history of flips decides what this one, which has none, came to. If both came to it in as many steps,
+// all decisions on the way were the same.
+void study_exact_integer(Study_run& run) {
+  measure<IT::Integer_only_triangulation<>>(
+      run, [&run](const auto& done) { note_exact_decisions(run.findings, done.statistics()); });
+  Counted_exact expected{IT::Intrinsic_input(run.input)};
+  const IT::Flip_to_delaunay_result result = IT::flip_to_delaunay(expected);
+  if (fingerprint(expected) != run.findings["result"] || result.flips != run.findings["flips"] ||
+      result.checks != run.findings["checks"]) {
+    run.findings["comparison"] = "complete";
+    run.findings["message"] = "came to another result than exact";
+    run.emit();
+    return;
+  }
+  const auto report = IT::check_delaunay(expected);
+  note_result(run.findings, {.non_delaunay_edges = report.non_delaunay_edges,
+                             .cocircular_edges = report.cocircular_edges.size(),
+                             .statistics = {}});
+  note_agreement(run, expected.correspondence().cycles());
+}
+
+} // namespace
+
+std::vector<Arithmetic> interval_arithmetics() { return {{"interval", study_interval}}; }
+
+std::vector<Arithmetic> certified_arithmetics() {
+  return {{"exact", study_exact}, {"exact-integer", study_exact_integer}};
+}
+
+} // namespace program

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_STUDY_JOB_H
+#define INTRINSIC_STUDY_JOB_H
+
+#include "options.h"
+
+#include <string>
+
+// A job of the study: one arithmetic on one mesh, in a process of its own.
+
+namespace program {
+
+/// How a job ends that has no memory left: without another allocation.
+constexpr int exit_out_of_memory = 3;
+
+/*!
+\brief limits this process, runs a job in it, and writes what is found to standard output: JSON lines, each of
+which says more than the one before.
+*/
+void run_study_job(const std::string& location, const std::string& arithmetic,
+                   const Study_limits& limits);
+
+} // namespace program
+
+#endif // INTRINSIC_STUDY_JOB_H

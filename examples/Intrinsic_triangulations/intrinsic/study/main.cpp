@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../support/command_line.h"
+#include "arithmetics.h"
+#include "job.h"
+#include "study.h"
+
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+// The program `intrinsic-study`, which `intrinsic study` becomes.
+
+namespace {
+
+using program::Study_options;
+
+CLI::Validator is_arithmetic() {
+  std::vector<std::string> names;
+  for (const program::Arithmetic& a : program::arithmetics()) names.push_back(a.name);
+  return CLI::IsMember(names);
+}
+
+CLI::Validator is_no_result() {
+  return CLI::Validator(
+      [](std::string& path) {
+        return std::filesystem::path(path).extension() == ".jsonl"
+                   ? path +
+                         ": results are no meshes; benchmark/study/report.py makes a page of them"
+                   : std::string();
+      },
+      "");
+}
+
+void add_limits(CLI::App& app, Study_options& study) {
+  app.add_option("--time-limit", study.limits.seconds,
+                 "seconds that an arithmetic may take on a mesh; default 60")
+      ->check(program::between(0.001, 1e9));
+  app.add_option("--memory-limit", study.limits.mib,
+                 "MiB of address space that it may take; default 4096")
+      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 40U));
+}
+
+void add_options(CLI::App& app, Study_options& study) {
+  app.set_version_flag("--version", std::string("intrinsic ") + INTRINSIC_TRIANGULATIONS_VERSION);
+  app.add_option("CORPUS", study.corpus,
+                 "meshes, directories of meshes, stress:FAMILY[:key=value]..., or stress (the "
+                 "standard list)")
+      ->required()
+      ->check(is_no_result());
+  app.add_option("--arithmetic", study.arithmetics, "arithmetics, separated by commas; default all")
+      ->delimiter(',')
+      ->check(is_arithmetic());
+  app.add_option("-o", study.output,
+                 "append results to this file, one JSON object per line, unless it has them; "
+                 "default study.jsonl")
+      ->check(program::extension(".jsonl", "JSON lines"));
+  app.add_option("--jobs", study.jobs, "processes at a time; default 1")
+      ->check(CLI::Range(1U, 1024U));
+  add_limits(app, study);
+}
+
+// What this program starts of itself for every mesh and arithmetic.
+void add_job_options(CLI::App& app, Study_options& study) {
+  app.add_flag("--job")->required();
+  app.add_option("--source", study.corpus)->required()->expected(1);
+  app.add_option("--arithmetic", study.arithmetics)
+      ->required()
+      ->expected(1)
+      ->check(is_arithmetic());
+  add_limits(app, study);
+}
+
+int run(int argc, char** argv) {
+  const bool is_job = argc > 1 && std::string(argv[1]) == "--job";
+  CLI::App app("Compares arithmetics: runs each on each mesh, in a process of its own. "
+               "benchmark/study/report.py makes a page of the results.",
+               "intrinsic study");
+  Study_options study;
+  (is_job ? add_job_options : add_options)(app, study);
+  app.get_formatter()->column_width(32);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : program::misused;
+  }
+  if (is_job)
+    program::run_study_job(study.corpus.at(0), study.arithmetics.at(0), study.limits);
+  else
+    program::run_study(study);
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& e) {
+    std::cerr << "intrinsic study: " << e.what() << '\n';
+  }
+  return program::failed;
+}

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sources.h"
+#include "../support/read_mesh.h"
+
+#include <stress_families.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+const std::string stress_prefix = "stress:";
+
+bool is_stress_spec(const std::string& location) { return location.starts_with(stress_prefix); }
+
+bool is_mesh_file(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::set<std::string> known{".off", ".obj", ".ply", ".stl", ".ts"};
+  return known.contains(extension) && std::filesystem::is_regular_file(path);
+}
+
+std::vector<std::string> mesh_files(const std::string& directory) {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (is_mesh_file(entry.path())) paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  if (paths.empty()) throw std::runtime_error(directory + ": there are no mesh files in it");
+  return paths;
+}
+
+std::vector<std::string> locations(const std::string& word) {
+  if (word == "stress") return stress::standard_specs();
+  if (is_stress_spec(word)) {
+    stress::make(word); // throws if the spec is wrong
+    return {word};
+  }
+  if (std::filesystem::is_directory(word)) return mesh_files(word);
+  if (!std::filesystem::exists(word))
+    throw std::runtime_error(word + ": there is no such file or directory; give meshes, "
+                                    "directories of meshes, or stress");
+  return {word};
+}
+
+} // namespace
+
+Study_source study_source(const std::string& location) {
+  if (!is_stress_spec(location))
+    return {location, std::filesystem::path(location).filename().string(), "files"};
+  const std::size_t begin = stress_prefix.size();
+  return {location, location, location.substr(begin, location.find(':', begin) - begin)};
+}
+
+std::vector<Study_source> study_sources(const std::vector<std::string>& corpus) {
+  std::vector<Study_source> sources;
+  std::set<std::string> names;
+  for (const std::string& word : corpus)
+    for (const std::string& location : locations(word)) {
+      Study_source source = study_source(location);
+      if (!names.insert(source.name).second)
+        throw std::runtime_error(location + ": there is another mesh named " + source.name +
+                                 "; results are told apart by names, rename one");
+      sources.push_back(std::move(source));
+    }
+  return sources;
+}
+
+IT::Intrinsic_input read_study_source(const Study_source& source) {
+  if (is_stress_spec(source.location)) {
+    stress::Mesh mesh = stress::make(source.location);
+    const IT::Gluing gluing =
+        IT::gluing_from_triangles(static_cast<std::uint32_t>(mesh.points.size()), mesh.faces);
+    return {IT::Gluing_map(gluing), std::move(mesh.points)};
+  }
+  return read_mesh(source.location, IT::Mollification::automatic).input;
+}
+
+} // namespace program

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_SUPPORT_READ_MESH_H
+#define INTRINSIC_SUPPORT_READ_MESH_H
+
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace program {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+/// Coordinates of a vertex.
+using Point = std::array<double, 3>;
+
+/// What is known of the input before anything is done with it.
+struct Input_facts {
+  std::size_t vertices = 0, edges = 0, faces = 0, boundary_edges = 0, components = 0;
+  std::optional<std::size_t> genus;
+  std::size_t boundary_loops = 0, isolated_vertices = 0, nonmanifold_vertices = 0;
+  std::size_t polygons = 0, triangulated_polygons = 0; ///< 0 for an intrinsic triangulation
+};
+
+/// counts the elements of a mesh.
+Input_facts facts_of(const IT::Gluing_map& mesh);
+
+/// What a mesh file contains.
+struct Mesh_file {
+  IT::Intrinsic_input input;
+  Input_facts facts;
+  /// Polygon of each triangle; empty if all faces are triangles.
+  std::vector<std::uint32_t> polygon_of_triangle;
+};
+
+/// reads a mesh file. \throws Invalid_input naming the file, the element and the remedy
+Mesh_file read_mesh(const std::string& path, IT::Mollification mollification);
+
+} // namespace program
+
+#endif // INTRINSIC_SUPPORT_READ_MESH_H
