@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_DIAMOND_ZERO_TEST_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_DIAMOND_ZERO_TEST_H
 
+#include <CGAL/Intrinsic_triangulations/exact/Field_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/Zero_answer.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_bound.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <algorithm>
@@ -32,7 +34,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief decides whether expressions in the values of a diamond that is unfolded from the input are
 exactly zero.
 
-Every value is a polynomial in the square roots of the areas of some input faces, with rational
+Expressions that are not polynomials, or have terms of different kinds (see `Expression_degree`), are decided by
+a `Field_zero_test`. Else every value is a polynomial in the square roots of the areas of some input faces, with rational
 coefficients. The expression is evaluated in finite fields of p^2 elements, for all choices of signs of
 independent square roots.
 
@@ -64,24 +67,19 @@ public:
   /*!
   \brief decides about an expression in the values of a diamond.
   \param input the input, always the same
-  \param diamond the diamond
-  \param expression the expression, see `Conjugate_bound::bits()`; odd or even in the areas
-  \return nothing if there are too many square roots, or a triangle is entered by a side without length
+  \param diamond the diamond; no triangle is entered by a side without length
+  \param expression a model of `DiamondExpression`
   */
   template <class Expression>
-  std::optional<Answer> operator()(const Input_metric& input, const Unfolded_diamond& diamond,
-                                   const Expression& expression) {
-    if (faces_.size() > maximal_memory) faces_ = {};
-    const bool in_space = Integer_faces::is_in_space(input);
-    if (is_tie_of_strip(input, diamond, expression)) return Answer::zero;
-    if (!find_shapes(input, diamond)) return std::nullopt;
-    if (basis_.dimension() > few_roots) {
-      if (!vanishes(diamond, expression, probable_bits, false)) return Answer::not_zero;
-      if (is_zero_by_terms(input, diamond, expression)) return Answer::zero;
-      if (basis_.dimension() > maximal_dimension) return Answer::probably_zero;
-    }
-    const double bits = Conjugate_bound(diamond, metric_, in_space).bits(expression);
-    return vanishes(diamond, expression, bits, true) ? Answer::zero : Answer::not_zero;
+  Answer operator()(const Input_metric& input, const Unfolded_diamond& diamond,
+                    const Expression& expression) {
+    if constexpr (PolynomialExpression<Expression>)
+      if (degree_of(expression).is_uniform)
+        return decide_uniform_polynomial(input, diamond, expression);
+    return Field_zero_test(input)([&](const auto& faces) {
+      using Number = typename std::decay_t<decltype(faces)>::Number;
+      return expression(diamond.template values<Number>(faces));
+    });
   }
 
   /// tells whether an expression is proven to be zero in integers of fixed size, which takes a microsecond.
@@ -109,6 +107,22 @@ private:
   static constexpr std::size_t few_roots = 6;
   // four primes
   static constexpr double probable_bits = 3.5 * Prime_fields::bits;
+
+  template <class Expression>
+  Answer decide_uniform_polynomial(const Input_metric& input, const Unfolded_diamond& diamond,
+                                   const Expression& expression) {
+    if (faces_.size() > maximal_memory) faces_ = {};
+    const bool in_space = Integer_faces::is_in_space(input);
+    if (is_tie_of_strip(input, diamond, expression)) return Answer::zero;
+    if (!find_shapes(input, diamond)) return Answer::probably_zero;
+    if (basis_.dimension() > few_roots) {
+      if (!vanishes(diamond, expression, probable_bits, false)) return Answer::not_zero;
+      if (is_zero_by_terms(input, diamond, expression)) return Answer::zero;
+      if (basis_.dimension() > maximal_dimension) return Answer::probably_zero;
+    }
+    const double bits = Conjugate_bound(diamond, metric_, in_space).bits(expression);
+    return vanishes(diamond, expression, bits, true) ? Answer::zero : Answer::not_zero;
+  }
 
   // evaluates modulo primes whose product has more than `bits` bits
   template <class Expression>
@@ -150,7 +164,7 @@ private:
     return expression(diamond.template values<Number>(face)).is_proven_zero();
   }
 
-  // false if the diamond cannot be evaluated
+  // false if there are too many square roots
   bool find_shapes(const Input_metric& input, const Unfolded_diamond& diamond) {
     basis_ = {};
     metric_.clear();
@@ -158,7 +172,7 @@ private:
     for (const Unfolded_diamond::Triangle& t : diamond.triangles) {
       const Integer_face& face = faces_(input, t.face);
       const std::optional<Square_root> area = basis_.sqrt_of(face.radicand);
-      if (!area || face.squared_lengths[t.entry].sign() == ZERO) return false;
+      if (!area) return false;
       metric_.push_back(&face);
       shapes_.push_back({&face.squared_lengths, &face.area_factor, *area});
     }

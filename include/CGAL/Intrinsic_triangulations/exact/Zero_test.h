@@ -36,7 +36,7 @@ public:
   \param history the flips since, always the same but for new flips
   \param left side on the left
   \param right side on the right, glued to `left`
-  \param expression the expression, see `Conjugate_bound::bits()`; odd or even in the areas
+  \param expression a model of `DiamondExpression`
   */
   template <class Expression>
   Answer operator()(const Input_metric& input, const Flip_history& history, Side left, Side right,
@@ -58,9 +58,7 @@ public:
   template <class Expression>
   Answer decide(const Input_metric& input, const Flip_history& history, Side left, Side right,
                 const Expression& expression) {
-    if (diamond_)
-      if (const std::optional<Answer> answer = is_zero_(input, *diamond_, expression))
-        return *answer;
+    if (diamond_) return is_zero_(input, *diamond_, expression);
     return History_zero_test(input, history, left, right)(expression);
   }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_move_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
@@ -108,11 +109,12 @@ public:
   }
 
   /*!
-  \brief returns the exact sign of an expression in the values of a diamond.
-  \tparam Expression a functor with a template `operator()(const Diamond_values<Number>&)`
+  \brief returns the exact sign of an expression in the values of a diamond, of any degree.
+  \tparam Expression a model of `DiamondExpression`
   */
   template <class Expression>
   Sign sign(const Diamond& d, const Expression& expression) {
+    static_assert(DiamondExpression<Expression>);
     const FT value = expression(values(d));
     if (value.inf() > 0) return POSITIVE;
     if (value.sup() < 0) return NEGATIVE;
@@ -121,13 +123,14 @@ public:
   }
 
   /*!
-  \brief returns the exact sign of an expression in the values of faces.
-  \tparam Expression a functor with a template `operator()(std::span<const Face_values<Number>>)`
+  \brief returns the exact sign of an expression in the values of faces, of any degree.
+  \tparam Expression a model of `FaceExpression`
   \complexity mostly linear in the number of faces; if the filter fails, in that of the moves that
   made them
   */
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) {
+    static_assert(FaceExpression<Expression>);
     std::vector<Face_values<FT>> values;
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
     const FT value = expression(std::span<const Face_values<FT>>(values));

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
@@ -73,8 +74,7 @@ public:
   /*!
   \brief returns the exact sign of an expression in the values of the diamond of an edge.
   \tparam View `Intrinsic_view`
-  \tparam Expression a functor with a template `operator()(const Diamond_values<Number>&)`, odd or even in
-    the areas
+  \tparam Expression a model of `DiamondExpression`
   \param view the triangulation
   \param coordinates its coordinates
   \param h a halfedge, see `Diamond_unfolder`
@@ -83,7 +83,7 @@ public:
   \complexity linear in the number of input triangles that are unfolded; if the filter fails, see
   `Diamond_zero_test`
   */
-  template <class View, class Expression>
+  template <class View, DiamondExpression Expression>
   Sign sign(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
             const Expression& expression, Predicate_statistics& statistics) {
     const Rebuilt d = rebuild(view, coordinates, h);

@@ -94,7 +94,7 @@ public:
   permutes the values. If every area has an odd number of roots, the first root that is not imaginary
   keeps its sign as well: changing the signs of all roots changes those of all areas and no length,
   hence at most the sign of the value.
-  \pre the expressions evaluated are odd or even in the areas
+  \pre the expressions evaluated are odd or even in the areas, see `Expression_degree`
   \return whether there is one
   */
   bool next() {

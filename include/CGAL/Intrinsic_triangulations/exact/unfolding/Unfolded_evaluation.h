@@ -29,7 +29,7 @@ public:
   \brief returns the sign of an expression in the values of a diamond.
   \param input the input, always the same
   \param diamond the diamond; no triangle is entered by a side without length
-  \param expression the expression, see `Conjugate_bound::bits()`; odd or even in the areas
+  \param expression a model of `DiamondExpression`
   \param statistics counts how the sign was decided
   */
   // not inline: see `extern template`
@@ -45,10 +45,7 @@ private:
 template <class Expression>
 Sign Unfolded_evaluation::sign(const Input_metric& input, const Unfolded_diamond& diamond,
                                const Expression& expression, Predicate_statistics& statistics) {
-  // with more square roots than the test takes: unknown to it
-  const auto is_zero = [&] {
-    return is_zero_(input, diamond, expression).value_or(Zero_answer::probably_zero);
-  };
+  const auto is_zero = [&] { return is_zero_(input, diamond, expression); };
   Diamond_values<Interval_nt<false>> better;
   return internal::escalated_sign(
       128U, [&] { return diamond.values<Gmpfi>(faces_.of(input)); },
