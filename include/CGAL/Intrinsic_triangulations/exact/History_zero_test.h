@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/Field_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/Zero_answer.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
@@ -32,7 +33,9 @@ public:
   /// prepares the test of values of faces, each from a side on; all must outlive the test.
   History_zero_test(const Input_metric& input, const Flip_history& history,
                     std::vector<Flip_history::Side> sides)
-      : history_(history), sides_(std::move(sides)), is_zero_(input) {}
+      : history_(history), sides_(std::move(sides)), is_zero_(input, integers_) {}
+  History_zero_test(const History_zero_test&) = delete;
+  History_zero_test& operator=(const History_zero_test&) = delete;
 
   /*!
   \brief decides about an expression in the values of a diamond.
@@ -85,6 +88,7 @@ private:
 
   const Flip_history& history_;
   std::vector<Flip_history::Side> sides_;
+  Integer_faces integers_;
   Field_zero_test is_zero_;
 };
 

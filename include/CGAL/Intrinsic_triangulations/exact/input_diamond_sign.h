@@ -106,7 +106,7 @@ class Corners {
 public:
   Corners(const Input_metric& input, Flip_history::Side left, Flip_history::Side right)
       : delta_(input.delta()) {
-    const Input_metric::Sides &f = input.sides(left.version), &g = input.sides(right.version);
+    const Input_metric::Sides &f = input.sides(left.face), &g = input.sides(right.face);
     const std::uint32_t corner[4] = {f[left.slot], f[(left.slot + 1) % 3], f[(left.slot + 2) % 3],
                                      g[(right.slot + 2) % 3]};
     for (const std::uint32_t v : corner)
@@ -146,7 +146,7 @@ class Side_lengths {
 public:
   Side_lengths(const Input_metric& input, Flip_history::Side left, Flip_history::Side right)
       : delta_(input.delta()) {
-    const Input_metric::Sides &f = input.sides(left.version), &g = input.sides(right.version);
+    const Input_metric::Sides &f = input.sides(left.face), &g = input.sides(right.face);
     for (const std::uint32_t e : {f[left.slot], f[(left.slot + 1) % 3], f[(left.slot + 2) % 3],
                                   g[(right.slot + 1) % 3], g[(right.slot + 2) % 3]}) {
       lengths_.emplace_back(input.squared_lengths()[e]);
