@@ -336,7 +336,7 @@ int expect_sign(Known_triangulation& k, IT::Integer_geometry& geometry, Halfedge
 }
 
 void check_diamonds(Known_triangulation& k, Programs& programs, std::mt19937& random, Counts& n) {
-  IT::Integer_geometry geometry(k.t.metric().shared_input());
+  IT::Integer_geometry geometry(k.t.shared_input());
   for (const Halfedge h : k.diamonds()) {
     const IT::Diamond_values<Number> values = k.values(h);
     const unsigned degree = 1 + static_cast<unsigned>(random() % 6);
@@ -418,7 +418,7 @@ TEST(Expressions, tell_a_right_angle_of_two_coplanar_corners_whatever_the_digits
     Known_triangulation k(meshes::Mesh{{{0, 0, 0}, {a - b, a + b, 0}, {-b, a, 0}, {a, b, 0}},
                                        {{0, 1, 2}, {0, 3, 1}}});
     ASSERT_EQ(k.diamonds().size(), 1U);
-    IT::Integer_geometry geometry(k.t.metric().shared_input());
+    IT::Integer_geometry geometry(k.t.shared_input());
     for (const Halfedge h : {k.diamonds()[0], opposite(k.diamonds()[0], k.t.mesh())}) {
       EXPECT_EQ(Right_corner()(k.values(h)).sign(), 0);
       expect_sign(k, geometry, h, Right_corner(), 0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
 
 #include "gallery.h"
@@ -23,7 +23,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Corner_direction;
 using IT::Geodesic_crossing;
 using IT::Geodesic_end;
-using IT::Input_surface;
+using IT::Input;
 using IT::Surface_point;
 using IT::Trace_status;
 using Point = std::array<double, 3>;
@@ -34,14 +34,15 @@ constexpr double pi = std::numbers::pi;
 
 /// A surface with the position of each of its vertices, in its scaled units.
 struct Placed {
-  Input_surface surface;
+  Input surface;
   std::vector<Point> points;
 
   explicit Placed(const meshes::Mesh& m) : points(m.points) {
     IT::Intrinsic_input input = m.input();
     input.may_renumber = false;
     const Triangulation t(std::move(input));
-    surface = Input_surface(t);
+    surface = t.input();
+    surface.keep_values(t.metric());
     for (Point& p : points)
       for (double& x : p) x = std::ldexp(x, t.metric().scale_exponent());
   }
@@ -104,7 +105,7 @@ struct Random {
   std::mt19937 engine;
   double operator()() { return static_cast<double>(engine()) / 0x1p32; }
   std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(engine() % n); }
-  Surface_point point(const Input_surface& s) {
+  Surface_point point(const Input& s) {
     std::uint32_t h = below(s.number_of_halfedges());
     if (s.is_border(h)) h ^= 1U;
     double a = (*this)(), b = (*this)();
@@ -226,7 +227,8 @@ TEST(Trace_geodesic, Follows_straight_lines_on_flat_tori) {
                               IT::Mollification::none);
     input.may_renumber = false;
     const Triangulation t(std::move(input));
-    const Input_surface s(t);
+    Input s = t.input();
+    s.keep_values(t.metric());
     const double unit = std::ldexp(1.0, t.metric().scale_exponent());
     // corners of the faces of cell (i, j), by halfedge
     std::vector<std::array<double, 2>> corner(s.number_of_halfedges());
@@ -364,7 +366,8 @@ TEST(Trace_geodesic, Ends_on_every_surface_of_the_gallery) {
     IT::Intrinsic_input input(IT::Gluing_map(g.gluing), gallery::squared_lengths(g),
                               IT::Mollification::none);
     const Triangulation t(std::move(input));
-    const Input_surface s(t);
+    Input s = t.input();
+    s.keep_values(t.metric());
     for (int i = 0; i < 200; ++i) {
       std::vector<Geodesic_crossing> crossings;
       const Surface_point p = random.point(s);

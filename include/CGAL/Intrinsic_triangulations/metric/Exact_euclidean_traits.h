@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
@@ -16,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_move_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
@@ -64,16 +64,16 @@ public:
 
   /*!
   \brief evaluates the input in interval arithmetic and keeps it for exact evaluation.
-  \pre no face of `mesh` has the edge of `halfedge(face)` twice
+  \pre no face of the input has the edge of its halfedge twice
   \throws Invalid_input see `quadruple_area()`
   \complexity linear
   */
-  Exact_euclidean_metric(const Gluing_map& mesh, std::shared_ptr<const Input_metric> input)
-      : Enclosed_values(enclose(mesh, *input)), input_(std::move(input)) {
+  explicit Exact_euclidean_metric(const std::shared_ptr<const Input>& input)
+      : Enclosed_values(enclose(*input)), input_(input, &input->metric()) {
     std::vector<Version> versions;
     versions.reserve(input_->number_of_faces());
     for (std::uint32_t f = 0; f < input_->number_of_faces(); ++f)
-      versions.push_back({f, mesh.halfedge(Gluing_map::Face{f}).index / 2});
+      versions.push_back({f, input->halfedge_of_face(f) / 2});
     versions_ = {Flip_history(input_->number_of_faces()), std::move(versions)};
   }
 
@@ -81,13 +81,13 @@ public:
   \brief restores a metric from what its accessors return.
   \pre the intervals contain the values that `input` and `history` define
   */
-  Exact_euclidean_metric(std::shared_ptr<const Input_metric> input, Flip_history history,
+  Exact_euclidean_metric(const std::shared_ptr<const Input>& input, Flip_history history,
                          std::vector<Version> versions, std::vector<FT> squared_lengths,
                          std::vector<FT> quadruple_areas, std::vector<double> lengths,
                          std::vector<double> areas)
       : Enclosed_values(std::move(squared_lengths), std::move(quadruple_areas), std::move(lengths),
                         std::move(areas)),
-        versions_(std::move(history), std::move(versions)), input_(std::move(input)) {}
+        versions_(std::move(history), std::move(versions)), input_(input, &input->metric()) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
   // the call would cost a tenth of the flips where compilers, by chance, do not inline it
@@ -235,16 +235,12 @@ public:
   int scale_exponent() const { return input_->scale_exponent(); }
   /// returns the input, which defines all values exactly.
   const Input_metric& input() const { return *input_; }
-  /// returns the input, shared.
-  const std::shared_ptr<const Input_metric>& shared_input() const { return input_; }
   /// returns the version of face `f`.
   const Version& version(std::uint32_t f) const { return versions_.version(f); }
   /// returns the moves done so far.
   const Flip_history& history() const { return versions_.history(); }
-  /// returns how predicates were decided.
-  const Predicate_statistics& statistics() const { return statistics_; }
-  /// returns how predicates were decided, to be reset.
-  Predicate_statistics& statistics() { return statistics_; }
+  /// returns how predicates were decided, which may be reset.
+  Predicate_statistics& statistics() const { return statistics_; }
 
   /*!
   \brief returns (cot k + cot m) / 2 for the angles opposite an edge between two faces.
@@ -266,10 +262,10 @@ public:
   using Enclosed_values::cotangent_weight;
 
 private:
-  static Enclosed_values enclose(const Gluing_map& mesh, const Input_metric& input) {
+  static Enclosed_values enclose(const Input& input) {
     const Scope scope;
-    return {Intrinsic_triangulations::squared_lengths<FT>(input, mesh),
-            Intrinsic_triangulations::quadruple_areas<FT>(input)};
+    return {Intrinsic_triangulations::squared_lengths<FT>(input.metric(), input.mesh()),
+            Intrinsic_triangulations::quadruple_areas<FT>(input.metric())};
   }
 
   // what a function makes of a face, if lengths are not zero

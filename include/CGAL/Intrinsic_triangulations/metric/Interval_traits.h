@@ -4,11 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INTERVAL_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INTERVAL_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 
 #include <CGAL/Interval_nt.h>
@@ -54,8 +53,7 @@ public:
   \throws Invalid_input see `quadruple_area()`
   \complexity linear
   */
-  Interval_metric(const Gluing_map& mesh, const std::shared_ptr<const Input_metric>& input)
-      : Base(evaluate(mesh, input)) {}
+  explicit Interval_metric(const std::shared_ptr<const Input>& input) : Base(evaluate(input)) {}
 
   /// restores a metric from its stored values.
   Interval_metric(int scale_exponent, std::vector<FT> squared_lengths,
@@ -63,7 +61,7 @@ public:
       : Base(scale_exponent, std::move(squared_lengths), std::move(quadruple_areas)) {}
 
   /// tells whether the angles opposite the edge sum to at most pi, or intervals do not tell.
-  bool is_locally_delaunay(const Diamond& d) {
+  bool is_locally_delaunay(const Diamond& d) const {
     ++statistics().checks;
     const FT& ij = squared_length(d.ij);
     const FT q_f = squared_length(d.jk) + squared_length(d.ki) - ij;
@@ -78,13 +76,13 @@ public:
 
   /// returns the sign of an expression in the values of a diamond; zero, too, if intervals leave it open.
   template <class Expression>
-  Sign sign(const Diamond& d, const Expression& expression) {
+  Sign sign(const Diamond& d, const Expression& expression) const {
     return sign_of(expression(values(d)));
   }
 
   /// returns the sign of an expression in the values of faces; zero, too, if intervals leave it open.
   template <class Expression>
-  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) {
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     const auto v = values(faces);
     return sign_of(expression(std::span<const Face_values<FT>>(v.data(), v.size())));
   }
@@ -102,12 +100,12 @@ public:
   }
 
 private:
-  static Base evaluate(const Gluing_map& mesh, const std::shared_ptr<const Input_metric>& input) {
+  static Base evaluate(const std::shared_ptr<const Input>& input) {
     const Scope scope;
-    return {mesh, input};
+    return Base(input);
   }
 
-  Sign sign_of(const FT& value) {
+  Sign sign_of(const FT& value) const {
     const std::optional<Sign> s = certain_sign(value);
     if (!s) ++statistics().undecided;
     return s.value_or(ZERO);

@@ -177,7 +177,7 @@ TEST(Point_queries, Go_from_the_input_to_the_intrinsic_triangulation_and_back) {
   for (const auto& [name, m] : fat_meshes()) {
     auto t = moved<Integer_coordinates>(m, 8);
     const auto s = moved<Signposts>(m, 8);
-    const IT::Input_surface& surface = s.correspondence().input();
+    const IT::Input& surface = s.correspondence().input();
     std::mt19937 random(5);
     for (int i = 0; i < 300; ++i) {
       const auto f = static_cast<std::uint32_t>(random() % m.triangles.size());

@@ -161,7 +161,7 @@ namespace internal {
 template <class Triangulation, class Coordinates>
 class Input_locator {
 public:
-  Input_locator(Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+  Input_locator(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                 const std::array<double, 3>& weights)
       : metric_(t.metric()), view_(t), coordinates_(coordinates), sides_(sides_of_face(view_, h)),
         weights_(weights), corners_(corner_coordinates(view_, coordinates, h)) {}
@@ -249,7 +249,7 @@ private:
     return {p.halfedge, {1 - x, x, 0}};
   }
 
-  typename Triangulation::Metric& metric_;
+  const typename Triangulation::Metric& metric_;
   Intrinsic_view<Triangulation> view_;
   const Coordinates& coordinates_;
   std::array<std::uint32_t, 3> sides_;
@@ -269,7 +269,7 @@ private:
 \complexity that of following a number of curves logarithmic in the number of crossings of the face
 */
 template <class Triangulation, class Coordinates>
-Located locate_on_input(Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+Located locate_on_input(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                         const std::array<double, 3>& weights) {
   [[maybe_unused]] const typename Triangulation::Metric::Scope scope;
   return internal::Input_locator<Triangulation, Coordinates>(t, coordinates, h, weights).locate();

@@ -24,6 +24,9 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <class FT>
 struct History_values {
+  /// Squared lengths of the slots of a face, and its quadruple area.
+  using Input_face = std::pair<std::array<FT, 3>, FT>;
+
   /// What each flip made.
   std::unordered_map<std::uint32_t, Flipped_values<FT>> flips;
   /// What each insertion or removal of a vertex made, by its first node.
@@ -38,8 +41,8 @@ struct History_values {
 
 Ancestors are evaluated in the order of the moves: nothing recurses, however deep the history.
 \tparam FT a model of `Field`
-\tparam Input_values a functor from the number of an input face to a reference to a pair of its three squared
-lengths and its quadruple area
+\tparam Input_values a functor from the number of an input face to its `History_values::Input_face`, or to a
+reference to it
 */
 template <class FT, class Input_values>
 class History_evaluator {
@@ -109,7 +112,7 @@ private:
 
   Diamond_values<FT> gather(Side l, Side r) { return diamond_values(face(l), face(r)); }
 
-  const FT& length(Side s) {
+  FT length(Side s) const {
     const Side o = history_.origin(s);
     if (history_.is_input(o.face)) return input_(o.face).first[o.slot];
     const std::uint32_t n = history_.node_of(o.face);
@@ -117,7 +120,7 @@ private:
     return values_.moves.at(n).squared_lengths[history_.made_length(o)];
   }
 
-  const FT& area(std::uint32_t version) {
+  FT area(std::uint32_t version) const {
     if (history_.is_input(version)) return input_(version).second;
     const std::uint32_t n = history_.node_of(version), k = version - history_.left_version(n);
     if (!history_.is_flip(n)) return values_.moves.at(n).quadruple_areas[k];

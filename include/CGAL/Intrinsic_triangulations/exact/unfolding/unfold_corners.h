@@ -113,7 +113,7 @@ private:
   }
 
   // the corner `side` from triangle `t`, if it has been placed
-  std::optional<Corner> known(std::uint32_t t, Flip_history::Side side) const {
+  std::optional<Corner> known(std::uint32_t t, Face_side side) const {
     if (side.slot != Developed_corner::inserted) return Corner{t, side.slot};
     const auto found = placed_.find(key(t, side.face));
     if (found == placed_.end()) return std::nullopt;
