@@ -8,7 +8,7 @@
 #define INTRINSIC_TRIANGULATIONS_EXACT_INSTANCES_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/face_expressions.h>
@@ -48,20 +48,22 @@ INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
     std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
     const Side_of_curve_expression&) const;
 
-INTRINSIC_TRIANGULATIONS_INSTANCE Sign Unfolded_evaluation::sign(const Input_metric&,
-                                                                 const Unfolded_diamond&,
-                                                                 const Delaunay_expression&,
-                                                                 Predicate_statistics&);
-INTRINSIC_TRIANGULATIONS_INSTANCE Sign
-Unfolded_evaluation::sign(const Input_metric&, const Unfolded_diamond&,
-                          const Convexity_at_source_expression&, Predicate_statistics&);
-INTRINSIC_TRIANGULATIONS_INSTANCE Sign
-Unfolded_evaluation::sign(const Input_metric&, const Unfolded_diamond&,
-                          const Convexity_at_target_expression&, Predicate_statistics&);
-INTRINSIC_TRIANGULATIONS_INSTANCE Sign Unfolded_evaluation::sign(const Input_metric&,
-                                                                 const Unfolded_diamond&,
-                                                                 const Left_area_expression&,
-                                                                 Predicate_statistics&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_evaluation::sign(const Input_metric&,
+                                                              const Unfolded_diamond&,
+                                                              const Delaunay_expression&,
+                                                              Predicate_statistics&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_evaluation::sign(const Input_metric&,
+                                                              const Unfolded_diamond&,
+                                                              const Convexity_at_source_expression&,
+                                                              Predicate_statistics&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_evaluation::sign(const Input_metric&,
+                                                              const Unfolded_diamond&,
+                                                              const Convexity_at_target_expression&,
+                                                              Predicate_statistics&);
+INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_evaluation::sign(const Input_metric&,
+                                                              const Unfolded_diamond&,
+                                                              const Left_area_expression&,
+                                                              Predicate_statistics&);
 
 INTRINSIC_TRIANGULATIONS_INSTANCE bool internal::Polygon_triangulator<>::triangulate_delaunay(
     std::vector<std::array<std::uint32_t, 3>>&) const;

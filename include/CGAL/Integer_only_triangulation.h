@@ -42,7 +42,7 @@ input, from which each predicate rebuilds what it needs (ch. 7 of the course: "t
 
 To test an edge, the input triangles over which its diamond lies are found by integers alone (see
 `Diamond_unfolder`) and unfolded in interval arithmetic. Where that leaves the sign open, the same triangles
-decide exactly (see `Unfolded_evaluation`). No length is stored, so no error is carried from one flip to the
+decide exactly (see `Exact_evaluation`). No length is stored, so no error is carried from one flip to the
 next, and nothing is remembered of the flips: memory does not grow with them.
 
 With exact traits the moves have made the values that predicates read; here a predicate reads nothing that

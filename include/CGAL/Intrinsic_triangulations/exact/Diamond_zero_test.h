@@ -4,26 +4,22 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_DIAMOND_ZERO_TEST_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_DIAMOND_ZERO_TEST_H
 
+#include <CGAL/Intrinsic_triangulations/exact/Field_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/Zero_answer.h>
-#include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_bound.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Limited_multiquadratic_number.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Prime_field.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -32,11 +28,10 @@ namespace CGAL::Intrinsic_triangulations {
 \brief decides whether expressions in the values of a diamond that is unfolded from the input are
 exactly zero.
 
-Every value is a polynomial in the square roots of the areas of some input faces, with rational
+Expressions that are not polynomials, or have terms of different kinds (see `Expression_degree`), are decided by
+a `Field_zero_test`. Else every value is a polynomial in the square roots of the areas of some input faces, with rational
 coefficients. The expression is evaluated in finite fields of p^2 elements, for all choices of signs of
 independent square roots.
-
-Most ties are proven before that, in integers of fixed size: see `is_cocircular_strip()`.
 
 - A value that is not zero there proves that the expression is not zero; the first one mostly does.
 - Let y be the expression times an integer that makes y an algebraic integer, P the product of the
@@ -49,49 +44,29 @@ Most ties are proven before that, in integers of fixed size: see `is_cocircular_
 The cost is that of b / 62 * 2^k evaluations in a finite field, k the number of independent square
 roots, b the bits of the bound. No number grows on the way. With more than a few square roots, images
 for one choice of signs are taken first, then the terms of the value are added up, which are few in
-strips of rectangles (see `Limited_multiquadratic_number`). Where there are many, beyond
+strips of rectangles (see `Square_class_basis::limit_products()`). Where there are many, beyond
 `maximal_dimension` square roots, what vanishes in several fields counts as *probably* zero; beyond the
 64 that a `Square_class_basis` holds, everything does.
 */
 class Diamond_zero_test {
 public:
-  /// Outcome of the test.
-  using Answer = Zero_answer;
-
   /// Number of independent square roots up to which zero is proven.
   static constexpr std::size_t maximal_dimension = 12;
 
   /*!
   \brief decides about an expression in the values of a diamond.
   \param input the input, always the same
-  \param diamond the diamond
-  \param expression the expression, see `Conjugate_bound::bits()`; odd or even in the areas
-  \return nothing if there are too many square roots, or a triangle is entered by a side without length
+  \param diamond the diamond; no triangle is entered by a side without length
+  \param expression a model of `DiamondExpression`
   */
   template <class Expression>
-  std::optional<Answer> operator()(const Input_metric& input, const Unfolded_diamond& diamond,
-                                   const Expression& expression) {
+  Zero_answer operator()(const Input_metric& input, const Unfolded_diamond& diamond,
+                         const Expression& expression) {
+    if constexpr (PolynomialExpression<Expression>)
+      if (degree_of(expression).is_uniform)
+        return decide_uniform_polynomial(input, diamond, expression);
     if (faces_.size() > maximal_memory) faces_ = {};
-    const bool in_space = Integer_faces::is_in_space(input);
-    if (is_tie_of_strip(input, diamond, expression)) return Answer::zero;
-    if (!find_shapes(input, diamond)) return std::nullopt;
-    if (basis_.dimension() > few_roots) {
-      if (!vanishes(diamond, expression, probable_bits, false)) return Answer::not_zero;
-      if (is_zero_by_terms(input, diamond, expression)) return Answer::zero;
-      if (basis_.dimension() > maximal_dimension) return Answer::probably_zero;
-    }
-    const double bits = Conjugate_bound(diamond, metric_, in_space).bits(expression);
-    return vanishes(diamond, expression, bits, true) ? Answer::zero : Answer::not_zero;
-  }
-
-  /// tells whether an expression is proven to be zero in integers of fixed size, which takes a microsecond.
-  template <class Expression>
-  static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
-                              const Expression&) {
-    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
-      return Integer_faces::is_in_space(input) && is_cocircular_strip(input, diamond);
-    else
-      return false;
+    return Field_zero_test(input, faces_)(value_of(diamond, expression));
   }
 
   /// tells whether a diamond can be unfolded: no triangle is entered by a side without length.
@@ -107,8 +82,27 @@ private:
   static constexpr std::size_t maximal_memory = 50000;
   // number of square roots up to which trying all signs is the fastest proof
   static constexpr std::size_t few_roots = 6;
+  // largest number of pairs of terms that are multiplied then: under a millisecond
+  static constexpr std::size_t few_pairs = 1 << 13;
   // four primes
   static constexpr double probable_bits = 3.5 * Prime_fields::bits;
+
+  template <class Expression>
+  Zero_answer decide_uniform_polynomial(const Input_metric& input, const Unfolded_diamond& diamond,
+                                        const Expression& expression) {
+    if (faces_.size() > maximal_memory) faces_ = {};
+    if (!find_shapes(input, diamond)) return Zero_answer::probably_zero;
+    if (basis_.dimension() > few_roots) {
+      if (!vanishes(diamond, expression, probable_bits, false)) return Zero_answer::not_zero;
+      // the terms of the value, if they are not too many
+      if (Field_zero_test(input, faces_).is_proven_zero(value_of(diamond, expression), few_pairs))
+        return Zero_answer::zero;
+      if (basis_.dimension() > maximal_dimension) return Zero_answer::probably_zero;
+    }
+    const double bits =
+        Conjugate_bound(diamond, metric_, Integer_faces::is_in_space(input)).bits(expression);
+    return vanishes(diamond, expression, bits, true) ? Zero_answer::zero : Zero_answer::not_zero;
+  }
 
   // evaluates modulo primes whose product has more than `bits` bits
   template <class Expression>
@@ -126,31 +120,16 @@ private:
     return true;
   }
 
-  // adds up the terms of the expression, if they are not too many
+  // evaluates in any field
   template <class Expression>
-  bool is_zero_by_terms(const Input_metric& input, const Unfolded_diamond& diamond,
-                        const Expression& expression) {
-    using Number = Limited_multiquadratic_number;
-    const auto face = [&](std::uint32_t f) {
-      const Integer_face& values = faces_(input, f);
-      Gmpq unit(1); // 4^exponent
-      if (values.exponent >= 0)
-        mpq_mul_2exp(unit.mpq(), unit.mpq(), static_cast<mp_bitcnt_t>(2 * values.exponent));
-      else
-        mpq_div_2exp(unit.mpq(), unit.mpq(), static_cast<mp_bitcnt_t>(-2 * values.exponent));
-      const auto length = [&](unsigned k) {
-        return Number(Multiquadratic_number(Gmpq(values.squared_lengths[k]) / unit));
-      };
-      Square_root root = *basis_.sqrt_of(values.radicand);
-      root.factor *= Gmpq(values.area_factor);
-      const Multiquadratic_number area(basis_, root);
-      return std::pair<std::array<Number, 3>, Number>({length(0), length(1), length(2)},
-                                                      area / Multiquadratic_number(unit));
+  static auto value_of(const Unfolded_diamond& diamond, const Expression& expression) {
+    return [&](const auto& faces) {
+      using Number = typename std::decay_t<decltype(faces)>::Number;
+      return expression(diamond.template values<Number>(faces));
     };
-    return expression(diamond.template values<Number>(face)).is_proven_zero();
   }
 
-  // false if the diamond cannot be evaluated
+  // false if there are too many square roots
   bool find_shapes(const Input_metric& input, const Unfolded_diamond& diamond) {
     basis_ = {};
     metric_.clear();
@@ -158,7 +137,7 @@ private:
     for (const Unfolded_diamond::Triangle& t : diamond.triangles) {
       const Integer_face& face = faces_(input, t.face);
       const std::optional<Square_root> area = basis_.sqrt_of(face.radicand);
-      if (!area || face.squared_lengths[t.entry].sign() == ZERO) return false;
+      if (!area) return false;
       metric_.push_back(&face);
       shapes_.push_back({&face.squared_lengths, &face.area_factor, *area});
     }

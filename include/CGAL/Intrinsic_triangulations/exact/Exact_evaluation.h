@@ -6,76 +6,98 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/Zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
+#include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
 #include <CGAL/Gmpfi.h>
-#include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
-#include <unordered_map>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief decides signs that floating point intervals leave open.
+\brief decides signs that floating point intervals leave open, of expressions of any degree.
 
-Ties over strips that are folded along parallel lines are found first. Then values are recomputed from the input
-by unfolding, in doubles, which may be enough: stored ones carry the errors of all flips before. Most of the
-others are zero, which a `Zero_test` tells. If not, values are recomputed in intervals of 128 bits, of 512 bits
-along the history where vertices have been inserted, and the precision is doubled until the sign shows, which
-must happen if the value is proven not to be zero. One that is only probably zero counts as zero at 1024 bits.
+A diamond is unfolded from the input, along the history of moves or by who asks. Ties over strips that are folded
+along parallel lines are found first. Then values are computed in doubles, which may be enough: stored ones carry
+the errors of all flips before. Most of the others are zero, which a `Diamond_zero_test` tells. If not, values are
+computed in intervals of 128 bits, and the precision is doubled until the sign shows, which must happen if the
+value is proven not to be zero. One that is only probably zero counts as zero at 1024 bits.
+
+Among inserted vertices, and for diamonds that cannot be unfolded and faces that make none, values are computed
+by the moves instead, from 512 bits on, since errors grow with the moves. They are remembered, so that every move
+is evaluated once, as a rule.
 */
 class Exact_evaluation {
 public:
   /// A slot of a version of a face.
-  using Side = Flip_history::Side;
+  using Side = Face_side;
 
   /*!
   \brief returns the sign of an expression in the values of the diamond between two sides.
-  \param input the input
-  \param history the flips since
+  \param input the input, always the same
+  \param history the moves since, always the same but for new moves
   \param left side on the left
   \param right side on the right, glued to `left`
-  \param expression the expression
-  \param better set to intervals that contain the values: about as small as doubles allow, or
-  all reals if nothing was computed
+  \param expression a model of `DiamondExpression`
+  \param better set to intervals that contain the values, about as small as doubles allow, if any were computed
   \param statistics counts how the sign was decided
   */
   template <class Expression>
   Sign sign(const Input_metric& input, const Flip_history& history, Side left, Side right,
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
             Predicate_statistics& statistics) {
-    is_zero_.unfold(input, history, left, right);
-    bool zero_first = true;
-    if (is_unfolded()) {
-      const Unfolded_diamond& diamond = *is_zero_.diamond();
-      if (const std::optional<Sign> s =
-              sign_in_doubles(input, diamond, expression, better, statistics))
-        return *s;
-      zero_first = internal::tests_zero_first(diamond.triangles.size(), expression(better));
+    unfold(input, history, left, right);
+    if (!is_simple())
+      return internal::escalated_sign(
+          history_bits, [&] { return values(input, history, left, right); }, true,
+          [&] { return decide(input, history, left, right, expression); }, expression, better,
+          statistics);
+    if (is_tie_of_strip(input, *diamond_, expression)) {
+      ++statistics.certified_zero;
+      return ZERO;
+    }
+    const auto in_doubles = diamond_->values<Interval_nt<false>>(doubles_.of(input));
+    const Interval_nt<false> value = expression(in_doubles);
+    const Uncertain<Sign> s = CGAL::sign(value);
+    if (is_certain(s)) {
+      better = in_doubles;
+      ++statistics.escalations[53];
+      return get_certain(s);
     }
     return internal::escalated_sign(
-        first_bits(), [&] { return values(input, history, left, right); }, zero_first,
-        [&] { return is_zero_.decide(input, history, left, right, expression); }, expression,
-        better, statistics);
+        first_bits, [&] { return values(input, *diamond_); },
+        internal::tests_zero_first(diamond_->triangles.size(), value),
+        [&] { return is_zero_(input, *diamond_, expression); }, expression, better, statistics);
   }
+
+  /*!
+  \brief returns the sign of an expression in the values of a diamond that is unfolded, which doubles have left open.
+  \param input the input, always the same
+  \param diamond the diamond; no triangle is entered by a side without length
+  \param expression a model of `DiamondExpression`
+  \param statistics counts how the sign was decided
+  */
+  // not inline: see `extern template`
+  template <class Expression>
+  Sign sign(const Input_metric& input, const Unfolded_diamond& diamond,
+            const Expression& expression, Predicate_statistics& statistics);
 
   /*!
   \brief returns the sign of an expression in the values of faces, each from a side on.
@@ -84,7 +106,7 @@ public:
   \param input the input
   \param history the moves since
   \param sides the first side of each face
-  \param expression the expression: `operator()(std::span<const Face_values<Number>>)`
+  \param expression a model of `FaceExpression`
   \param better set to intervals that contain the values, about as small as doubles allow
   \param statistics counts how the sign was decided
   */
@@ -92,25 +114,24 @@ public:
   Sign sign(const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides,
             const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
             Predicate_statistics& statistics) {
-    Zero_answer answer = Zero_answer::not_zero;
-    for (unsigned bits = history_bits; !internal::gives_up(answer, bits); bits *= 2) {
-      const Gmpfi_precision precision(bits);
-      const std::vector<Face_values<Gmpfi>> faces = values(input, history, sides);
-      better = intervals(faces);
-      const Uncertain<Sign> s = expression(std::span<const Face_values<Gmpfi>>(faces)).sign();
-      if (is_certain(s)) {
-        ++statistics.escalations[bits];
-        return get_certain(s);
-      }
-      if (bits > history_bits) continue;
-      answer = History_zero_test(input, history, sides).for_faces(expression);
-      if (answer == Zero_answer::zero) {
-        ++statistics.certified_zero;
-        return ZERO;
-      }
-    }
-    ++statistics.probable_zero;
-    return ZERO;
+    return internal::escalated_sign(
+        history_bits, [&] { return values(input, history, sides); }, false,
+        [&] { return History_zero_test(input, history, sides).for_faces(expression); },
+        [&](const auto& faces) { return expression(std::span(faces.data(), faces.size())); },
+        better, statistics);
+  }
+
+  /*!
+  \brief tells whether an expression in the values of the diamond between two sides is zero, without computing it in
+  intervals.
+
+  Parameters are as for `sign()`.
+  */
+  template <class Expression>
+  Zero_answer zero_answer(const Input_metric& input, const Flip_history& history, Side left,
+                          Side right, const Expression& expression) {
+    unfold(input, history, left, right);
+    return decide(input, history, left, right, expression);
   }
 
   /*!
@@ -125,7 +146,7 @@ public:
                                                           const std::vector<Side>& sides,
                                                           unsigned bits) {
     const Gmpfi_precision precision(bits);
-    return intervals(values(input, history, sides));
+    return internal::intervals(values(input, history, sides));
   }
 
   /*!
@@ -134,89 +155,93 @@ public:
   */
   Diamond_values<Interval_nt<false>> enclosure(const Input_metric& input,
                                                const Flip_history& history, Side left, Side right) {
-    is_zero_.unfold(input, history, left, right);
-    const Gmpfi_precision precision(2 * first_bits());
-    return internal::intervals(values(input, history, left, right));
+    unfold(input, history, left, right);
+    const Gmpfi_precision precision(2 * (is_simple() ? first_bits : history_bits));
+    return internal::intervals(is_simple() ? values(input, *diamond_)
+                                           : values(input, history, left, right));
   }
 
 private:
-  // Without inserted vertices values are computed anew, by unfolding; with them by the moves, whose values
-  // are remembered, so that every move is evaluated once, as a rule. Errors grow with the moves.
-  static constexpr unsigned history_bits = 512;
-  bool is_unfolded() const {
-    return is_zero_.diamond() && is_zero_.diamond()->combinations.empty();
-  }
-  unsigned first_bits() const { return is_unfolded() ? 128 : history_bits; }
+  static constexpr unsigned first_bits = 128, history_bits = 512;
+  // entries that are kept between calls, up to a kilobyte each
+  static constexpr std::size_t maximal_memory = 50000;
 
-  // Unfolded anew, values carry no error of the flips before: doubles may do.
+  // intervals of one precision
+  struct Intervals {
+    Input_face_intervals<Gmpfi> faces;
+    History_values<Gmpfi> moves; // faces made next have them as ancestors
+  };
+
+  // finds the input triangles over which a diamond lies, if it can be unfolded
+  void unfold(const Input_metric& input, const Flip_history& history, Side left, Side right) {
+    if (unfolding_.size() > maximal_memory) unfolding_ = {};
+    diamond_.reset();
+    // the sides of an edge inside one face are told apart by no `Diamond`
+    if (left.face != right.face) diamond_ = unfolding_.diamond(history, left, right);
+    if (diamond_ && !is_zero_.is_defined(input, *diamond_)) diamond_.reset();
+  }
+
+  // whether the diamond was unfolded, and no inserted vertex is in its corners
+  bool is_simple() const { return diamond_ && diamond_->combinations.empty(); }
+
   template <class Expression>
-  std::optional<Sign> sign_in_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
-                                      const Expression& expression,
-                                      Diamond_values<Interval_nt<false>>& better,
-                                      Predicate_statistics& statistics) {
-    if (Diamond_zero_test::is_tie_of_strip(input, diamond, expression)) {
-      better = internal::unknown_values();
-      ++statistics.certified_zero;
-      return ZERO;
-    }
-    if (intervals_.size() > maximal_memory) intervals_.clear();
-    better = diamond.values<Interval_nt<false>>(
-        [&](std::uint32_t f) -> const Interval_face& { return interval_face(input, f); });
-    const Uncertain<Sign> s = CGAL::sign(expression(better));
-    if (!is_certain(s)) return std::nullopt;
-    ++statistics.escalations[53];
-    return get_certain(s);
+  Zero_answer decide(const Input_metric& input, const Flip_history& history, Side left, Side right,
+                     const Expression& expression) {
+    if (!diamond_) return History_zero_test(input, history, left, right)(expression);
+    if (is_tie_of_strip(input, *diamond_, expression)) return Zero_answer::zero;
+    return is_zero_(input, *diamond_, expression);
   }
 
-  using Interval_face = std::pair<std::array<Interval_nt<false>, 3>, Interval_nt<false>>;
-
-  // squared lengths and quadruple area of an input face; the reference stays valid
-  const Interval_face& interval_face(const Input_metric& input, std::uint32_t f) {
-    using FT = Interval_nt<false>;
-    const auto found = intervals_.find(f);
-    if (found != intervals_.end()) return found->second;
-    return intervals_
-        .emplace(f, Interval_face({input.squared_length<FT>(f, 0), input.squared_length<FT>(f, 1),
-                                   input.squared_length<FT>(f, 2)},
-                                  quadruple_area<FT>(input, f)))
-        .first->second;
+  // whether an expression is proven to be zero in integers of fixed size, which takes a microsecond
+  template <class Expression>
+  static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
+                              const Expression&) {
+    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
+      return Integer_faces::is_in_space(input) && is_cocircular_strip(input, diamond);
+    else
+      return false;
   }
 
-  // entries that are kept between calls, about a kilobyte each
-  static constexpr std::size_t maximal_memory = 100000;
+  Intervals& intervals() { return intervals_[Gmpfi::get_default_precision()]; }
+
+  Diamond_values<Gmpfi> values(const Input_metric& input, const Unfolded_diamond& diamond) {
+    return diamond.values<Gmpfi>(intervals().faces.of(input));
+  }
 
   Diamond_values<Gmpfi> values(const Input_metric& input, const Flip_history& history, Side left,
                                Side right) {
-    if (is_unfolded()) return is_zero_.diamond()->values<Gmpfi>(faces_.of(input));
     const auto faces = values(input, history, {left, right});
     return diamond_values(faces[0], faces[1]);
   }
 
   std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,
                                          const std::vector<Side>& sides) {
-    const auto face = faces_.of(input);
-    History_values<Gmpfi>& memory = memory_[Gmpfi::get_default_precision()];
-    if (memory.size() > maximal_memory) memory = {};
-    return History_evaluator<Gmpfi, decltype(face)>(history, face, memory).faces(sides);
+    auto& [faces, moves] = intervals();
+    if (moves.size() > maximal_memory) moves = {};
+    const auto face = faces.of(input);
+    return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
   }
 
-  static std::vector<Face_values<Interval_nt<false>>>
-  intervals(const std::vector<Face_values<Gmpfi>>& faces) {
-    std::vector<Face_values<Interval_nt<false>>> result;
-    for (const Face_values<Gmpfi>& f : faces)
-      result.push_back(
-          {{internal::interval(f.squared_lengths[0]), internal::interval(f.squared_lengths[1]),
-            internal::interval(f.squared_lengths[2])},
-           internal::interval(f.quadruple_area)});
-    return result;
-  }
-
-  Zero_test is_zero_;
-  internal::Gmpfi_faces faces_;
-  std::unordered_map<std::uint32_t, Interval_face> intervals_;
-  // values of each precision so far: faces made next have them as ancestors
-  std::map<Gmpfi::Precision_type, History_values<Gmpfi>> memory_;
+  Unfolding unfolding_;
+  std::optional<Unfolded_diamond> diamond_; // that was unfolded last
+  Diamond_zero_test is_zero_;
+  Input_face_intervals<Interval_nt<false>> doubles_;
+  std::map<Gmpfi::Precision_type, Intervals> intervals_;
 };
+
+template <class Expression>
+Sign Exact_evaluation::sign(const Input_metric& input, const Unfolded_diamond& diamond,
+                            const Expression& expression, Predicate_statistics& statistics) {
+  const auto is_zero = [&] {
+    return is_tie_of_strip(input, diamond, expression) ? Zero_answer::zero
+                                                       : is_zero_(input, diamond, expression);
+  };
+  Diamond_values<Interval_nt<false>> better;
+  return internal::escalated_sign(
+      first_bits, [&] { return values(input, diamond); },
+      internal::tests_zero_first(diamond.triangles.size()), is_zero, expression, better,
+      statistics);
+}
 
 } // namespace CGAL::Intrinsic_triangulations
 

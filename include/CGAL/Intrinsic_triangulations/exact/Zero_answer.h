@@ -10,7 +10,7 @@ namespace CGAL::Intrinsic_triangulations {
 enum class Zero_answer {
   zero,         ///< it is zero, proven
   not_zero,     ///< it is not zero, proven
-  probably_zero ///< it vanishes modulo several primes near 2^61
+  probably_zero ///< it vanishes modulo several primes near 2^62
 };
 
 } // namespace CGAL::Intrinsic_triangulations

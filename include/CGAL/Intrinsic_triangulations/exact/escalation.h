@@ -7,22 +7,17 @@
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/Zero_answer.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
 #include <CGAL/Gmpfi.h>
-#include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <map>
 #include <optional>
 #include <stdexcept>
-#include <unordered_map>
 #include <utility>
+#include <vector>
 
 /*!
 \file
@@ -58,44 +53,6 @@ inline bool gives_up(Zero_answer answer, unsigned bits) {
                          "please report this with the mesh");
 }
 
-// The squared lengths and the quadruple area of input faces in multi-precision intervals, remembered per
-// precision.
-class Gmpfi_faces {
-public:
-  using Face = std::pair<std::array<Gmpfi, 3>, Gmpfi>;
-
-  // returns a functor from a face to its values in the default precision, valid until the next call
-  auto of(const Input_metric& input) {
-    Faces& faces = faces_[Gmpfi::get_default_precision()];
-    if (faces.size() > maximal_memory) faces.clear();
-    return [&input, &faces](std::uint32_t f) -> const Face& {
-      const auto found = faces.find(f);
-      return found != faces.end() ? found->second
-                                  : faces.emplace(f, values(input, f)).first->second;
-    };
-  }
-
-private:
-  using Faces = std::unordered_map<std::uint32_t, Face>;
-  static constexpr std::size_t maximal_memory = 20000; // a kilobyte each
-
-  // More bits leave enough of them where a thin face loses some; rational numbers, which take ten times as
-  // long, do the rest.
-  static Face values(const Input_metric& input, std::uint32_t f) {
-    const Gmpfi::Precision_type bits = Gmpfi::get_default_precision();
-    const Gmpfi_precision wide(static_cast<unsigned>(2 * bits + 64));
-    const std::array<Gmpfi, 3> l{input.squared_length<Gmpfi>(f, 0),
-                                 input.squared_length<Gmpfi>(f, 1),
-                                 input.squared_length<Gmpfi>(f, 2)};
-    const Gmpfi p = l[0] + l[2] - l[1];
-    Gmpfi d = Gmpfi(4) * l[0] * l[2] - p * p;
-    if (!(d.inf() > 0)) d = Gmpfi(input.squared_quadruple_area<Gmpq>(f));
-    return {{Gmpfi(l[0], bits), Gmpfi(l[1], bits), Gmpfi(l[2], bits)}, Gmpfi(d.sqrt(), bits)};
-  }
-
-  std::map<Gmpfi::Precision_type, Faces> faces_;
-};
-
 inline Interval_nt<false> interval(const Gmpfi& x) {
   const std::pair<double, double> i = x.to_interval();
   return Interval_nt<false>(i.first, i.second);
@@ -106,11 +63,12 @@ inline Diamond_values<Interval_nt<false>> intervals(const Diamond_values<Gmpfi>&
           interval(d.mj), interval(d.area_f), interval(d.area_g)};
 }
 
-// all reals
-inline Diamond_values<Interval_nt<false>> unknown_values() {
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Interval_nt<false> all(-infinity, infinity);
-  return {all, all, all, all, all, all, all};
+inline std::vector<Face_values<Interval_nt<false>>>
+intervals(const std::vector<Face_values<Gmpfi>>& faces) {
+  std::vector<Face_values<Interval_nt<false>>> result;
+  for (const auto& [l, a] : faces)
+    result.push_back({{interval(l[0]), interval(l[1]), interval(l[2])}, interval(a)});
+  return result;
 }
 
 // Where the test for zero comes first: the values of a few triangles. Over long strips ties are rare, and the
@@ -125,16 +83,15 @@ inline bool tests_zero_first(std::size_t triangles, const Interval_nt<false>& va
 }
 
 /*
-Returns the sign of an expression in the values of a diamond. `values()` computes them in the default precision,
-which is `bits` first; `is_zero()` tells whether the value is zero, before or after that. If it is not, the
-precision is doubled until the sign shows, which must happen if that is proven. `better` is set to
-intervals that contain the values, all reals if none were computed.
+Returns the sign of an expression in values. `values()` computes them in the default precision, which is `bits`
+first; `is_zero()` tells whether the value is zero, before or after that. If it is not, the precision is doubled
+until the sign shows, which must happen if that is proven. `better` is set to intervals that contain the values,
+and left as it is if none were computed.
 */
-template <class Values, class Is_zero, class Expression>
+template <class Values, class Is_zero, class Expression, class Better>
 Sign escalated_sign(unsigned bits, const Values& values, bool zero_first, const Is_zero& is_zero,
-                    const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                    const Expression& expression, Better& better,
                     Predicate_statistics& statistics) {
-  better = unknown_values();
   std::optional<Zero_answer> answer;
   for (const unsigned first = bits;; bits *= 2) {
     if (!answer && (zero_first || bits > first)) answer = is_zero();
@@ -147,7 +104,7 @@ Sign escalated_sign(unsigned bits, const Values& values, bool zero_first, const 
       return ZERO;
     }
     const Gmpfi_precision precision(bits);
-    const Diamond_values<Gmpfi> d = values();
+    const auto d = values();
     better = intervals(d);
     const Uncertain<Sign> s = expression(d).sign();
     if (is_certain(s)) {

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Word_integer.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/enum.h>
@@ -76,7 +77,7 @@ struct Bit_range {
 /*
 The sign of an expression that is linear in the areas, A a_f + B a_g, from integer squared lengths.
 It follows from the signs of A and B if they agree, else from that of A^2 D_f - B^2 D_g. Coefficients
-are sums of a few squared lengths; squared lengths must be below 2^(b - 6) for integers of b bits.
+are sums of at most 16 squared lengths; squared lengths must be below 2^(b - 6) for integers of b bits.
 */
 template <class Integer, class Expression>
 Sign integer_diamond_sign(Diamond_values<Integer> d, const Expression& expression) {
@@ -105,7 +106,7 @@ class Corners {
 public:
   Corners(const Input_metric& input, Flip_history::Side left, Flip_history::Side right)
       : delta_(input.delta()) {
-    const Input_metric::Sides &f = input.sides(left.version), &g = input.sides(right.version);
+    const Input_metric::Sides &f = input.sides(left.face), &g = input.sides(right.face);
     const std::uint32_t corner[4] = {f[left.slot], f[(left.slot + 1) % 3], f[(left.slot + 2) % 3],
                                      g[(right.slot + 2) % 3]};
     for (const std::uint32_t v : corner)
@@ -145,7 +146,7 @@ class Side_lengths {
 public:
   Side_lengths(const Input_metric& input, Flip_history::Side left, Flip_history::Side right)
       : delta_(input.delta()) {
-    const Input_metric::Sides &f = input.sides(left.version), &g = input.sides(right.version);
+    const Input_metric::Sides &f = input.sides(left.face), &g = input.sides(right.face);
     for (const std::uint32_t e : {f[left.slot], f[(left.slot + 1) % 3], f[(left.slot + 2) % 3],
                                   g[(right.slot + 1) % 3], g[(right.slot + 2) % 3]}) {
       lengths_.emplace_back(input.squared_lengths()[e]);
@@ -186,21 +187,24 @@ std::optional<Sign> integer_diamond_sign(const Source& source, const Expression&
 
 /*!
 \brief decides the sign of an expression in the values of a diamond of two input faces, exactly.
-\tparam Expression a functor with a template `operator()(const Diamond_values<Number>&)` that is
-  linear in the two areas, with coefficients that are sums of a few squared lengths
 \param input the input
 \param left side of an input face
 \param right side of an input face, glued to `left`
-\param expression the expression
-\return the sign; nothing if coordinates spread over more than 122 bits
+\param expression a model of `DiamondExpression`
+\return the sign; nothing if the expression is not known to be linear in the areas (see
+  `Expression_degree::is_linear_in_areas()`), or coordinates spread over more than 122 bits
 \complexity constant, about a tenth of a microsecond
 */
 template <class Expression>
 std::optional<Sign> input_diamond_sign(const Input_metric& input, Flip_history::Side left,
                                        Flip_history::Side right, const Expression& expression) {
-  if (input.is_embedded())
-    return internal::integer_diamond_sign(internal::Corners(input, left, right), expression);
-  return internal::integer_diamond_sign(internal::Side_lengths(input, left, right), expression);
+  if constexpr (PolynomialExpression<Expression>)
+    if (degree_of(expression).is_linear_in_areas()) {
+      if (input.is_embedded())
+        return internal::integer_diamond_sign(internal::Corners(input, left, right), expression);
+      return internal::integer_diamond_sign(internal::Side_lengths(input, left, right), expression);
+    }
+  return std::nullopt;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

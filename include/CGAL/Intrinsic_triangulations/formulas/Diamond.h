@@ -69,7 +69,7 @@ struct Flipped_values {
 \brief returns q_f = L_jk + L_ki - L_ij, the cotangent at `k` times the quadruple area.
 */
 template <class FT>
-FT left_cotangent_numerator(const Diamond_values<FT>& d) {
+constexpr FT left_cotangent_numerator(const Diamond_values<FT>& d) {
   return d.jk + d.ki - d.ij;
 }
 
@@ -77,7 +77,7 @@ FT left_cotangent_numerator(const Diamond_values<FT>& d) {
 \brief returns q_g = L_im + L_mj - L_ij, the cotangent at `m` times the quadruple area.
 */
 template <class FT>
-FT right_cotangent_numerator(const Diamond_values<FT>& d) {
+constexpr FT right_cotangent_numerator(const Diamond_values<FT>& d) {
   return d.im + d.mj - d.ij;
 }
 
@@ -88,9 +88,11 @@ zero iff to pi (the four vertices are cocircular), negative iff to more.
 The value is a_f a_g (cot k + cot m).
 */
 struct Delaunay_expression {
+  /// see `PolynomialExpression`
+  static constexpr bool is_polynomial = true;
   /// evaluates the expression
   template <class FT>
-  FT operator()(const Diamond_values<FT>& d) const {
+  constexpr FT operator()(const Diamond_values<FT>& d) const {
     return left_cotangent_numerator(d) * d.area_g + right_cotangent_numerator(d) * d.area_f;
   }
 };
@@ -101,9 +103,11 @@ struct Delaunay_expression {
 The value is 2 L_ij times the quadruple area of the face `mki` that a flip would make.
 */
 struct Convexity_at_source_expression {
+  /// see `PolynomialExpression`
+  static constexpr bool is_polynomial = true;
   /// evaluates the expression
   template <class FT>
-  FT operator()(const Diamond_values<FT>& d) const {
+  constexpr FT operator()(const Diamond_values<FT>& d) const {
     return (d.ij + d.im - d.mj) * d.area_f + (d.ij + d.ki - d.jk) * d.area_g;
   }
 };
@@ -114,9 +118,11 @@ struct Convexity_at_source_expression {
 The value is 2 L_ij times the quadruple area of the face `kmj` that a flip would make.
 */
 struct Convexity_at_target_expression {
+  /// see `PolynomialExpression`
+  static constexpr bool is_polynomial = true;
   /// evaluates the expression
   template <class FT>
-  FT operator()(const Diamond_values<FT>& d) const {
+  constexpr FT operator()(const Diamond_values<FT>& d) const {
     return (d.ij + d.mj - d.im) * d.area_f + (d.ij + d.jk - d.ki) * d.area_g;
   }
 };
@@ -125,9 +131,11 @@ struct Convexity_at_target_expression {
 \brief evaluates to the quadruple area of the face on the left of an edge.
 */
 struct Left_area_expression {
+  /// see `PolynomialExpression`
+  static constexpr bool is_polynomial = true;
   /// evaluates the expression
   template <class FT>
-  FT operator()(const Diamond_values<FT>& d) const {
+  constexpr FT operator()(const Diamond_values<FT>& d) const {
     return d.area_f;
   }
 };

@@ -12,6 +12,15 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
+\brief names a side of a face: of the input, or of one that moves made (a version, see `Flip_history`).
+*/
+struct Face_side {
+  std::uint32_t face; ///< the face
+  std::uint32_t slot; ///< 0, 1 or 2
+  friend bool operator==(const Face_side&, const Face_side&) = default;
+};
+
+/*!
 \brief names a face and its sides in counterclockwise order, from any of them.
 */
 struct Indexed_face {

@@ -7,8 +7,10 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 
 #include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
+#include <optional>
 
 /*!
 \file
@@ -45,6 +47,16 @@ inline Interval_nt<false> product_with_nonnegative(const Interval_nt<false>& a,
 inline Interval_nt<false> interval_square(const Interval_nt<false>& a) {
   const double low = std::max({a.inf(), -a.sup(), 0.0}), high = std::max(-a.inf(), a.sup());
   return {-(-low * low), high * high};
+}
+
+/*!
+\brief returns the sign that all numbers of an interval have, or nothing.
+*/
+inline std::optional<Sign> certain_sign(const Interval_nt<false>& x) {
+  if (x.inf() > 0) return POSITIVE;
+  if (x.sup() < 0) return NEGATIVE;
+  if (x.inf() == 0 && x.sup() == 0) return ZERO;
+  return std::nullopt;
 }
 
 /*!

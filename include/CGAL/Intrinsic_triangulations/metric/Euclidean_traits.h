@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EUCLIDEAN_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EUCLIDEAN_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
@@ -96,12 +95,8 @@ public:
   */
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
-    boost::container::small_vector<Face_values<FT>, 2> values; // no allocation for a face or two
-    for (const Indexed_face& f : faces)
-      values.push_back(
-          {{squared_length_[f.edges[0]], squared_length_[f.edges[1]], squared_length_[f.edges[2]]},
-           quadruple_area_[f.face]});
-    return CGAL::sign(expression(std::span<const Face_values<FT>>(values.data(), values.size())));
+    const auto v = values(faces);
+    return CGAL::sign(expression(std::span<const Face_values<FT>>(v.data(), v.size())));
   }
 
   /// does nothing: stored values are as accurate as they are.
@@ -237,6 +232,24 @@ public:
                            (FT(2) * quadruple_area_[f]));
   }
 
+protected:
+  /// returns the values of a diamond.
+  Diamond_values<FT> values(const Diamond& d) const {
+    return {squared_length_[d.ij], squared_length_[d.jk], squared_length_[d.ki],
+            squared_length_[d.im], squared_length_[d.mj], quadruple_area_[d.f],
+            quadruple_area_[d.g]};
+  }
+
+  /// returns the values of faces.
+  auto values(std::span<const Indexed_face> faces) const {
+    boost::container::small_vector<Face_values<FT>, 2> result; // no allocation for a face or two
+    for (const Indexed_face& f : faces)
+      result.push_back(
+          {{squared_length_[f.edges[0]], squared_length_[f.edges[1]], squared_length_[f.edges[2]]},
+           quadruple_area_[f.face]});
+    return result;
+  }
+
 private:
   static bool is_length(const FT& squared) {
     if constexpr (std::numeric_limits<FT>::has_infinity)
@@ -247,12 +260,6 @@ private:
   static void store(std::vector<FT>& values, std::uint32_t i, const FT& value) {
     if (i >= values.size()) values.resize(i + 1, FT(0));
     values[i] = value;
-  }
-
-  Diamond_values<FT> values(const Diamond& d) const {
-    return {squared_length_[d.ij], squared_length_[d.jk], squared_length_[d.ki],
-            squared_length_[d.im], squared_length_[d.mj], quadruple_area_[d.f],
-            quadruple_area_[d.g]};
   }
 
   int scale_exponent_ = 0;

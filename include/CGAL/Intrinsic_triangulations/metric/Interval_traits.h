@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INTERVAL_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_INTERVAL_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
@@ -78,20 +77,14 @@ public:
   /// returns the sign of an expression in the values of a diamond; zero, too, if intervals leave it open.
   template <class Expression>
   Sign sign(const Diamond& d, const Expression& expression) const {
-    return sign_of(expression(Diamond_values<FT>{
-        squared_length(d.ij), squared_length(d.jk), squared_length(d.ki), squared_length(d.im),
-        squared_length(d.mj), quadruple_area(d.f), quadruple_area(d.g)}));
+    return sign_of(expression(values(d)));
   }
 
   /// returns the sign of an expression in the values of faces; zero, too, if intervals leave it open.
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
-    std::vector<Face_values<FT>> values;
-    for (const Indexed_face& f : faces)
-      values.push_back(
-          {{squared_length(f.edges[0]), squared_length(f.edges[1]), squared_length(f.edges[2])},
-           quadruple_area(f.face)});
-    return sign_of(expression(std::span<const Face_values<FT>>(values)));
+    const auto v = values(faces);
+    return sign_of(expression(std::span<const Face_values<FT>>(v.data(), v.size())));
   }
 
   /*!
@@ -113,10 +106,9 @@ private:
   }
 
   Sign sign_of(const FT& value) const {
-    if (value.inf() > 0) return POSITIVE;
-    if (value.sup() < 0) return NEGATIVE;
-    if (!(value.inf() == 0 && value.sup() == 0)) ++statistics().undecided;
-    return ZERO;
+    const std::optional<Sign> s = certain_sign(value);
+    if (!s) ++statistics().undecided;
+    return s.value_or(ZERO);
   }
 };
 

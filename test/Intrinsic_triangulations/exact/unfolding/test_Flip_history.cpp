@@ -14,7 +14,7 @@ using CGAL::Intrinsic_triangulations::Flip_history;
 using Side = Flip_history::Side;
 
 bool is(Side s, std::uint32_t version, std::uint32_t slot) {
-  return s.version == version && s.slot == slot;
+  return s.face == version && s.slot == slot;
 }
 
 TEST(Flip_history, numbers_the_versions_of_faces) {

@@ -7,8 +7,8 @@
 #include "meshes.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
-#include <CGAL/Intrinsic_triangulations/exact/Zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_bound.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolding.h>
 
@@ -143,7 +143,7 @@ std::size_t check_all_diamonds(const Walk& walk) {
   IT::History_evaluator<Multiquadratic_number, Exact_input> moves(metric.history(), input, memory);
   std::size_t result = 0;
   for (const auto& [l, r] : walk.inner_edges()) {
-    if (l.version == r.version) continue;
+    if (l.face == r.face) continue;
     const std::optional<IT::Unfolded_diamond> d = unfolding.diamond(metric.history(), l, r);
     if (!d) {
       ADD_FAILURE() << "a diamond is not unfolded";
@@ -191,8 +191,7 @@ TEST(unfold_corners, gives_diamonds_whose_conjugates_are_bounded) {
   IT::Integer_faces integers;
   std::size_t checked = 0;
   for (const auto& [l, r] : walk.inner_edges()) {
-    const auto d =
-        l.version == r.version ? std::nullopt : unfolding.diamond(metric.history(), l, r);
+    const auto d = l.face == r.face ? std::nullopt : unfolding.diamond(metric.history(), l, r);
     if (!d) continue;
     std::vector<const IT::Integer_face*> faces;
     for (const auto& t : d->triangles) faces.push_back(&integers(metric.input(), t.face));
@@ -225,10 +224,10 @@ TEST(unfold_corners, lets_a_zero_test_tell_a_straight_angle_from_one_that_is_ben
     ASSERT_EQ(p.status, Move_status::done);
     // around p: the sum of the angles between the ends of the edge
     std::size_t zeros = 0, others = 0;
-    IT::Zero_test zero_test;
+    IT::Exact_evaluation evaluation;
     for (const auto& [l, r] : walk.inner_edges()) {
-      const auto answer = zero_test(t.input().metric(), t.metric().history(), l, r,
-                                    IT::Convexity_at_source_expression());
+      const auto answer = evaluation.zero_answer(t.input().metric(), t.metric().history(), l, r,
+                                                 IT::Convexity_at_source_expression());
       EXPECT_NE(answer, IT::Zero_answer::probably_zero);
       const auto oracle = IT::History_zero_test(t.input().metric(), t.metric().history(), l,
                                                 r)(IT::Convexity_at_source_expression());

@@ -70,7 +70,7 @@ public:
     return true;
   }
 
-  std::uint32_t edge(Side s) const { return names_[s.version][s.slot]; }
+  std::uint32_t edge(Side s) const { return names_[s.face][s.slot]; }
   const FT& squared_length(std::uint32_t edge) const { return lengths_[edge]; }
   const FT& quadruple_area(std::uint32_t version) const { return areas_[version]; }
 
@@ -140,7 +140,7 @@ private:
     std::array<FT, 3> areas;
     for (std::size_t k = 0; k < 3; ++k) {
       outer[k] = edge(parents[k]);
-      areas[k] = areas_[parents[k].version];
+      areas[k] = areas_[parents[k].face];
       if (edges(parents[k])[1] != edges(parents[(k + 1) % 3])[2]) return different_edges;
     }
     add(outer, removed_from_face(areas[0], areas[1], areas[2]).quadruple_areas[0]);
@@ -171,12 +171,12 @@ private:
   }
 
   Names edges(Side s) const {
-    const Names& n = names_[s.version];
+    const Names& n = names_[s.face];
     return {n[s.slot], n[(s.slot + 1) % 3], n[(s.slot + 2) % 3]};
   }
   Face_values<FT> face(Side s) const {
     const auto [ij, jk, ki] = edges(s);
-    return {{lengths_[ij], lengths_[jk], lengths_[ki]}, areas_[s.version]};
+    return {{lengths_[ij], lengths_[jk], lengths_[ki]}, areas_[s.face]};
   }
 
   static FT positive_part(const FT& x) { return {std::max(x.inf(), 0.0), x.sup()}; }

@@ -173,7 +173,7 @@ private:
     out_.line();
   }
 
-  void write_side(const Flip_history::Side& s) { out_.words(s.version, s.slot); }
+  void write_side(const Flip_history::Side& s) { out_.words(s.face, s.slot); }
 
   void write_versions() {
     out_.line("versions", mesh_.number_of_faces());

@@ -25,7 +25,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// returns the face of an input halfedge and its slot there. \pre it has a face
-inline Flip_history::Side input_side(const Input& input, std::uint32_t halfedge) {
+inline Face_side input_side(const Input& input, std::uint32_t halfedge) {
   const std::uint32_t f = input.face(halfedge), first = input.halfedge_of_face(f);
   if (halfedge == first) return {f, 0};
   return {f, halfedge == input.next(first) ? 1U : 2U};
@@ -114,7 +114,7 @@ public:
   }
 
 private:
-  using Side = Flip_history::Side;
+  using Side = Face_side;
 
   const Input& input() const { return coordinates_->input(); }
 
@@ -170,7 +170,7 @@ private:
       std::swap(weights[0], weights[1]);
     }
     const Side s = side(h);
-    return {s.version, {{{{}, s}, {{}, next_side(s)}, {{}, last_side(s)}}}, weights};
+    return {s.face, {{{{}, s}, {{}, next_side(s)}, {{}, last_side(s)}}}, weights};
   }
 
   // finds the curves that cross ij, as the input halfedges over which faces are entered

@@ -7,11 +7,12 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
@@ -35,7 +36,7 @@ length of an intrinsic edge is stored.
 
 A diamond of two input faces is read from the input. Others are unfolded (see `Diamond_unfolder`) in
 interval arithmetic; where that leaves a sign open, the triangles decide exactly (see
-`Unfolded_evaluation`).
+`Exact_evaluation`).
 
 All members but the constructors and accessors ask for a live `Protect_FPU_rounding<true>`.
 */
@@ -76,8 +77,7 @@ public:
   /*!
   \brief returns the exact sign of an expression in the values of the diamond of an edge.
   \tparam View `Intrinsic_view`
-  \tparam Expression a functor with a template `operator()(const Diamond_values<Number>&)`, odd or even in
-    the areas
+  \tparam Expression a model of `DiamondExpression`
   \param view the triangulation
   \param coordinates its coordinates
   \param h a halfedge, see `Diamond_unfolder`
@@ -86,15 +86,12 @@ public:
   \complexity linear in the number of input triangles that are unfolded; if the filter fails, see
   `Diamond_zero_test`
   */
-  template <class View, class Expression>
+  template <class View, DiamondExpression Expression>
   Sign sign(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
             const Expression& expression, Predicate_statistics& statistics) {
     const Rebuilt d = rebuild(view, coordinates, h);
-    const FT value = expression(d.values);
-    if (value.inf() > 0) return POSITIVE;
-    if (value.sup() < 0) return NEGATIVE;
-    if (value.inf() == 0 && value.sup() == 0) return ZERO;
-    return exact_sign(view, coordinates, h, d, expression, statistics);
+    const std::optional<Sign> s = certain_sign(expression(d.values));
+    return s ? *s : exact_sign(view, coordinates, h, d, expression, statistics);
   }
 
   /// tells whether the angles opposite an edge sum to at most pi.
@@ -145,7 +142,7 @@ public:
   }
 
 private:
-  using Side = Flip_history::Side;
+  using Side = Face_side;
 
   template <class Expression>
   Sign sign_of(const Unfolded_diamond& d, const Expression& expression,
@@ -191,10 +188,10 @@ private:
     const std::uint32_t x = coordinates.fans().halfedge(coordinates.roundabout(h));
     const Side f = input_side(coordinates.input(), x), g = input_side(coordinates.input(), x ^ 1U);
     const auto length = [this](Side s, std::uint32_t k) {
-      return faces_[s.version].first[(s.slot + k) % 3];
+      return faces_[s.face].first[(s.slot + k) % 3];
     };
     return {{length(f, 0), length(f, 1), length(f, 2), length(g, 1), length(g, 2),
-             faces_[f.version].second, faces_[g.version].second},
+             faces_[f.face].second, faces_[g.face].second},
             nullptr,
             f,
             g};
@@ -222,7 +219,7 @@ private:
   std::shared_ptr<const Input> input_;
   std::vector<Input_face> faces_;
   Diamond_unfolder unfolder_;
-  Unfolded_evaluation evaluation_;
+  Exact_evaluation evaluation_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

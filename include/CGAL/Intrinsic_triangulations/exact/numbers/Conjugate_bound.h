@@ -93,8 +93,8 @@ public:
   /*!
   \brief returns the binary logarithm of a bound on all conjugates of an algebraic integer that is
   the expression times a positive integer.
-  \tparam Expression a functor with a template `operator()(const Diamond_values<Number>&)` that
-  evaluates a polynomial with integer coefficients by sums, differences and products
+  \tparam Expression a model of `PolynomialExpression` whose terms all have the same total degree, since the
+  unit of the values is not that of the input
   */
   template <class Expression>
   double bits(const Expression& expression) const {

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_CONJUGATE_EVALUATOR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_CONJUGATE_EVALUATOR_H
 
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Gaussian_residue.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Prime_field.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
@@ -94,7 +95,7 @@ public:
   permutes the values. If every area has an odd number of roots, the first root that is not imaginary
   keeps its sign as well: changing the signs of all roots changes those of all areas and no length,
   hence at most the sign of the value.
-  \pre the expressions evaluated are odd or even in the areas
+  \pre the expressions evaluated are odd or even in the areas, see `Expression_degree`
   \return whether there is one
   */
   bool next() {
@@ -136,14 +137,14 @@ private:
     return scaled(unit_, times_i(u.z * v.conjugate - u.conjugate * v.z));
   }
 
-  // d^((p+1)/4) is a root of d or of -d
   bool find_roots(const Square_class_basis& basis) {
     roots_.reserve(dimension_);
     for (std::size_t g = 0; g < dimension_; ++g) {
       const Element d = field_.element(basis.representative(g));
       if (d == 0) return false;
-      roots_.push_back(field_.power(d, (field_.size() + 1) / 4));
-      if (field_.multiply(roots_.back(), roots_.back()) != d) imaginary_ |= Mask(1) << g;
+      const auto [root, is_imaginary] = field_.root(d);
+      roots_.push_back(root);
+      if (is_imaginary) imaginary_ |= Mask(1) << g;
     }
     return true;
   }

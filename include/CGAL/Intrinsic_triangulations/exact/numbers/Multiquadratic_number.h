@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -108,9 +109,12 @@ public:
                                          const Multiquadratic_number& y) {
     return sum(x, y, true);
   }
+  /// \throws std::length_error see `Square_class_basis::limit_products()`
   friend Multiquadratic_number operator*(const Multiquadratic_number& x,
                                          const Multiquadratic_number& y) {
     const Square_class_basis* basis = common_basis(x, y);
+    if (basis != nullptr && x.terms_.size() * y.terms_.size() > basis->maximal_pairs())
+      throw std::length_error("a product would have too many terms");
     const Gmpz m = product(x.denominator_, y.denominator_);
     return canonical(internal::product(basis, x.terms_, y.terms_), m, m, x.exponent_ + y.exponent_,
                      basis);

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -68,6 +69,12 @@ public:
   /// returns 1 / x. \pre `x` is not zero
   Element inverse(Element x) const { return power(x, p_ - 2); }
 
+  /// returns a square root of x, or of -x where x has none: then `true`. \pre p is 3 modulo 4
+  std::pair<Element, bool> root(Element x) const {
+    const Element r = power(x, (p_ + 1) / 4);
+    return {r, multiply(r, r) != x};
+  }
+
   /// returns the residue of an integer.
   Element element(const Gmpz& n) const {
     static_assert(GMP_NUMB_BITS == 64 || GMP_NUMB_BITS == 32);
@@ -118,50 +125,6 @@ private:
       2141, 2217, 2285, 2397, 2421, 2541, 2661, 2753, 2777, 2793, 2861, 3041};
 
   std::deque<Prime_field> fields_;
-};
-
-/*!
-\brief is an element x + i y of the field of p^2 elements, i^2 = -1, where p is 3 modulo 4.
-
-Numbers that meet must belong to one field, which must outlive them.
-*/
-class Gaussian_residue {
-public:
-  /// An element of the prime field.
-  using Element = Prime_field::Element;
-
-  /// constructs zero, of no field.
-  Gaussian_residue() = default;
-  /// constructs x + i y.
-  Gaussian_residue(const Prime_field& field, Element x, Element y) : field_(&field), x_(x), y_(y) {}
-
-  /// tells whether the number is zero.
-  bool is_zero() const { return (x_ | y_) == 0; }
-
-  friend Gaussian_residue operator+(const Gaussian_residue& a, const Gaussian_residue& b) {
-    return {*a.field_, a.field_->add(a.x_, b.x_), a.field_->add(a.y_, b.y_)};
-  }
-  friend Gaussian_residue operator-(const Gaussian_residue& a, const Gaussian_residue& b) {
-    return {*a.field_, a.field_->subtract(a.x_, b.x_), a.field_->subtract(a.y_, b.y_)};
-  }
-  friend Gaussian_residue operator*(const Gaussian_residue& a, const Gaussian_residue& b) {
-    const Prime_field& f = *a.field_;
-    return {f, f.subtract(f.multiply(a.x_, b.x_), f.multiply(a.y_, b.y_)),
-            f.add(f.multiply(a.x_, b.y_), f.multiply(a.y_, b.x_))};
-  }
-  /// returns c a.
-  friend Gaussian_residue scaled(Element c, const Gaussian_residue& a) {
-    return {*a.field_, a.field_->multiply(c, a.x_), a.field_->multiply(c, a.y_)};
-  }
-  /// returns i a.
-  friend Gaussian_residue times_i(const Gaussian_residue& a) {
-    return {*a.field_, a.field_->negate(a.y_), a.x_};
-  }
-
-private:
-  const Prime_field* field_ = nullptr;
-  Element x_ = 0;
-  Element y_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

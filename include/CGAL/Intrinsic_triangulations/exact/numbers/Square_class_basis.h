@@ -14,6 +14,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -111,6 +112,17 @@ public:
     n = rest;
     return root;
   }
+
+  /*!
+  \brief bounds the time that a product of two numbers of the basis may take: one of more than `pairs` pairs of terms
+  throws `std::length_error`.
+
+  A number of a field of k square roots has up to 2^k terms, but sums of many lengths have few: the flat
+  picture of a strip of n rectangles has about n^2.
+  */
+  void limit_products(std::size_t pairs) { maximal_pairs_ = pairs; }
+  /// returns the largest number of pairs of terms that may be multiplied.
+  std::size_t maximal_pairs() const { return maximal_pairs_; }
 
   /// returns the number of representatives.
   std::size_t dimension() const { return generators_.size(); }
@@ -220,6 +232,7 @@ private:
   }
 
   std::vector<Generator> generators_;
+  std::size_t maximal_pairs_ = std::numeric_limits<std::size_t>::max();
   Gmpz one_ = Gmpz(1);
   mutable std::unordered_map<Mask, Gmpz> products_;
 };

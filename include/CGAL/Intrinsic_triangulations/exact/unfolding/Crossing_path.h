@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_CROSSING_PATH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_CROSSING_PATH_H
 
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
 #include <cstdint>
 #include <vector>
@@ -19,27 +19,22 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// A crossing of an input edge, from a side of an input face to the side that is glued to it.
 struct Crossing {
-  Flip_history::Side from; ///< the side on the near side
-  Flip_history::Side to;   ///< the side on the far side
+  Face_side from; ///< the side on the near side
+  Face_side to;   ///< the side on the far side
 };
 
 /// Crossings, the first one first; no crossing is followed by its inverse.
 using Crossing_path = std::vector<Crossing>;
 
-/// tells whether two sides are the same.
-inline bool is_same(Flip_history::Side s, Flip_history::Side t) {
-  return s.version == t.version && s.slot == t.slot;
-}
-
 /// returns the side that follows a side in its face.
-inline Flip_history::Side next_side(Flip_history::Side s) { return {s.version, (s.slot + 1) % 3}; }
+inline Face_side next_side(Face_side s) { return {s.face, (s.slot + 1) % 3}; }
 
 /// returns the side before a side in its face.
-inline Flip_history::Side last_side(Flip_history::Side s) { return {s.version, (s.slot + 2) % 3}; }
+inline Face_side last_side(Face_side s) { return {s.face, (s.slot + 2) % 3}; }
 
 /// appends a crossing.
 inline void append(Crossing_path& p, const Crossing& c) {
-  if (!p.empty() && is_same(p.back().to, c.from) && is_same(p.back().from, c.to))
+  if (!p.empty() && p.back().to == c.from && p.back().from == c.to)
     p.pop_back();
   else
     p.push_back(c);
@@ -67,8 +62,8 @@ struct Developed_corner {
   /// From a face to the one in which the vertex is found.
   Crossing_path path;
   /// The vertex: where this side of an input face starts. If `slot` is `inserted`, the vertex that node
-  /// number `version` of the history inserted.
-  Flip_history::Side side;
+  /// number `face` of the history inserted.
+  Face_side side;
 
   /// tells whether the vertex was inserted.
   bool is_inserted() const { return side.slot == inserted; }
@@ -77,9 +72,9 @@ struct Developed_corner {
   void trim() {
     while (!path.empty()) {
       const auto [from, to] = path.back();
-      if (is_same(side, to))
+      if (side == to)
         side = next_side(from);
-      else if (!is_inserted() && is_same(side, next_side(to)))
+      else if (!is_inserted() && side == next_side(to))
         side = from;
       else
         return;

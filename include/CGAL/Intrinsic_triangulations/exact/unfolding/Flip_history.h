@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_FLIP_HISTORY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_FLIP_HISTORY_H
 
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -32,10 +34,7 @@ evaluation and nothing is recursive.
 class Flip_history {
 public:
   /// A slot of a version of a face.
-  struct Side {
-    std::uint32_t version; ///< version of the face
-    std::uint32_t slot;    ///< 0, 1 or 2
-  };
+  using Side = Face_side;
 
   /// An insertion or a removal of a vertex; see `Vertex_star`, `Border_star`.
   struct Vertex_move {
@@ -127,8 +126,8 @@ public:
   \complexity linear in the number of moves that the side went through as an outer edge
   */
   Side origin(Side s) const {
-    while (!is_input(s.version)) {
-      const std::uint32_t n = flip_of(s.version);
+    while (!is_input(s.face)) {
+      const std::uint32_t n = flip_of(s.face);
       if (!is_flip(n)) {
         const std::optional<Side> parent = inherited(vertex_move(n), s);
         if (!parent) return s;
@@ -136,11 +135,11 @@ public:
         continue;
       }
       if (s.slot == 0) return s;
-      const bool is_left = s.version == left_version(n);
+      const bool is_left = s.face == left_version(n);
       // left face: km, mj, jk; right face: mk, ki, im; see Flipped_values
       const bool from_right_parent = is_left == (s.slot == 1);
       const Side parent = from_right_parent ? right_parent(n) : left_parent(n);
-      s = {parent.version, (parent.slot + (s.slot == 1 ? 2 : 1)) % 3};
+      s = {parent.face, (parent.slot + (s.slot == 1 ? 2 : 1)) % 3};
     }
     return s;
   }
@@ -149,7 +148,7 @@ public:
   /// the move made that.
   std::optional<Side> inherited(const Vertex_move& m, Side s) const {
     using Kind = Vertex_move::Kind;
-    const std::uint32_t k = s.version - left_version(m.node);
+    const std::uint32_t k = s.face - left_version(m.node);
     switch (m.kind) {
     case Kind::insert_in_face:
       if (s.slot == 0) return after(m.parents[0], k);
@@ -172,8 +171,8 @@ public:
   \pre `s` is an `origin()` in a face that a vertex move made
   */
   std::uint32_t made_length(Side s) const {
-    const Vertex_move& m = vertex_move(flip_of(s.version));
-    const std::uint32_t k = s.version - left_version(m.node);
+    const Vertex_move& m = vertex_move(flip_of(s.face));
+    const std::uint32_t k = s.face - left_version(m.node);
     if (m.kind == Vertex_move::Kind::insert_in_face) return s.slot == 1 ? (k + 1) % 3 : k;
     if (m.kind == Vertex_move::Kind::insert_in_border_edge) return s.slot == 0 ? k : 2;
     return 0;
@@ -208,20 +207,20 @@ public:
       if (is_known(n) || !seen.insert(n).second) continue;
       order.push_back(n);
       if (is_flip(n)) {
-        stack.push_back(left_parent(n).version);
-        stack.push_back(right_parent(n).version);
+        stack.push_back(left_parent(n).face);
+        stack.push_back(right_parent(n).face);
       } else
         for (std::size_t k = 0; k < number_of_parents(vertex_move(n).kind); ++k)
-          stack.push_back(vertex_move(n).parents[k].version);
+          stack.push_back(vertex_move(n).parents[k].face);
     }
     std::sort(order.begin(), order.end());
     return order;
   }
 
 private:
-  static std::uint32_t pack(Side s) { return (s.version << 2) | s.slot; }
+  static std::uint32_t pack(Side s) { return (s.face << 2) | s.slot; }
   static Side unpack(std::uint32_t x) { return {x >> 2, x & 3U}; }
-  static Side after(Side s, std::uint32_t steps) { return {s.version, (s.slot + steps) % 3}; }
+  static Side after(Side s, std::uint32_t steps) { return {s.face, (s.slot + steps) % 3}; }
 
   // leaves room for the four versions of two nodes
   std::uint32_t new_version() const {

@@ -31,11 +31,9 @@ struct History_values {
   std::unordered_map<std::uint32_t, Flipped_values<FT>> flips;
   /// What each insertion or removal of a vertex made, by its first node.
   std::unordered_map<std::uint32_t, Vertex_move_values<FT>> moves;
-  /// Input faces.
-  std::unordered_map<std::uint32_t, Input_face> inputs;
 
   /// returns the number of values that are remembered.
-  std::size_t size() const { return flips.size() + moves.size() + inputs.size(); }
+  std::size_t size() const { return flips.size() + moves.size(); }
 };
 
 /*!
@@ -43,7 +41,8 @@ struct History_values {
 
 Ancestors are evaluated in the order of the moves: nothing recurses, however deep the history.
 \tparam FT a model of `Field`
-\tparam Input_values a functor from the number of an input face to `History_values::Input_face`
+\tparam Input_values a functor from the number of an input face to its `History_values::Input_face`, or to a
+reference to it
 */
 template <class FT, class Input_values>
 class History_evaluator {
@@ -58,7 +57,7 @@ public:
   \complexity linear in the number of ancestors not evaluated yet
   */
   Diamond_values<FT> diamond(Flip_history::Side left, Flip_history::Side right) {
-    evaluate_ancestors({left.version, right.version});
+    evaluate_ancestors({left.face, right.face});
     return gather(left, right);
   }
 
@@ -68,7 +67,7 @@ public:
   */
   std::vector<Face_values<FT>> faces(const std::vector<Flip_history::Side>& sides) {
     std::vector<std::uint32_t> versions;
-    for (const Side& s : sides) versions.push_back(s.version);
+    for (const Side& s : sides) versions.push_back(s.face);
     evaluate_ancestors(std::move(versions));
     std::vector<Face_values<FT>> result;
     for (const Side& s : sides) result.push_back(face(s));
@@ -98,8 +97,8 @@ private:
     case Kind::insert_in_border_edge:
       return inserted_in_border_edge(face(m.parents[0]), m.weights[1]);
     case Kind::remove_from_face:
-      return removed_from_face(area(m.parents[0].version), area(m.parents[1].version),
-                               area(m.parents[2].version));
+      return removed_from_face(area(m.parents[0].face), area(m.parents[1].face),
+                               area(m.parents[2].face));
     case Kind::remove_from_border_edge:
       break;
     }
@@ -107,33 +106,26 @@ private:
   }
 
   Face_values<FT> face(Side s) {
-    return {
-        {length(s), length({s.version, (s.slot + 1) % 3}), length({s.version, (s.slot + 2) % 3})},
-        area(s.version)};
+    return {{length(s), length({s.face, (s.slot + 1) % 3}), length({s.face, (s.slot + 2) % 3})},
+            area(s.face)};
   }
 
   Diamond_values<FT> gather(Side l, Side r) { return diamond_values(face(l), face(r)); }
 
-  const FT& length(Side s) {
+  FT length(Side s) const {
     const Side o = history_.origin(s);
-    if (history_.is_input(o.version)) return input(o.version).first[o.slot];
-    const std::uint32_t n = history_.node_of(o.version);
+    if (history_.is_input(o.face)) return input_(o.face).first[o.slot];
+    const std::uint32_t n = history_.node_of(o.face);
     if (history_.is_flip(n)) return values_.flips.at(n).km;
     return values_.moves.at(n).squared_lengths[history_.made_length(o)];
   }
 
-  const FT& area(std::uint32_t version) {
-    if (history_.is_input(version)) return input(version).second;
+  FT area(std::uint32_t version) const {
+    if (history_.is_input(version)) return input_(version).second;
     const std::uint32_t n = history_.node_of(version), k = version - history_.left_version(n);
     if (!history_.is_flip(n)) return values_.moves.at(n).quadruple_areas[k];
     const Flipped_values<FT>& values = values_.flips.at(n);
     return k == 0 ? values.area_f : values.area_g;
-  }
-
-  const typename History_values<FT>::Input_face& input(std::uint32_t f) {
-    auto it = values_.inputs.find(f);
-    if (it == values_.inputs.end()) it = values_.inputs.emplace(f, input_(f)).first;
-    return it->second;
   }
 
   const Flip_history& history_;

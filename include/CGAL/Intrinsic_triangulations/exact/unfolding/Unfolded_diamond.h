@@ -90,7 +90,7 @@ struct Unfolded_diamond {
   \brief evaluates the diamond by unfolding.
   \tparam FT a model of `Field`
   \tparam Input_values a functor from the number of an input face to a pair of its three squared
-  lengths and its quadruple area, see `History_values::Input_face`
+  lengths and its quadruple area
   */
   template <class FT, class Input_values>
   Diamond_values<FT> values(const Input_values& input) const {

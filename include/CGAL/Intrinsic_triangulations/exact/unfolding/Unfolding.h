@@ -49,7 +49,7 @@ public:
     const auto is_known = [&](std::uint32_t n) {
       return history.is_flip(n) ? flips_.count(n) != 0 : moves_.count(n) != 0;
     };
-    for (const std::uint32_t n : history.ancestors(left.version, right.version, is_known))
+    for (const std::uint32_t n : history.ancestors(left.face, right.face, is_known))
       if (history.is_flip(n))
         flips_.emplace(n, flip(history, history.left_parent(n), history.right_parent(n)));
       else
@@ -97,14 +97,14 @@ private:
   }
 
   bool is_too_long(const Flip_history& history, Side s) const {
-    return base(history, s.version) == none;
+    return base(history, s.face) == none;
   }
 
   // from the base of the version of a side to the plane in which the side was made
   const Path& path(const Flip_history& history, Side s) const {
     static const Path identity;
-    while (!history.is_input(s.version)) {
-      const std::uint32_t n = history.node_of(s.version);
+    while (!history.is_input(s.face)) {
+      const std::uint32_t n = history.node_of(s.face);
       if (history.is_flip(n)) return path(history, flips_.at(n), n, s);
       const Move& m = history.vertex_move(n);
       if (is_removal(m)) return moves_.at(n).paths[s.slot];
@@ -118,7 +118,7 @@ private:
   const Path& path(const Flip_history& history, const Flip& f, std::uint32_t n, Side s) const {
     static const Path identity;
     if (s.slot == 0) return identity;
-    if (s.version == history.left_version(n)) return s.slot == 1 ? f.mj : f.jk;
+    if (s.face == history.left_version(n)) return s.slot == 1 ? f.mj : f.jk;
     return s.slot == 1 ? f.ki : f.im;
   }
 
@@ -126,25 +126,25 @@ private:
   Path transition(const Flip_history& history, Side left, Side right) const {
     Path result = path(history, left);
     const Side from = history.origin(left);
-    if (history.is_input(from.version)) append(result, {from, history.origin(right)});
+    if (history.is_input(from.face)) append(result, {from, history.origin(right)});
     return product_with_inverse(std::move(result), path(history, right));
   }
 
   // where a side starts, from the base of its version
   Corner start(const Flip_history& history, Side s) const {
     const Side o = history.origin(s);
-    if (history.is_input(o.version)) return {path(history, s), o};
+    if (history.is_input(o.face)) return {path(history, s), o};
     const Corner c = start_where_made(history, o);
     return {product(path(history, s), c.path), c.side};
   }
 
   // where a side starts, from the base of the move that made it
   Corner start_where_made(const Flip_history& history, Side s) const {
-    const std::uint32_t n = history.node_of(s.version);
+    const std::uint32_t n = history.node_of(s.face);
     if (history.is_flip(n))
-      return s.version == history.left_version(n) ? flips_.at(n).k : flips_.at(n).m;
+      return s.face == history.left_version(n) ? flips_.at(n).k : flips_.at(n).m;
     const std::array<Corner, 3>& corners = moves_.at(n).vertex.corners;
-    const std::uint32_t k = s.version - history.left_version(n);
+    const std::uint32_t k = s.face - history.left_version(n);
     const Corner inserted{{}, {n, Corner::inserted}};
     switch (history.vertex_move(n).kind) {
     case Move::Kind::insert_in_face: // ijp, jkp, kip
@@ -161,7 +161,7 @@ private:
     if (is_too_long(history, left) || is_too_long(history, right))
       return {none, {}, {}, {}, {}, {}, {}};
     const Path t = transition(history, left, right);
-    Flip f{base(history, left.version),
+    Flip f{base(history, left.face),
            product(t, path(history, last_side(right))),
            path(history, next_side(left)),
            path(history, last_side(left)),
@@ -182,7 +182,7 @@ private:
 
   Vertex_move vertex_move(const Flip_history& history, std::uint32_t n) const {
     const Move& m = history.vertex_move(n);
-    Vertex_move result{{base(history, m.parents[0].version), {}, m.weights}, {}};
+    Vertex_move result{{base(history, m.parents[0].face), {}, m.weights}, {}};
     bool is_long = result.vertex.base == none;
     if (m.kind == Move::Kind::remove_from_face)
       for (const Side s : {m.parents[1], m.parents[2]})

@@ -38,12 +38,11 @@ inline bool move_base(std::array<Developed_corner, 4>& corners) {
   if (longest->path.empty()) return false;
   const auto [from, to] = longest->path.front();
   for (const Developed_corner& c : corners)
-    if (c.path.empty() ? !is_same(c.side, from) && !is_same(c.side, next_side(from))
-                       : !is_same(c.path.front().from, from))
+    if (c.path.empty() ? c.side != from && c.side != next_side(from) : c.path.front().from != from)
       return false;
   for (Developed_corner& c : corners)
     if (c.path.empty())
-      c.side = is_same(c.side, from) ? next_side(to) : to;
+      c.side = c.side == from ? next_side(to) : to;
     else
       c.path.erase(c.path.begin());
   return true;
@@ -67,14 +66,14 @@ public:
   bool operator()(const std::array<Developed_corner, 4>& corners, const Insertions& insertions) {
     clear();
     const Developed_corner& c = corners.front();
-    const std::uint32_t base = !c.path.empty()   ? c.path.front().from.version
-                               : c.is_inserted() ? insertions(c.side.version).base
-                                                 : c.side.version;
+    const std::uint32_t base = !c.path.empty()   ? c.path.front().from.face
+                               : c.is_inserted() ? insertions(c.side.face).base
+                                                 : c.side.face;
     add({base, 0, 0, {0, 1, 2}});
     for (std::size_t i = 0; i < 4; ++i) {
       const std::uint32_t t = follow(0, corners[i].path);
       if (result_.triangles.size() > maximal_size_) return false;
-      if (corners[i].is_inserted() && !place(t, corners[i].side.version, insertions)) return false;
+      if (corners[i].is_inserted() && !place(t, corners[i].side.face, insertions)) return false;
       result_.corners[i] = *known(t, corners[i].side);
     }
     return true;
@@ -106,7 +105,7 @@ private:
           continue;
         }
         children_[t][from.slot] = static_cast<std::uint32_t>(result_.triangles.size());
-        add(result_.beyond(t, from.slot, to.version, to.slot));
+        add(result_.beyond(t, from.slot, to.face, to.slot));
       }
       t = children_[t][from.slot];
     }
@@ -114,9 +113,9 @@ private:
   }
 
   // the corner `side` from triangle `t`, if it has been placed
-  std::optional<Corner> known(std::uint32_t t, Flip_history::Side side) const {
+  std::optional<Corner> known(std::uint32_t t, Face_side side) const {
     if (side.slot != Developed_corner::inserted) return Corner{t, side.slot};
-    const auto found = placed_.find(key(t, side.version));
+    const auto found = placed_.find(key(t, side.face));
     if (found == placed_.end()) return std::nullopt;
     return Corner{found->second, Developed_corner::inserted};
   }
@@ -140,7 +139,7 @@ private:
         if (found)
           c.corners[k] = *found;
         else
-          stack.push_back({at, corner.side.version});
+          stack.push_back({at, corner.side.face});
       }
       if (stack.size() > size) continue;
       stack.pop_back();

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/exact/Zero_test.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 
 #include "gallery.h"
 #include "meshes.h"
@@ -56,11 +56,11 @@ std::size_t make_delaunay(Walk& walk) {
 // the faster test against repeating the flips, for all edges and expressions
 template <class Expression>
 std::size_t compare(const Walk& walk, const Expression& expression) {
-  IT::Zero_test unfolded;
+  IT::Exact_evaluation unfolded;
   std::size_t zeros = 0;
   for (const Map::Halfedge h : walk.inner_edges()) {
     const auto l = walk.side(h), r = walk.side(Map::opposite(h));
-    const Zero_answer a = unfolded(walk.input, walk.history, l, r, expression);
+    const Zero_answer a = unfolded.zero_answer(walk.input, walk.history, l, r, expression);
     EXPECT_EQ(a, IT::History_zero_test(walk.input, walk.history, l, r)(expression));
     zeros += a == Zero_answer::zero;
   }
@@ -73,7 +73,7 @@ std::size_t compare_all(const Walk& walk) {
          compare(walk, IT::Convexity_at_target_expression());
 }
 
-TEST(Zero_test, agrees_with_repeated_flips_on_a_box) {
+TEST(Zero_answer, agrees_with_repeated_flips_on_a_box) {
   std::mt19937 random(1);
   Walk walk = walk_on(meshes::box(2, 1, 1));
   std::size_t zeros = compare_all(walk);
@@ -84,7 +84,7 @@ TEST(Zero_test, agrees_with_repeated_flips_on_a_box) {
   EXPECT_GT(zeros, 50U);
 }
 
-TEST(Zero_test, agrees_with_repeated_flips_on_folded_lattices) {
+TEST(Zero_answer, agrees_with_repeated_flips_on_folded_lattices) {
   std::mt19937 random(2);
   Walk walk = walk_on(meshes::folded_lattice(3, 4, 1));
   walk.run(30, random);
@@ -93,7 +93,7 @@ TEST(Zero_test, agrees_with_repeated_flips_on_folded_lattices) {
   EXPECT_GT(compare_all(walk), 3U);
 }
 
-TEST(Zero_test, agrees_with_repeated_flips_on_squared_lengths_and_with_mollification) {
+TEST(Zero_answer, agrees_with_repeated_flips_on_squared_lengths_and_with_mollification) {
   std::mt19937 random(3);
   Walk torus = walk_on(gallery::flat_torus(3, 3));
   torus.run(40, random);
@@ -105,7 +105,7 @@ TEST(Zero_test, agrees_with_repeated_flips_on_squared_lengths_and_with_mollifica
   compare_all(mollified);
 }
 
-TEST(Zero_test, agrees_with_repeated_flips_on_Delta_complexes) {
+TEST(Zero_answer, agrees_with_repeated_flips_on_Delta_complexes) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
     std::mt19937 random(4);
@@ -117,7 +117,7 @@ TEST(Zero_test, agrees_with_repeated_flips_on_Delta_complexes) {
   }
 }
 
-TEST(Zero_test, agrees_with_repeated_flips_on_random_walls_with_and_without_an_ulp) {
+TEST(Zero_answer, agrees_with_repeated_flips_on_random_walls_with_and_without_an_ulp) {
   // hinges along an axis and along diagonals, planes of rational and of irrational area
   std::mt19937 random(8);
   std::uniform_int_distribution<int> step(1, 9);
@@ -143,7 +143,7 @@ TEST(Zero_test, agrees_with_repeated_flips_on_random_walls_with_and_without_an_u
   }
 }
 
-TEST(Zero_test, certifies_all_ties_of_a_shuffled_box) {
+TEST(Zero_answer, certifies_all_ties_of_a_shuffled_box) {
   std::mt19937 random(5);
   Walk walk = walk_on(meshes::box(3, 3, 3));
   walk.run(300, random);
@@ -152,7 +152,7 @@ TEST(Zero_test, certifies_all_ties_of_a_shuffled_box) {
   EXPECT_EQ(walk.statistics.probable_zero, 0U);
 }
 
-TEST(Zero_test, certifies_the_ties_of_sheared_walls_that_pass_many_planes) {
+TEST(Zero_answer, certifies_the_ties_of_sheared_walls_that_pass_many_planes) {
   // rolling out the walls of a prism gives a rectangle; shearing it makes the ties pass over edges
   for (const std::uint32_t sides : {6U, 10U, 16U}) {
     std::vector<std::array<double, 2>> polygon{{0, 0}};
@@ -170,7 +170,7 @@ TEST(Zero_test, certifies_the_ties_of_sheared_walls_that_pass_many_planes) {
   }
 }
 
-TEST(Zero_test, tells_a_tie_from_a_value_of_two_to_the_minus_fifty) {
+TEST(Zero_answer, tells_a_tie_from_a_value_of_two_to_the_minus_fifty) {
   for (const double lift : {0.0, std::ldexp(1.0, -50)}) {
     meshes::Mesh m = meshes::box(1, 1, 1);
     m.points[0][0] += lift;
@@ -192,13 +192,13 @@ TEST(Zero_test, tells_a_tie_from_a_value_of_two_to_the_minus_fifty) {
   }
 }
 
-TEST(Zero_test, survives_histories_whose_paths_are_too_long) {
+TEST(Zero_answer, survives_histories_whose_paths_are_too_long) {
   Walk walk = walk_on(gallery::one_vertex_torus());
   for (std::uint32_t i = 0; i < 60; ++i) walk.flip(Map::Halfedge{2 * (i % 3)});
-  IT::Zero_test test;
+  IT::Exact_evaluation test;
   // thin parallelograms of a flat torus: far from any circle
-  EXPECT_EQ(test(walk.input, walk.history, walk.side(Map::Halfedge{0}), walk.side(Map::Halfedge{1}),
-                 IT::Delaunay_expression()),
+  EXPECT_EQ(test.zero_answer(walk.input, walk.history, walk.side(Map::Halfedge{0}),
+                             walk.side(Map::Halfedge{1}), IT::Delaunay_expression()),
             Zero_answer::not_zero);
 }
 

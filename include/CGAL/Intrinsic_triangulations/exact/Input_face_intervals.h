@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_FACE_INTERVALS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_FACE_INTERVALS_H
+
+#include <CGAL/Intrinsic_triangulations/exact/escalation.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
+
+#include <CGAL/Gmpfi.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief encloses the squared lengths and the quadruple areas of input faces, and remembers them.
+\tparam FT `Interval_nt<false>`, or `Gmpfi` of one precision, which is the default precision of all calls
+*/
+template <class FT>
+class Input_face_intervals {
+public:
+  /// Squared lengths and quadruple area of a face.
+  using Face = std::pair<std::array<FT, 3>, FT>;
+
+  /// returns a functor from a face to its values; references stay valid until the next call.
+  auto of(const Input_metric& input) {
+    if (faces_.size() > maximal_memory) faces_.clear();
+    return [&input, this](std::uint32_t f) -> const Face& {
+      const auto found = faces_.find(f);
+      return found != faces_.end() ? found->second
+                                   : faces_.emplace(f, face(input, f)).first->second;
+    };
+  }
+
+private:
+  static constexpr std::size_t maximal_memory = 50000; // up to a kilobyte each
+
+  static Face face(const Input_metric& input, std::uint32_t f) {
+    if constexpr (std::is_same_v<FT, Gmpfi>)
+      return wide_face(input, f);
+    else
+      return {lengths(input, f), quadruple_area<FT>(input, f)};
+  }
+
+  static std::array<FT, 3> lengths(const Input_metric& input, std::uint32_t f) {
+    return {input.squared_length<FT>(f, 0), input.squared_length<FT>(f, 1),
+            input.squared_length<FT>(f, 2)};
+  }
+
+  // More bits leave enough of them where a thin face loses some; rational numbers, which take ten times as
+  // long, do the rest.
+  static Face wide_face(const Input_metric& input, std::uint32_t f) {
+    const Gmpfi::Precision_type bits = Gmpfi::get_default_precision();
+    const Gmpfi_precision wide(static_cast<unsigned>(2 * bits + 64));
+    const std::array<FT, 3> l = lengths(input, f);
+    const FT p = l[0] + l[2] - l[1];
+    FT d = FT(4) * l[0] * l[2] - p * p;
+    if (!(d.inf() > 0)) d = FT(input.squared_quadruple_area<Gmpq>(f));
+    return {{FT(l[0], bits), FT(l[1], bits), FT(l[2], bits)}, FT(d.sqrt(), bits)};
+  }
+
+  std::unordered_map<std::uint32_t, Face> faces_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_FACE_INTERVALS_H
