@@ -8,9 +8,9 @@
 
 #include "benchmark_support.h"
 
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_intrinsic.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/point_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
@@ -111,9 +111,9 @@ Solution adaptive(const Surface_mesh& mesh, const Problem& p, double tolerance) 
         s.u = p.solve(t);
         return p.estimate(t, s.u);
       },
-      {.tolerance = tolerance, .minimum_angle = minimum_angle, .maximum_vertices = 1000000});
+      IT::parameters::tolerance(tolerance).minimum_angle(minimum_angle).maximum_vertices(1000000));
   s.milliseconds = watch.milliseconds();
-  if (result.status != IT::Adaptive_refinement_status::done)
+  if (result.status != IT::Status::done)
     throw std::runtime_error("adaptive refinement does not reach its tolerance");
   return s;
 }
@@ -121,7 +121,8 @@ Solution adaptive(const Surface_mesh& mesh, const Problem& p, double tolerance) 
 Solution uniform(const Surface_mesh& mesh, const Problem& p, double radius) {
   const Processor_watch watch;
   Solution s{Triangulation(mesh), {}};
-  IT::delaunay_refine(s.t, {.minimum_angle = minimum_angle, .maximum_circumradius = radius});
+  IT::delaunay_refine(s.t,
+                      IT::parameters::minimum_angle(minimum_angle).maximum_circumradius(radius));
   s.u = p.solve(s.t);
   s.milliseconds = watch.milliseconds();
   return s;

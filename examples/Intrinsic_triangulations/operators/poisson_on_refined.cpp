@@ -60,7 +60,7 @@ int main() {
   const Eigen::VectorXd u_coarse = solve_poisson(coarse, eigenvalue * truth(points));
   //! [refine]
   Triangulation fine(mesh);
-  IT::delaunay_refine(fine, {.minimum_angle = 30, .maximum_edge_length = 1. / 32});
+  IT::delaunay_refine(fine, IT::parameters::minimum_angle(30).maximum_edge_length(1. / 32));
   const IT::Common_subdivision s = IT::common_subdivision(fine);
   const Eigen::MatrixX2d fine_points = IT::copy_to_intrinsic(s, points); // linear: exact
   const Eigen::VectorXd u_fine = solve_poisson(fine, eigenvalue * truth(fine_points));

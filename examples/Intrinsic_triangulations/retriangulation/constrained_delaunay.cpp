@@ -59,5 +59,5 @@ int main() {
       CGAL::parameters::edge_is_constrained_map(constrained).visitor(std::ref(progress)));
   //! [constrained]
   std::cout << result.flips << " flips\n";
-  return result.status == IT::Flip_to_delaunay_status::done ? 0 : 1;
+  return result.status == IT::Status::done ? 0 : 1;
 }

@@ -66,12 +66,12 @@ int main(int argc, char* argv[]) {
   const double before = length();
   //! [refine]
   const auto result = IT::delaunay_refine(
-      t, {.minimum_angle = 25}, CGAL::parameters::edge_is_constrained_map(Features{&features}));
+      t, IT::parameters::minimum_angle(25).edge_is_constrained_map(Features{&features}));
   //! [refine]
   bool kept = std::abs(length() - before) < 1e-9 * before; // and still on edges of the input:
   for (const std::uint32_t e : features) kept &= t.correspondence().normal_coordinate(e) < 0;
   std::cout << result.counts.inserted_vertices() << " vertices inserted\n"
             << count << " feature edges, now " << features.size() << ", of length " << before
             << ", now " << length() << '\n';
-  return kept && result.status == IT::Refinement_status::done ? 0 : 1;
+  return kept && result.status == IT::Status::done ? 0 : 1;
 }

@@ -333,7 +333,7 @@ TEST(Scale_metric, repair_shortens_the_side_that_is_too_long_and_reports_it) {
     EXPECT_NEAR(s.largest_relative_change, 1 - repaired / std::exp(4.0), 1e-14);
     Exact t(s.input);
     EXPECT_EQ(t.report().degenerate_faces, 0U);
-    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done);
+    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
     EXPECT_TRUE(IT::is_delaunay(t));
   }
 }
@@ -347,7 +347,7 @@ TEST(Scale_metric, repair_of_wild_factors_gives_a_metric_that_becomes_delaunay) 
     EXPECT_GE(2 * s.changed_edges, s.violating_faces.size()); // an edge is in two faces
     Exact t(s.input);
     EXPECT_EQ(t.report().degenerate_faces, 0U);
-    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done);
+    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
     EXPECT_TRUE(IT::is_delaunay(t));
   }
 }

@@ -87,13 +87,11 @@ Signpost_location locate_from_corners(const Complex& complex, const Geodesic_fac
     crossings.clear();
     const Geodesic_end end =
         finish_walk(complex, walk, g.length, {std::size_t{1} << 22U, false}, crossings);
-    if (end.status != Trace_status::complete) continue;
+    if (end.status != Status::done) continue;
     return {true, end.point, end.error, g.direction, end.direction};
   }
   return result;
 }
-
-} // namespace internal
 
 /*!
 \brief finds the point of the input at a point of the intrinsic triangulation.
@@ -108,7 +106,7 @@ template <class Triangulation, class Signposts>
 Signpost_location find_on_input(const Triangulation& t, const Signposts& signposts,
                                 const Surface_point& p) {
   const Intrinsic_view<Triangulation> view(t);
-  return internal::locate_from_corners(
+  return locate_from_corners(
       signposts.input(), Geodesic_face(view, p.halfedge), p.weights,
       [&](std::uint32_t h, double angle) { return signposts.walk(h, angle); });
 }
@@ -127,12 +125,14 @@ template <class Triangulation, class Signposts>
 Signpost_location find_on_intrinsic(const Triangulation& t, const Signposts& signposts,
                                     const Surface_point& p) {
   const Intrinsic_view<Triangulation> view(t);
-  return internal::locate_from_corners(view, Geodesic_face(signposts.input(), p.halfedge),
-                                       p.weights, [&](std::uint32_t h, double angle) {
-                                         return Geodesic_walk<Intrinsic_view<Triangulation>>(
-                                             view, signposts.intrinsic_direction(view, h, angle));
-                                       });
+  return locate_from_corners(view, Geodesic_face(signposts.input(), p.halfedge), p.weights,
+                             [&](std::uint32_t h, double angle) {
+                               return Geodesic_walk<Intrinsic_view<Triangulation>>(
+                                   view, signposts.intrinsic_direction(view, h, angle));
+                             });
 }
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 
