@@ -29,24 +29,24 @@
 namespace CGAL::Intrinsic_triangulations {
 
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign
-Exact_euclidean_metric::exact_sign(const Diamond&, const Delaunay_expression&);
+Exact_euclidean_metric::exact_sign(const Diamond&, const Delaunay_expression&) const;
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign
-Exact_euclidean_metric::exact_sign(const Diamond&, const Convexity_at_source_expression&);
+Exact_euclidean_metric::exact_sign(const Diamond&, const Convexity_at_source_expression&) const;
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign
-Exact_euclidean_metric::exact_sign(const Diamond&, const Convexity_at_target_expression&);
+Exact_euclidean_metric::exact_sign(const Diamond&, const Convexity_at_target_expression&) const;
 
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
     std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
-    const Small_angle_expression&);
+    const Small_angle_expression&) const;
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
     std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
-    const Large_circumradius_expression&);
+    const Large_circumradius_expression&) const;
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
     std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
-    const Long_side_expression&);
+    const Long_side_expression&) const;
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
     std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
-    const Side_of_curve_expression&);
+    const Side_of_curve_expression&) const;
 
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign Unfolded_evaluation::sign(const Input_metric&,
                                                                  const Unfolded_diamond&,

@@ -150,7 +150,7 @@ std::vector<Sample> samples(Solution& s) {
   for (const auto f : faces(s.t.mesh())) {
     const std::uint32_t h = s.t.numbers().halfedge(halfedge(f, s.t.mesh()));
     const IT::Surface_point centroid{h, {1. / 3, 1. / 3, 1. / 3}};
-    const IT::Located l = IT::locate_on_input(s.t, s.t.correspondence(), h, centroid.weights);
+    const auto l = IT::locate_on_input(s.t, {h, centroid.weights});
     result.push_back({l.point, value(s, centroid), s.t.area(f)});
   }
   return result;

@@ -15,11 +15,11 @@
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
-#include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/Interval_nt.h>
@@ -82,12 +82,11 @@ public:
   /// Face of the mesh.
   using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
 
-  /// decides many predicates and makes many flips in one floating point environment; see
-  /// `Intrinsic_triangulation::Session`.
-  class Session {
+  /// decides many predicates in one floating point environment; see `Predicate_session`.
+  class Const_session {
   public:
     /// opens a session on `t`, which must outlive it.
-    explicit Session(Integer_only_triangulation& t) : t_(t) {}
+    explicit Const_session(const Integer_only_triangulation& t) : t_(t) {}
     /// tells whether the angles opposite an edge sum to at most pi.
     bool is_locally_delaunay(halfedge_descriptor h) const {
       const face_descriptor null = boost::graph_traits<Mesh>::null_face();
@@ -118,25 +117,6 @@ public:
                           t_.sign(h, Convexity_at_target_expression()) == POSITIVE;
       return convex ? Move_status::done : Move_status::not_convex;
     }
-    /// flips an edge.
-    /// \return `done`, or why the edge cannot be flipped; nothing has changed then
-    Move_status flip_edge(halfedge_descriptor h) {
-      const Move_status s = flip_status(h);
-      return s == Move_status::done ? t_.flip(h) : s;
-    }
-    /*!
-    \brief flips an edge that is known not to be locally Delaunay.
-
-    Its diamond is convex if both faces have positive areas, as in a triangulation. Where another arithmetic
-    has turned faces over, nothing is known of it: such an edge is refused, so that flipping ends.
-    \pre `!is_locally_delaunay(h)`
-    */
-    Move_status flip_non_delaunay_edge(halfedge_descriptor h) {
-      if (!t_.has_only_positive_areas_ &&
-          (orientation(h) != POSITIVE || orientation(opposite(h, t_.mesh_)) != POSITIVE))
-        return Move_status::not_convex;
-      return t_.flip(h);
-    }
     /// returns intervals that contain the values of the diamond of an edge with two faces, in scaled units.
     Diamond_values<FT> diamond_values(halfedge_descriptor h) const {
       return t_.geometry_.values(View(t_), t_.correspondence_, t_.number_.halfedge(h));
@@ -149,8 +129,37 @@ public:
     }
 
   private:
-    Integer_only_triangulation& t_;
+    const Integer_only_triangulation& t_;
     Protect_FPU_rounding<true> scope_;
+  };
+
+  /// decides many predicates and makes many flips in one floating point environment; see `Move_session`.
+  class Session : public Const_session {
+  public:
+    /// opens a session on `t`, which must outlive it.
+    explicit Session(Integer_only_triangulation& t) : Const_session(t), t_(t) {}
+    /// flips an edge.
+    /// \return `done`, or why the edge cannot be flipped; nothing has changed then
+    Move_status flip_edge(halfedge_descriptor h) {
+      const Move_status s = this->flip_status(h);
+      return s == Move_status::done ? t_.flip(h) : s;
+    }
+    /*!
+    \brief flips an edge that is known not to be locally Delaunay.
+
+    Its diamond is convex if both faces have positive areas, as in a triangulation. Where another arithmetic
+    has turned faces over, nothing is known of it: such an edge is refused, so that flipping ends.
+    \pre `!is_locally_delaunay(h)`
+    */
+    Move_status flip_non_delaunay_edge(halfedge_descriptor h) {
+      if (!t_.has_only_positive_areas_ && (this->orientation(h) != POSITIVE ||
+                                           this->orientation(opposite(h, t_.mesh_)) != POSITIVE))
+        return Move_status::not_convex;
+      return t_.flip(h);
+    }
+
+  private:
+    Integer_only_triangulation& t_;
   };
 
   /*!
@@ -160,41 +169,31 @@ public:
   \complexity linear
   */
   explicit Integer_only_triangulation(Intrinsic_input input)
-      : Integer_only_triangulation(internal::prepare<Exact_euclidean_metric>(std::move(input))) {}
+      : Integer_only_triangulation(
+            internal::prepare<Exact_euclidean_metric>(std::move(input), true)) {}
 
   /*!
-  \brief takes connectivity, coordinates and input of an exact triangulation, and leaves its metric and the
-  history of its moves.
-  \throws Invalid_input and std::length_error as the constructor below
-  \complexity linear
-  */
-  explicit Integer_only_triangulation(
-      const Intrinsic_triangulation<Mesh, Exact_euclidean_traits, Integer_coordinates>& t)
-      : Integer_only_triangulation(t, t.metric().shared_input()) {}
-
-  /*!
-  \brief takes connectivity and coordinates of a triangulation in any arithmetic, and the metric of its
-  input.
+  \brief takes connectivity, coordinates and input of a triangulation in any arithmetic, and leaves its metric
+  and the history of its moves.
   \tparam Traits the arithmetic
-  \param t the triangulation
-  \param input what `t` was built from, with the same options
-  \throws Invalid_input if the faces of `input` are not those that `t` was built from (coordinates are not
-  compared), if an edge of the input has no length, or a vertex was inserted nearer to a corner than 2^-52
+  \throws Invalid_input if an edge of the input has no length, a vertex was inserted nearer to a corner than
+  2^-52, or the triangulation was read from a file, which tells what it was made from only up to moves
   \throws std::length_error if an edge has more than `Diamond_unfolder::maximal_crossings`
   \complexity linear
   */
   template <class Traits>
-  Integer_only_triangulation(const Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>& t,
-                             Intrinsic_input input)
-      : Integer_only_triangulation(
-            t, internal::prepare<Exact_euclidean_metric>(std::move(input)).metric.shared_input()) {}
+  explicit Integer_only_triangulation(
+      const Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>& t)
+      : mesh_(t.mesh()), number_(mesh_, t.numbers(), t.mesh()), correspondence_(t.correspondence()),
+        geometry_((check_input(t.input()), t.shared_input())) {
+    check_coordinates(*this);
+  }
 
   /// copies everything; elements keep their numbers.
   Integer_only_triangulation(const Integer_only_triangulation& other)
       : mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
         correspondence_(other.correspondence_), geometry_(other.geometry_),
-        renumbering_(other.renumbering_), report_(other.report_), statistics_(other.statistics_),
-        has_only_positive_areas_(other.has_only_positive_areas_) {}
+        statistics_(other.statistics_), has_only_positive_areas_(other.has_only_positive_areas_) {}
   Integer_only_triangulation& operator=(const Integer_only_triangulation&) = delete;
 
   /// returns the connectivity.
@@ -203,16 +202,14 @@ public:
   const Integer_coordinates& correspondence() const { return correspondence_; }
   /// returns the numbers of the elements of the mesh, and the elements with given numbers.
   const Mesh_adaptor<Mesh>& numbers() const { return number_; }
-  /// returns what was done to the input.
-  const Input_report& report() const { return report_; }
-  /// returns how the numbering differs from the input's.
-  const Renumbering& renumbering() const { return renumbering_; }
   /// returns the input, which defines all geometry exactly.
-  const Input_metric& input() const { return geometry_.input(); }
-  /// returns how predicates were decided.
-  const Predicate_statistics& statistics() const { return statistics_; }
-  /// returns how predicates were decided, to be reset.
-  Predicate_statistics& statistics() { return statistics_; }
+  const Input& input() const { return geometry_.input(); }
+  /// returns the input, to be shared.
+  const std::shared_ptr<const Input>& shared_input() const { return geometry_.shared_input(); }
+  /// returns what was done to the input.
+  const Input_report& report() const { return input().report(); }
+  /// returns how predicates were decided, which may be reset.
+  Predicate_statistics& statistics() const { return statistics_; }
   /// returns the number of a vertex.
   std::uint32_t index(vertex_descriptor v) const { return number_.vertex(v); }
   /// returns the number of an edge.
@@ -224,57 +221,43 @@ private:
   using View = Intrinsic_view<Integer_only_triangulation>;
 
   explicit Integer_only_triangulation(internal::Prepared_input<Exact_euclidean_metric>&& p)
-      : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_),
-        geometry_(p.metric.shared_input()), renumbering_(std::move(p.renumbering)),
-        report_(p.report), has_only_positive_areas_(true) {
-    correspondence_.start(
-        std::make_shared<const Input_surface>(Input_surface::copy_of(mesh_, number_), p.metric));
+      : mesh_(mesh_from_gluing_map<Mesh>(Gluing_map(p.input->mesh()))), number_(mesh_),
+        geometry_(p.input), has_only_positive_areas_(true) {
+    correspondence_.start(*this);
   }
 
-  template <class Triangulation>
-  Integer_only_triangulation(const Triangulation& t, std::shared_ptr<const Input_metric> input)
-      : mesh_(t.mesh()), number_(mesh_, t.numbers(), t.mesh()), correspondence_(t.correspondence()),
-        geometry_(std::move(input)), renumbering_(t.renumbering()), report_(t.report()) {
-    if (!is_metric_of(geometry_.input(), correspondence_.input()))
+  static void check_input(const Input& input) {
+    if (!input.is_defined_by_metric())
       throw Invalid_input(Element_kind::none, 0,
-                          "the triangulation was not built from this input: faces differ");
-    for (const edge_descriptor e : edges(mesh_))
-      if (correspondence_.normal_coordinate(index(e)) > Diamond_unfolder::maximal_crossings)
-        throw std::length_error("edge " + std::to_string(index(e)) +
+                          "the triangulation was read from a file, which does not tell the lengths "
+                          "of its faces exactly; build it from the mesh");
+  }
+
+  static void check_coordinates(const Integer_only_triangulation& t) {
+    const Integer_coordinates& c = t.correspondence_;
+    for (const edge_descriptor e : edges(t.mesh_))
+      if (c.normal_coordinate(t.index(e)) > Diamond_unfolder::maximal_crossings)
+        throw std::length_error("edge " + std::to_string(t.index(e)) +
                                 " crosses more input edges than can be unfolded");
-    for (const vertex_descriptor v : vertices(mesh_))
-      if (correspondence_.is_inserted(index(v)) &&
-          !representable_weights(correspondence_.location(index(v)).weights))
-        throw Invalid_input(Element_kind::vertex, index(v),
-                            "vertex " + std::to_string(index(v)) +
+    for (const vertex_descriptor v : vertices(t.mesh_))
+      if (c.is_inserted(t.index(v)) && !representable_weights(c.location(t.index(v)).weights))
+        throw Invalid_input(Element_kind::vertex, t.index(v),
+                            "vertex " + std::to_string(t.index(v)) +
                                 " was inserted where multiples of 2^-52 of corners do not lie");
   }
 
-  // whether the faces of a metric are those of a surface
-  static bool is_metric_of(const Input_metric& metric, const Input_surface& surface) {
-    if (metric.number_of_faces() != surface.mesh().number_of_faces()) return false;
-    for (std::uint32_t f = 0; f < metric.number_of_faces(); ++f) {
-      std::uint32_t h = surface.halfedge_of_face(f);
-      for (const std::uint32_t name : metric.sides(f)) {
-        if (name != (metric.is_embedded() ? surface.source(h) : h / 2)) return false;
-        h = surface.next(h);
-      }
-    }
-    return true;
-  }
-
   Move_status flip(halfedge_descriptor h) {
-    const std::uint32_t number = number_.halfedge(h);
-    if (!correspondence_.before_flip(*this, number) ||
+    const Flip move = internal::flip_record(h, mesh_, number_);
+    if (!correspondence_.before(*this, move) ||
         correspondence_.flipped_coordinate() > Diamond_unfolder::maximal_crossings)
       return Move_status::crossings;
     CGAL::Euler::flip_edge(h, mesh_);
-    correspondence_.after_flip(*this, number);
+    correspondence_.after(*this, move);
     return Move_status::done;
   }
 
   template <class Expression>
-  Sign sign(halfedge_descriptor h, const Expression& expression) {
+  Sign sign(halfedge_descriptor h, const Expression& expression) const {
     return geometry_.sign(View(*this), correspondence_, number_.halfedge(h), expression,
                           statistics_);
   }
@@ -282,10 +265,9 @@ private:
   Mesh mesh_;
   Mesh_adaptor<Mesh> number_;
   Integer_coordinates correspondence_;
-  Integer_geometry geometry_;
-  Renumbering renumbering_;
-  Input_report report_;
-  Predicate_statistics statistics_;
+  // working memory of predicates, and how they decided
+  mutable Integer_geometry geometry_;
+  mutable Predicate_statistics statistics_;
   bool has_only_positive_areas_ = false; // as far as is known
 };
 

@@ -48,7 +48,7 @@ Constant time for all functions.
 class CurveCoordinates {
 public:
   /// returns the triangulation that the intrinsic one started from.
-  const CGAL::Intrinsic_triangulations::Input_surface& input() const;
+  const CGAL::Intrinsic_triangulations::Input& input() const;
   /// returns the numbering of the curves that start from each vertex.
   const CGAL::Intrinsic_triangulations::Vertex_fans& fans() const;
   /// returns a bound of the numbers of intrinsic edges.
@@ -60,5 +60,6 @@ public:
   /// tells whether a vertex was inserted.
   bool is_inserted(std::uint32_t vertex) const;
   /// returns where an inserted vertex is on the input.
-  const CGAL::Intrinsic_triangulations::Surface_point& location(std::uint32_t inserted_vertex) const;
+  const CGAL::Intrinsic_triangulations::Surface_point&
+  location(std::uint32_t inserted_vertex) const;
 };

@@ -13,7 +13,7 @@ elements: a Delta-complex whose halfedges `2e` and `2e + 1` are the sides of edg
 Both triangulations of a surface, the input and the intrinsic one, have this interface. So what walks over one can
 walk over the other: geodesics, circumcenters and balls are written once.
 
-\cgalHasModel{\itc{Input_surface}\,
+\cgalHasModel{\itc{Input}\,
 \itc{Intrinsic_view}}
 
 \cgalHeading{Types}
@@ -30,7 +30,7 @@ are doubles in scaled units.
 | \itf{locate_circumcenter} | as `trace_geodesic()` |
 | \itf{dijkstra_ball} | `is_border`, `target`, `outgoing_halfedge`, `next`, `squared_length` |
 | \itc{Constrained_segments} | `is_border`, `source`, `target`, `squared_length` |
-| \itc{Tangent_frames} | also `number_of_halfedges`, which `Input_surface` has |
+| \itc{Tangent_frames} | also `number_of_halfedges`, which `Input` has |
 
 \cgalHeading{Invariants}
 

@@ -30,7 +30,7 @@ int main(int argc, char* argv[]) {
   IT::flip_to_delaunay(t);
   t.insert_vertex(*halfedges(t.mesh()).begin(), {0.2, 0.3, 0.5});
   const IT::Integer_coordinates& coordinates = t.correspondence();
-  const IT::Input_surface& input = coordinates.input();
+  const IT::Input& input = coordinates.input();
 
   std::vector<std::array<double, 3>> points; // of the input
   for (const Mesh::Vertex_index v : mesh.vertices())

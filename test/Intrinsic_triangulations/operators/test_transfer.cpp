@@ -158,7 +158,7 @@ TEST(Face_vector_transfer, reproduces_constant_fields_of_the_plane) {
     for (std::size_t v = 0; v < c.subdivision.vertices.size(); ++v)
       position[c.subdivision.vertices[v].intrinsic] = {space[v][0], space[v][1]};
     const IT::Intrinsic_view<Triangulation> view(c.triangulation);
-    const IT::Input_surface& input = c.triangulation.correspondence().input();
+    const IT::Input& input = c.triangulation.correspondence().input();
     const Complex constant(2, -1);
     std::vector<Complex> there, here;
     for (std::uint32_t f = 0; f < c.triangulation.mesh().number_of_faces(); ++f)

@@ -213,7 +213,7 @@ private:
   IT::Normal_coordinate count(std::uint32_t e) const {
     const Point &a = position[view().source(2 * e)], &b = position[view().target(2 * e)];
     IT::Normal_coordinate n = 0;
-    const IT::Input_surface& s = t.correspondence().input();
+    const IT::Input& s = t.correspondence().input();
     for (std::uint32_t x = 0; x < s.number_of_halfedges(); x += 2) {
       const Point &p = position[s.source(x)], &q = position[s.target(x)];
       const int pa = turn(p, q, a), pb = turn(p, q, b);
@@ -226,7 +226,7 @@ private:
   // the first input halfedge counterclockwise from `h`, of those that start from its source or pass it
   std::uint32_t first_curve(std::uint32_t h) const {
     const Point &a = position[view().source(h)], d = position[view().target(h)] - a;
-    const IT::Input_surface& s = t.correspondence().input();
+    const IT::Input& s = t.correspondence().input();
     std::uint32_t best = none;
     const auto half =
         [&](const Point& u) { // 0: along d or to its left, 1: against d or to its right

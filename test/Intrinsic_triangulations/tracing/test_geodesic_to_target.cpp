@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 
 #include "meshes.h"
@@ -23,23 +23,23 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Geodesic_target;
 using IT::Geodesic_to_target;
-using IT::Input_surface;
+using IT::Input;
 using IT::Surface_point;
-using Walk = IT::Geodesic_walk<Input_surface>;
+using Walk = IT::Geodesic_walk<Input>;
 using Point = std::array<double, 3>;
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
 
 /// A triangulation of points with small integer coordinates in the plane.
 struct Planar {
   meshes::Mesh mesh;
-  Input_surface surface;
+  Input surface;
   double unit;
 
   explicit Planar(meshes::Mesh m) : mesh(std::move(m)) {
     IT::Intrinsic_input input = mesh.input();
     input.may_renumber = false;
     const Triangulation t(std::move(input));
-    surface = Input_surface(t);
+    surface = Input(t);
     unit = std::ldexp(1.0, t.metric().scale_exponent());
   }
   const Point& corner(std::uint32_t h) const { return mesh.points[surface.source(h)]; }
@@ -60,7 +60,7 @@ bool meets_a_vertex(const meshes::Mesh& m, const Point& a, const Point& b) {
 }
 
 /// A halfedge from each vertex that has a face.
-std::vector<std::uint32_t> outgoing(const Input_surface& s) {
+std::vector<std::uint32_t> outgoing(const Input& s) {
   std::vector<std::uint32_t> result(s.number_of_vertices());
   for (std::uint32_t h = 0; h < s.number_of_halfedges(); ++h)
     if (!s.is_border(h)) result[s.source(h)] = h;

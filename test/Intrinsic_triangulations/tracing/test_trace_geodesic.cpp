@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
 
 #include "gallery.h"
@@ -22,7 +22,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Corner_direction;
 using IT::Geodesic_crossing;
-using IT::Input_surface;
+using IT::Input;
 using IT::Status;
 using IT::Surface_point;
 using IT::internal::Geodesic_end;
@@ -34,14 +34,14 @@ constexpr double pi = std::numbers::pi;
 
 /// A surface with the position of each of its vertices, in its scaled units.
 struct Placed {
-  Input_surface surface;
+  Input surface;
   std::vector<Point> points;
 
   explicit Placed(const meshes::Mesh& m) : points(m.points) {
     IT::Intrinsic_input input = m.input();
     input.may_renumber = false;
     const Triangulation t(std::move(input));
-    surface = Input_surface(t);
+    surface = Input(t);
     for (Point& p : points)
       for (double& x : p) x = std::ldexp(x, t.metric().scale_exponent());
   }
@@ -104,7 +104,7 @@ struct Random {
   std::mt19937 engine;
   double operator()() { return static_cast<double>(engine()) / 0x1p32; }
   std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(engine() % n); }
-  Surface_point point(const Input_surface& s) {
+  Surface_point point(const Input& s) {
     std::uint32_t h = below(s.number_of_halfedges());
     if (s.is_border(h)) h ^= 1U;
     double a = (*this)(), b = (*this)();
@@ -228,7 +228,7 @@ TEST(Trace_geodesic, Follows_straight_lines_on_flat_tori) {
                               IT::Mollification::none);
     input.may_renumber = false;
     const Triangulation t(std::move(input));
-    const Input_surface s(t);
+    const Input s(t);
     const double unit = std::ldexp(1.0, t.metric().scale_exponent());
     // corners of the faces of cell (i, j), by halfedge
     std::vector<std::array<double, 2>> corner(s.number_of_halfedges());
@@ -367,7 +367,7 @@ TEST(Trace_geodesic, Ends_on_every_surface_of_the_gallery) {
     IT::Intrinsic_input input(IT::Gluing_map(g.gluing), gallery::squared_lengths(g),
                               IT::Mollification::none);
     const Triangulation t(std::move(input));
-    const Input_surface s(t);
+    const Input s(t);
     for (int i = 0; i < 200; ++i) {
       std::vector<Geodesic_crossing> crossings;
       const Surface_point p = random.point(s);

@@ -39,7 +39,7 @@ typename boost::graph_traits<Mesh>::halfedge_descriptor graph_halfedge(Descripto
 
 /*!
 \brief reads an intrinsic triangulation by the numbers of its elements, with the same functions as
-`Input_surface`: what walks over one can walk over the other.
+`Input`: what walks over one can walk over the other.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
 \cgalModels{NumberedComplex}
 */

@@ -8,7 +8,10 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/input/Element_names.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_report.h>
 #include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/input/mollification.h>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
@@ -44,6 +47,8 @@ struct Intrinsic_input {
   bool may_renumber = true;
   /// Number of polygonal faces that were triangulated, for the report.
   std::size_t triangulated_polygons = 0;
+  /// What the user calls the elements of `mesh`: faces and edges of polygons that were triangulated.
+  Input_names names;
 
   /// constructs an input without faces.
   Intrinsic_input() = default;
@@ -70,7 +75,9 @@ struct Intrinsic_input {
   */
   explicit Intrinsic_input(const Triangle_soup& soup, Mollification m = Mollification::automatic)
       : mesh(gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles)),
-        points(soup.points), mollification(m), triangulated_polygons(soup.triangulated_polygons) {}
+        points(soup.points), mollification(m), triangulated_polygons(soup.triangulated_polygons) {
+    names.polygon_of_triangle = soup.polygon_of_triangle;
+  }
 
   /*!
   \brief takes a mesh in space through BGL.
@@ -88,7 +95,7 @@ struct Intrinsic_input {
     for (const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(graph))
       points.push_back(Mesh_adaptor<FaceGraph>::coordinates(get(point_map, v)));
     if (polygon != Gluing::none)
-      mesh = gluing_map_from_polygons(graph, points, triangulated_polygons);
+      mesh = gluing_map_from_polygons(graph, points, triangulated_polygons, names);
   }
 
   /// takes a mesh in space with its own points.
@@ -97,42 +104,26 @@ struct Intrinsic_input {
       : Intrinsic_input(graph, Mesh_adaptor<FaceGraph>::point_map(graph), m) {}
 };
 
-/*!
-\brief reports what was found in the input and done about it.
-*/
-struct Input_report {
-  /// Input faces of zero area, counted exactly.
-  std::size_t degenerate_faces = 0;
-  /// Treatment of degenerate faces.
-  Mollification_report mollification;
-  /// Whether faces and vertices were renumbered for locality.
-  bool renumbered = false;
-  /// Number of polygonal faces that were triangulated; faces of the report are numbered after that.
-  std::size_t triangulated_polygons = 0;
-};
-
 namespace internal {
 
+// What a triangulation starts from.
 template <class Metric>
 struct Prepared_input {
-  Gluing_map mesh;
+  std::shared_ptr<const Input> input;
   Metric metric;
-  Renumbering renumbering;
-  Input_report report;
 };
 
-template <class Metric>
-void mollify(Prepared_input<Metric>& p, std::shared_ptr<Input_metric> input, Mollification kind) {
-  const int s = input->scale_exponent();
-  if (kind == Mollification::lengths) {
-    double epsilon = 0;
-    input = std::make_shared<Input_metric>(mollify_lengths(p.mesh, *input, 1e-5, epsilon));
-    p.report.mollification = {kind, std::ldexp(epsilon, -s)};
-  } else {
-    input->set_delta(default_squared_length_delta());
-    p.report.mollification = {kind, std::ldexp(input->delta(), -2 * s)};
-  }
-  p.metric = Metric(p.mesh, input);
+// Makes every triangle inequality strict; the input's metric is changed.
+inline Mollification_report mollify(Input& input, Mollification kind) {
+  Input_metric metric = input.metric();
+  double added = default_squared_length_delta();
+  if (kind == Mollification::lengths)
+    metric = mollify_lengths(input.mesh(), metric, 1e-5, added);
+  else
+    metric.set_delta(added);
+  const int s = metric.scale_exponent() * (kind == Mollification::lengths ? 1 : 2);
+  input.set_metric(std::move(metric));
+  return {kind, std::ldexp(added, -s)};
 }
 
 // One point per vertex, or one squared length per edge: numbers of elements are indices without a check.
@@ -160,39 +151,56 @@ inline void start_at_single_sides(Gluing_map& mesh) {
   }
 }
 
-template <class Metric>
-Prepared_input<Metric> prepare(Intrinsic_input&& in) {
-  if (in.mesh.number_of_faces() == 0)
+inline void check_faces(const Gluing_map& mesh) {
+  if (mesh.number_of_faces() == 0)
     throw Invalid_input(Element_kind::none, 0, "the mesh has no faces; give at least one");
-  if (!in.mesh.is_oriented())
+  if (!mesh.is_oriented())
     throw Invalid_input(Element_kind::none, 0,
                         "the gluing does not respect the orientation of the faces; orient them, or "
                         "take the orientation double cover of a nonorientable surface");
-  check_sizes(in);
-  Prepared_input<Metric> p;
-  p.mesh = std::move(in.mesh);
-  p.report.triangulated_polygons = in.triangulated_polygons;
+}
+
+// The input in scaled units and in an order that is fast.
+inline std::shared_ptr<Input> scaled_and_ordered(Intrinsic_input&& in, Input_report& report) {
   const bool embedded = in.squared_lengths.empty();
   const int scale =
-      embedded ? scale_points(p.mesh, in.points) : scale_squared_lengths(in.squared_lengths);
-  if (embedded && in.may_renumber && is_badly_ordered(p.mesh)) {
-    p.renumbering = renumber(p.mesh, in.points);
-    p.report.renumbered = true;
+      embedded ? scale_points(in.mesh, in.points) : scale_squared_lengths(in.squared_lengths);
+  Input_names names = std::move(in.names);
+  if (embedded && in.may_renumber && is_badly_ordered(in.mesh)) {
+    const Input_names order = renumber(in.mesh, in.points);
+    names = {order.vertices, names.edges.after(order.edges), order.faces,
+             std::move(names.polygon_of_triangle)};
+    report.renumbered = true;
   }
-  start_at_single_sides(p.mesh);
-  auto input = std::make_shared<Input_metric>(
-      embedded ? Input_metric::from_points(p.mesh, std::move(in.points), scale)
-               : Input_metric::from_squared_lengths(p.mesh, std::move(in.squared_lengths), scale));
-  p.metric = Metric(p.mesh, input);
-  for (std::uint32_t f = 0; f < p.mesh.number_of_faces(); ++f)
-    if (p.metric.is_degenerate(f)) ++p.report.degenerate_faces;
-  if (in.mollification == Mollification::lengths ||
-      in.mollification == Mollification::squared_lengths)
-    mollify(p, input, in.mollification);
-  else if (in.mollification == Mollification::automatic && p.report.degenerate_faces > 0 &&
-           has_irremovable_degeneracy(p.mesh, p.metric))
-    mollify(p, input, Mollification::squared_lengths);
-  return p;
+  start_at_single_sides(in.mesh);
+  Input_metric metric =
+      embedded ? Input_metric::from_points(in.mesh, std::move(in.points), scale)
+               : Input_metric::from_squared_lengths(in.mesh, std::move(in.squared_lengths), scale);
+  return std::make_shared<Input>(std::move(in.mesh), std::move(metric), std::move(names));
+}
+
+// \tparam Metric a model of `IntrinsicMetric`
+// \param keep_values whether the input is to keep lengths and areas, for a correspondence
+template <class Metric>
+Prepared_input<Metric> prepare(Intrinsic_input&& in, bool keep_values) {
+  check_faces(in.mesh);
+  check_sizes(in);
+  Input_report report;
+  report.triangulated_polygons = in.triangulated_polygons;
+  const Mollification asked = in.mollification;
+  const std::shared_ptr<Input> input = scaled_and_ordered(std::move(in), report);
+  Metric metric(input);
+  for (std::uint32_t f = 0; f < input->number_of_faces(); ++f)
+    if (metric.is_degenerate(f)) ++report.degenerate_faces;
+  const bool needed = asked == Mollification::automatic && report.degenerate_faces > 0 &&
+                      has_irremovable_degeneracy(input->mesh(), metric);
+  if (needed || asked == Mollification::lengths || asked == Mollification::squared_lengths) {
+    report.mollification = mollify(*input, needed ? Mollification::squared_lengths : asked);
+    metric = Metric(input);
+  }
+  input->set_report(report);
+  if (keep_values) input->keep_values(metric);
+  return {input, std::move(metric)};
 }
 
 } // namespace internal

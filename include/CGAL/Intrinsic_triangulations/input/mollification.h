@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_report.h>
 
 #include <CGAL/number_utils.h>
 
@@ -15,25 +16,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/// How degenerate faces of the input are treated.
-enum class Mollification {
-  none,           ///< the metric stays as it is
-  automatic,      ///< `squared_lengths`, only where flips cannot remove the degenerate faces
-  lengths,        ///< an epsilon is added to all lengths (§4.7 of the course)
-  squared_lengths ///< a delta is added to all squared lengths
-};
-
-/*!
-\brief reports what was done about degenerate faces.
-*/
-struct Mollification_report {
-  /// What was applied: `none`, `lengths` or `squared_lengths`.
-  Mollification kind = Mollification::none;
-  /// What was added to the lengths (`lengths`) or squared lengths (`squared_lengths`), in the units
-  /// of the input.
-  double delta = 0;
-};
 
 /*!
 \brief tells whether the input has degenerate faces that flips cannot remove.

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_RENUMBERING_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
@@ -22,16 +23,6 @@ per access; numbering its faces along a space-filling curve makes flips several 
 */
 
 namespace CGAL::Intrinsic_triangulations {
-
-/*!
-\brief maps the numbering of a triangulation to that of its input; empty vectors are the identity.
-*/
-struct Renumbering {
-  /// Number in the input of each vertex.
-  std::vector<std::uint32_t> input_vertex;
-  /// Number in the input of each face.
-  std::vector<std::uint32_t> input_face;
-};
 
 /*!
 \brief tells whether neighbouring faces lie so far apart in memory that renumbering pays.
@@ -162,22 +153,27 @@ inline std::vector<std::uint32_t> morton_order(const std::vector<std::array<doub
 curve, faces and edges along with them.
 \param mesh the connectivity, which is replaced
 \param points one point per vertex, which are permuted
-\return the way back to the numbers before
+\return the numbers before, as those of the user
 \pre `mesh` has a vertex, coordinates are finite
 \complexity linear
 */
-inline Renumbering renumber(Gluing_map& mesh, std::vector<std::array<double, 3>>& points) {
-  Renumbering back;
-  back.input_vertex = morton_order(points);
-  const internal::New_numbers number =
-      internal::numbers_along(mesh, internal::inverse_permutation(back.input_vertex));
+inline Input_names renumber(Gluing_map& mesh, std::vector<std::array<double, 3>>& points) {
+  std::vector<std::uint32_t> order = morton_order(points);
+  internal::New_numbers number =
+      internal::numbers_along(mesh, internal::inverse_permutation(order));
   mesh = internal::renumbered(mesh, number);
-  back.input_face = internal::inverse_permutation(number.face);
   std::vector<std::array<double, 3>> moved;
   moved.reserve(points.size());
-  for (const std::uint32_t v : back.input_vertex) moved.push_back(points[v]);
+  for (const std::uint32_t v : order) moved.push_back(points[v]);
   points = std::move(moved);
-  return back;
+  const auto names = [](std::vector<std::uint32_t>& here) {
+    std::vector<std::uint32_t> user = internal::inverse_permutation(here);
+    return Element_names(std::move(user), std::move(here));
+  };
+  return {Element_names(std::move(order), std::move(number.vertex)),
+          names(number.edge),
+          names(number.face),
+          {}};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -7,10 +7,12 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -55,6 +57,11 @@ public:
       glue(side_[one], side_[other]);
   }
 
+  // returns the side of a triangle that a halfedge of the mesh is, if it has a face
+  std::uint32_t side(std::uint32_t halfedge) const {
+    return halfedge < side_.size() ? side_[halfedge] : Gluing::none;
+  }
+
   Gluing take(std::uint32_t number_of_vertices) {
     gluing_.number_of_vertices = number_of_vertices;
     return std::move(gluing_);
@@ -86,6 +93,19 @@ void collect_sides(const FaceGraph& mesh,
   } while (h != first);
 }
 
+// the edges of a gluing map that sides of its faces are, named by the place of the side in the list
+inline Element_names names_of_sides(const Gluing_map& map,
+                                    const std::vector<std::uint32_t>& side_of_edge) {
+  std::vector<std::uint32_t> user(map.number_of_edges(), Gluing::none);
+  for (std::uint32_t e = 0; e < side_of_edge.size(); ++e) {
+    if (side_of_edge[e] == Gluing::none) continue; // without faces
+    Gluing_map::Halfedge h = map.halfedge(Gluing_map::Face{side_of_edge[e] / 3});
+    for (std::uint32_t k = 0; k < side_of_edge[e] % 3; ++k) h = map.next(h);
+    user[h.index / 2] = e;
+  }
+  return Element_names(std::move(user));
+}
+
 } // namespace internal
 
 /*!
@@ -98,13 +118,14 @@ area.
 \param mesh the mesh
 \param points one point per vertex, in the order of iteration
 \param polygons set to the number of faces that are not triangles
+\param names set to the edges and faces of `mesh` that those of the result come from
 \throws Invalid_input naming a face that cannot be triangulated
 \complexity linear in the number of faces, for polygons of bounded size
 */
 template <class FaceGraph>
 Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
                                     const std::vector<std::array<double, 3>>& points,
-                                    std::size_t& polygons) {
+                                    std::size_t& polygons, Input_names& names) {
   using Traits = boost::graph_traits<FaceGraph>;
   const Mesh_adaptor<FaceGraph> number(mesh);
   std::vector<std::uint32_t> vertex(number.vertex_capacity(mesh), Gluing::none);
@@ -113,7 +134,7 @@ Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
   internal::Polygon_gluing gluing;
   internal::Polygon_triangulator<> triangulator;
   std::vector<internal::Polygon_triangulator<>::Triangle> triangles;
-  std::vector<std::uint32_t> corners, sides;
+  std::vector<std::uint32_t> corners, sides, polygon_of_triangle;
   std::size_t f = 0;
   polygons = 0;
   const auto fail = [&f](const char* what) {
@@ -131,12 +152,21 @@ Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
         fail(" is a polygon that cannot be triangulated; split it into triangles");
     }
     gluing.add(corners, sides, triangles);
+    polygon_of_triangle.resize(polygon_of_triangle.size() + triangles.size(),
+                               static_cast<std::uint32_t>(f));
     ++f;
   }
-  for (const typename Traits::edge_descriptor e : edges(mesh))
-    gluing.glue_sides(number.halfedge(halfedge(e, mesh)),
-                      number.halfedge(opposite(halfedge(e, mesh), mesh)));
-  return Gluing_map(gluing.take(n));
+  std::vector<std::uint32_t> side_of_edge;
+  for (const typename Traits::edge_descriptor e : edges(mesh)) {
+    const std::uint32_t one = number.halfedge(halfedge(e, mesh)),
+                        other = number.halfedge(opposite(halfedge(e, mesh), mesh));
+    gluing.glue_sides(one, other);
+    side_of_edge.push_back(std::min(gluing.side(one), gluing.side(other)));
+  }
+  const Gluing_map result(gluing.take(n));
+  names.polygon_of_triangle = std::move(polygon_of_triangle);
+  names.edges = internal::names_of_sides(result, side_of_edge);
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

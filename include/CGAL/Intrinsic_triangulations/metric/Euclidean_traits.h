@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
@@ -60,10 +60,11 @@ public:
   \throws Invalid_input see `quadruple_area()`
   \complexity linear
   */
-  Euclidean_metric(const Gluing_map& mesh, const std::shared_ptr<const Input_metric>& input)
+  explicit Euclidean_metric(const std::shared_ptr<const Input>& input)
       : scale_exponent_(input->scale_exponent()),
-        squared_length_(Intrinsic_triangulations::squared_lengths<FT>(*input, mesh)),
-        quadruple_area_(Intrinsic_triangulations::quadruple_areas<FT>(*input)) {}
+        squared_length_(
+            Intrinsic_triangulations::squared_lengths<FT>(input->metric(), input->mesh())),
+        quadruple_area_(Intrinsic_triangulations::quadruple_areas<FT>(input->metric())) {}
 
   /// restores a metric from its stored values.
   Euclidean_metric(int scale_exponent, std::vector<FT> squared_lengths,
@@ -72,7 +73,7 @@ public:
         quadruple_area_(std::move(quadruple_areas)) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
-  bool is_locally_delaunay(const Diamond& d) {
+  bool is_locally_delaunay(const Diamond& d) const {
     ++statistics_.checks;
     const FT& ij = squared_length_[d.ij];
     const FT q_f = squared_length_[d.jk] + squared_length_[d.ki] - ij;
@@ -84,7 +85,7 @@ public:
 
   /// returns the sign of an expression in the values of a diamond.
   template <class Expression>
-  Sign sign(const Diamond& d, const Expression& expression) {
+  Sign sign(const Diamond& d, const Expression& expression) const {
     return CGAL::sign(expression(values(d)));
   }
 
@@ -93,7 +94,7 @@ public:
   \tparam Expression a functor with `operator()(std::span<const Face_values<FT>>)`
   */
   template <class Expression>
-  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) {
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     boost::container::small_vector<Face_values<FT>, 2> values; // no allocation for a face or two
     for (const Indexed_face& f : faces)
       values.push_back(
@@ -103,7 +104,7 @@ public:
   }
 
   /// does nothing: stored values are as accurate as they are.
-  void sharpen(std::span<const Indexed_face>) {}
+  void sharpen(std::span<const Indexed_face>) const {}
 
   /// What a flip makes.
   using Flipped = Flipped_values<FT>;
@@ -217,10 +218,8 @@ public:
   }
   /// returns s, where coordinates are scaled by 2^s.
   int scale_exponent() const { return scale_exponent_; }
-  /// returns how predicates were decided.
-  const Predicate_statistics& statistics() const { return statistics_; }
-  /// returns how predicates were decided, to be reset.
-  Predicate_statistics& statistics() { return statistics_; }
+  /// returns how predicates were decided, which may be reset.
+  Predicate_statistics& statistics() const { return statistics_; }
 
   /*!
   \brief returns (cot k + cot m) / 2 for the angles opposite an edge between two faces.
@@ -258,7 +257,7 @@ private:
   int scale_exponent_ = 0;
   std::vector<FT> squared_length_;
   std::vector<FT> quadruple_area_;
-  Predicate_statistics statistics_;
+  mutable Predicate_statistics statistics_;
 };
 
 /*!

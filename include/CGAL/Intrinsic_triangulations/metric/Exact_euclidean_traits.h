@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_move_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
@@ -62,14 +63,14 @@ public:
 
   /*!
   \brief evaluates the input in interval arithmetic and keeps it for exact evaluation.
-  \pre no face of `mesh` has the edge of `halfedge(face)` twice
+  \pre no face of the input has the edge of its halfedge twice
   \throws Invalid_input see `quadruple_area()`
   \complexity linear
   */
-  Exact_euclidean_metric(const Gluing_map& mesh, std::shared_ptr<const Input_metric> input)
-      : input_(std::move(input)), history_(input_->number_of_faces()) {
+  explicit Exact_euclidean_metric(const std::shared_ptr<const Input>& input)
+      : input_(input, &input->metric()), history_(input->number_of_faces()) {
     const Scope scope;
-    squared_length_ = Intrinsic_triangulations::squared_lengths<FT>(*input_, mesh);
+    squared_length_ = Intrinsic_triangulations::squared_lengths<FT>(*input_, input->mesh());
     quadruple_area_ = Intrinsic_triangulations::quadruple_areas<FT>(*input_);
     length_.reserve(squared_length_.size());
     area_.reserve(quadruple_area_.size());
@@ -77,24 +78,24 @@ public:
     for (const FT& x : quadruple_area_) area_.push_back(CGAL::to_double(x));
     sides_.reserve(input_->number_of_faces());
     for (std::uint32_t f = 0; f < input_->number_of_faces(); ++f)
-      sides_.push_back({f, mesh.halfedge(Gluing_map::Face{f}).index / 2});
+      sides_.push_back({f, input->halfedge_of_face(f) / 2});
   }
 
   /*!
   \brief restores a metric from what its accessors return.
   \pre the intervals contain the values that `input` and `history` define
   */
-  Exact_euclidean_metric(std::shared_ptr<const Input_metric> input, Flip_history history,
+  Exact_euclidean_metric(const std::shared_ptr<const Input>& input, Flip_history history,
                          std::vector<Version> versions, std::vector<FT> squared_lengths,
                          std::vector<FT> quadruple_areas, std::vector<double> lengths,
                          std::vector<double> areas)
       : squared_length_(std::move(squared_lengths)), quadruple_area_(std::move(quadruple_areas)),
         length_(std::move(lengths)), area_(std::move(areas)), sides_(std::move(versions)),
-        input_(std::move(input)), history_(std::move(history)) {}
+        input_(input, &input->metric()), history_(std::move(history)) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
   // the call would cost a tenth of the flips where compilers, by chance, do not inline it
-  BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) {
+  BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
     ++statistics_.checks;
     const FT& ij = squared_length_[d.ij];
     const FT q_f = squared_length_[d.jk] + squared_length_[d.ki] - ij;
@@ -112,7 +113,7 @@ public:
   \tparam Expression a functor with a template `operator()(const Diamond_values<Number>&)`
   */
   template <class Expression>
-  Sign sign(const Diamond& d, const Expression& expression) {
+  Sign sign(const Diamond& d, const Expression& expression) const {
     const FT value = expression(values(d));
     if (value.inf() > 0) return POSITIVE;
     if (value.sup() < 0) return NEGATIVE;
@@ -127,7 +128,7 @@ public:
   made them
   */
   template <class Expression>
-  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) {
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     std::vector<Face_values<FT>> values;
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
     const FT value = expression(std::span<const Face_values<FT>>(values));
@@ -142,7 +143,7 @@ public:
   value, except for areas of thin faces, which get as accurate as 2048 bits allow.
   \complexity constant per face if they are narrow, else linear in the number of moves that made them
   */
-  void sharpen(std::span<const Indexed_face> faces) {
+  void sharpen(std::span<const Indexed_face> faces) const {
     const auto are_narrow = [&] {
       return std::all_of(faces.begin(), faces.end(),
                          [this](const Indexed_face& f) { return is_narrow(enclosure(f)); });
@@ -292,16 +293,12 @@ public:
   int scale_exponent() const { return input_->scale_exponent(); }
   /// returns the input, which defines all values exactly.
   const Input_metric& input() const { return *input_; }
-  /// returns the input, shared.
-  const std::shared_ptr<const Input_metric>& shared_input() const { return input_; }
   /// returns the version of face `f`.
   const Version& version(std::uint32_t f) const { return sides_[f]; }
   /// returns the moves done so far.
   const Flip_history& history() const { return history_; }
-  /// returns how predicates were decided.
-  const Predicate_statistics& statistics() const { return statistics_; }
-  /// returns how predicates were decided, to be reset.
-  Predicate_statistics& statistics() { return statistics_; }
+  /// returns how predicates were decided, which may be reset.
+  Predicate_statistics& statistics() const { return statistics_; }
 
   /*!
   \brief returns (cot k + cot m) / 2 for the angles opposite an edge between two faces.
@@ -309,7 +306,7 @@ public:
   Zero exactly where the sum of the angles is pi, and of the right sign everywhere.
   \pre both faces have an area
   */
-  double cotangent_weight(const Diamond& d) {
+  double cotangent_weight(const Diamond& d) const {
     const Sign s = sign(d, Delaunay_expression());
     if (s == ZERO) return 0;
     if (is_vague(quadruple_area_[d.f]) || is_vague(quadruple_area_[d.g])) sharpen(d);
@@ -408,10 +405,10 @@ private:
 
   // Not inline: what the filter cannot decide is rare, and takes long to compile; see `extern template`.
   template <class Expression>
-  Sign exact_sign(const Diamond& d, const Expression& expression);
+  Sign exact_sign(const Diamond& d, const Expression& expression) const;
   template <class Expression>
   Sign exact_sign(std::span<const Indexed_face> faces, std::vector<Face_values<FT>>& values,
-                  const Expression& expression);
+                  const Expression& expression) const;
 
   // too wide for its approximation to be worth anything
   static bool is_vague(const FT& x) { return x.sup() - x.inf() > 0x1p-10 * x.sup(); }
@@ -428,11 +425,11 @@ private:
     return is(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-200 * longest));
   }
 
-  void sharpen(const Diamond& d) {
+  void sharpen(const Diamond& d) const {
     refine(d, evaluation_.enclosure(*input_, history_, left_side(d), right_side(d)));
   }
 
-  void refine(const Diamond& d, const Diamond_values<FT>& better) {
+  void refine(const Diamond& d, const Diamond_values<FT>& better) const {
     refine(squared_length_[d.ij], length_[d.ij], better.ij);
     refine(squared_length_[d.jk], length_[d.jk], better.jk);
     refine(squared_length_[d.ki], length_[d.ki], better.ki);
@@ -442,7 +439,8 @@ private:
     refine(quadruple_area_[d.g], area_[d.g], better.area_g);
   }
 
-  void refine(std::span<const Indexed_face> faces, const std::vector<Face_values<FT>>& better) {
+  void refine(std::span<const Indexed_face> faces,
+              const std::vector<Face_values<FT>>& better) const {
     for (std::size_t i = 0; i < faces.size(); ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t e = faces[i].edges[k];
@@ -465,21 +463,23 @@ private:
     return x >= interval.inf() ? std::min(x, interval.sup()) : interval.inf();
   }
 
-  std::vector<FT> squared_length_;
-  std::vector<FT> quadruple_area_;
+  // What predicates learn: better enclosures and how they were found. A cache, so mutable; threads that share
+  // a metric need a lock of their own.
+  mutable std::vector<FT> squared_length_;
+  mutable std::vector<FT> quadruple_area_;
   // The middle of an interval that has grown wide is a poor approximation; doubles that are computed
   // beside it, and kept within it, are a good one.
-  std::vector<double> length_; // squared
-  std::vector<double> area_;   // quadruple
+  mutable std::vector<double> length_; // squared
+  mutable std::vector<double> area_;   // quadruple
   std::vector<Version> sides_;
   std::shared_ptr<const Input_metric> input_; // immutable, shared by copies
   Flip_history history_;
-  Exact_evaluation evaluation_;
-  Predicate_statistics statistics_;
+  mutable Exact_evaluation evaluation_;
+  mutable Predicate_statistics statistics_;
 };
 
 template <class Expression>
-Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expression) {
+Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expression) const {
   ++statistics_.filter_failures;
   const Flip_history::Side left = left_side(d), right = right_side(d);
   if (history_.is_input(left.version) && history_.is_input(right.version))
@@ -496,7 +496,7 @@ Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expr
 template <class Expression>
 Sign Exact_euclidean_metric::exact_sign(std::span<const Indexed_face> faces,
                                         std::vector<Face_values<FT>>& values,
-                                        const Expression& expression) {
+                                        const Expression& expression) const {
   ++statistics_.filter_failures;
   const Sign s = evaluation_.sign(*input_, history_, sides(faces), expression, values, statistics_);
   refine(faces, values);

@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 
 #include <CGAL/Interval_nt.h>
@@ -54,8 +54,7 @@ public:
   \throws Invalid_input see `quadruple_area()`
   \complexity linear
   */
-  Interval_metric(const Gluing_map& mesh, const std::shared_ptr<const Input_metric>& input)
-      : Base(evaluate(mesh, input)) {}
+  explicit Interval_metric(const std::shared_ptr<const Input>& input) : Base(evaluate(input)) {}
 
   /// restores a metric from its stored values.
   Interval_metric(int scale_exponent, std::vector<FT> squared_lengths,
@@ -63,7 +62,7 @@ public:
       : Base(scale_exponent, std::move(squared_lengths), std::move(quadruple_areas)) {}
 
   /// tells whether the angles opposite the edge sum to at most pi, or intervals do not tell.
-  bool is_locally_delaunay(const Diamond& d) {
+  bool is_locally_delaunay(const Diamond& d) const {
     ++statistics().checks;
     const FT& ij = squared_length(d.ij);
     const FT q_f = squared_length(d.jk) + squared_length(d.ki) - ij;
@@ -78,7 +77,7 @@ public:
 
   /// returns the sign of an expression in the values of a diamond; zero, too, if intervals leave it open.
   template <class Expression>
-  Sign sign(const Diamond& d, const Expression& expression) {
+  Sign sign(const Diamond& d, const Expression& expression) const {
     return sign_of(expression(Diamond_values<FT>{
         squared_length(d.ij), squared_length(d.jk), squared_length(d.ki), squared_length(d.im),
         squared_length(d.mj), quadruple_area(d.f), quadruple_area(d.g)}));
@@ -86,7 +85,7 @@ public:
 
   /// returns the sign of an expression in the values of faces; zero, too, if intervals leave it open.
   template <class Expression>
-  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) {
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     std::vector<Face_values<FT>> values;
     for (const Indexed_face& f : faces)
       values.push_back(
@@ -108,12 +107,12 @@ public:
   }
 
 private:
-  static Base evaluate(const Gluing_map& mesh, const std::shared_ptr<const Input_metric>& input) {
+  static Base evaluate(const std::shared_ptr<const Input>& input) {
     const Scope scope;
-    return {mesh, input};
+    return Base(input);
   }
 
-  Sign sign_of(const FT& value) {
+  Sign sign_of(const FT& value) const {
     if (value.inf() > 0) return POSITIVE;
     if (value.sup() < 0) return NEGATIVE;
     if (!(value.inf() == 0 && value.sup() == 0)) ++statistics().undecided;

@@ -38,7 +38,7 @@ public:
   using Base::Base;
 
   /// tells whether the cotangents of the angles opposite the edge sum to at least -tolerance.
-  bool is_locally_delaunay(const Diamond& d) {
+  bool is_locally_delaunay(const Diamond& d) const {
     ++this->statistics().checks;
     const FT& ij = this->squared_length(d.ij);
     const FT q_f = this->squared_length(d.jk) + this->squared_length(d.ki) - ij;

@@ -6,10 +6,10 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
 
 #include <algorithm>
@@ -51,12 +51,12 @@ public:
   Face_vector_transfer(const Triangulation& t, const Common_subdivision& s)
       : input_face_(s.input_face), intrinsic_face_(s.intrinsic_face),
         area_(subdivision_areas(t, s)) {
-    const Input_surface& input = t.correspondence().input();
+    const Input& input = t.correspondence().input();
     const Intrinsic_view<Triangulation> view(t);
-    const std::vector<std::uint32_t> number = inverse(t.renumbering().input_face);
-    const std::vector<std::uint32_t>& user = t.renumbering().input_vertex;
+    const Element_names& names = t.input().names().faces;
+    const std::vector<std::uint32_t>& user = t.input().names().vertices.users();
     for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
-      const std::uint32_t g = number.empty() ? input_face_[f] : number[input_face_[f]];
+      const std::uint32_t g = names.here(input_face_[f]);
       const Frame from(view, view.halfedge_of_face(intrinsic_face_[f]));
       const Frame to(input, input.halfedge_of_face(g));
       const std::array<std::uint32_t, 3> corners = corners_of(input, g, user, input_face_[f]);
@@ -102,17 +102,11 @@ private:
     std::array<Complex, 3> corner;
   };
 
-  static std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& p) {
-    std::vector<std::uint32_t> result(p.size());
-    for (std::uint32_t i = 0; i < p.size(); ++i) result[p[i]] = i;
-    return result;
-  }
-
   static std::size_t bound(const std::vector<std::uint32_t>& numbers) {
     return numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end()) + std::size_t{1};
   }
 
-  static std::array<std::uint32_t, 3> corners_of(const Input_surface& input, std::uint32_t face,
+  static std::array<std::uint32_t, 3> corners_of(const Input& input, std::uint32_t face,
                                                  const std::vector<std::uint32_t>& user,
                                                  std::uint32_t user_face) {
     std::array<std::uint32_t, 3> v;

@@ -25,8 +25,7 @@ template <class Triangulation>
 [[noreturn]] void throw_degenerate_face(const Triangulation& t,
                                         typename Triangulation::face_descriptor f) {
   const std::uint32_t i = t.index(f);
-  const std::vector<std::uint32_t>& map = t.renumbering().input_face;
-  const std::size_t input = i < map.size() ? map[i] : i; // insertions make more faces
+  const std::uint32_t input = t.input().names().faces.user(i);
   throw Invalid_input(
       Element_kind::face, input,
       "face " + std::to_string(input) +
@@ -47,9 +46,9 @@ typename Triangulation::face_descriptor smaller_face(const Triangulation& t,
 
 // the negative weight of each edge that joins two vertices, unless it is zero
 template <class Triangulation>
-std::vector<Symmetric_entry> cotangent_entries(Triangulation& t) {
+std::vector<Symmetric_entry> cotangent_entries(const Triangulation& t) {
   const auto& mesh = t.mesh();
-  typename Triangulation::Session session(t);
+  const typename Triangulation::Const_session session(t);
   for (const typename Triangulation::face_descriptor f : faces(mesh))
     if (t.metric().is_degenerate(t.index(f))) throw_degenerate_face(t, f);
   std::vector<Symmetric_entry> entries;
@@ -95,7 +94,7 @@ others in its column, in their order.
 \complexity linear
 */
 template <class Triangulation>
-Eigen::SparseMatrix<double> cotangent_laplacian(Triangulation& t) {
+Eigen::SparseMatrix<double> cotangent_laplacian(const Triangulation& t) {
   const int size = checked_matrix_size(t);
   Eigen::SparseMatrix<double> l =
       symmetric_matrix_with_zero_diagonal(internal::cotangent_entries(t), size);

@@ -39,7 +39,7 @@ Near the source u is -log(r) / alpha, where alpha is the total angle there: unbo
 \complexity that of a sparse factorization
 */
 template <class Triangulation>
-Eigen::VectorXd harmonic_green_function(Triangulation& t, std::uint32_t vertex) {
+Eigen::VectorXd harmonic_green_function(const Triangulation& t, std::uint32_t vertex) {
   Eigen::VectorXd load = internal::areas_at_vertices(t);
   internal::check_source(load, vertex);
   load *= -1 / load.sum();
@@ -63,7 +63,7 @@ where alpha is the total angle there.
 \complexity that of a sparse factorization
 */
 template <class Triangulation>
-Eigen::VectorXd short_time_heat_kernel(Triangulation& t, std::uint32_t vertex, double time) {
+Eigen::VectorXd short_time_heat_kernel(const Triangulation& t, std::uint32_t vertex, double time) {
   const Eigen::VectorXd areas = internal::areas_at_vertices(t);
   internal::check_source(areas, vertex);
   return solve_reaction_diffusion(t, {.diffusion = time, .reaction = 1},

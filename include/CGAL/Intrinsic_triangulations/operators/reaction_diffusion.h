@@ -91,7 +91,7 @@ If c is zero, solutions differ by constants: the one of mean zero is returned.
 \complexity that of a sparse factorization
 */
 template <class Triangulation>
-Eigen::VectorXd solve_reaction_diffusion(Triangulation& t, const Reaction_diffusion& equation,
+Eigen::VectorXd solve_reaction_diffusion(const Triangulation& t, const Reaction_diffusion& equation,
                                          const Eigen::VectorXd& load) {
   internal::check(equation);
   const Eigen::SparseMatrix<double> mass = galerkin_mass_matrix(t);

@@ -104,7 +104,7 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, d
 
 /*!
 \brief traces a geodesic from a point.
-\tparam Complex a model of `NumberedComplex`: `Input_surface`, `Intrinsic_view`
+\tparam Complex a model of `NumberedComplex`: `Input`, `Intrinsic_view`
 \param complex the surface
 \param start the start
 \param direction its direction there: a vector in the frame of `start.halfedge`, which runs along the

@@ -7,7 +7,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -128,19 +130,19 @@ Syntax of \ref ::IntrinsicMetric, where its meaning is described.
 template <class Metric>
 concept IntrinsicMetric = std::default_initializable<Metric> && std::movable<Metric> &&
     std::default_initializable<typename Metric::Scope> &&
-    std::constructible_from<Metric, const Gluing_map&, std::shared_ptr<Input_metric>> &&
+    std::constructible_from<Metric, std::shared_ptr<const Input>> &&
     requires(Metric& m, const Metric& c, const Diamond& d, std::uint32_t i) {
   typename Metric::FT;
   { Metric::is_exact } -> std::convertible_to<bool>;
-  { m.is_locally_delaunay(d) } -> std::same_as<bool>;
-  { m.sign(d, Delaunay_expression()) } -> std::same_as<Sign>;
-  { m.sign(d, Convexity_at_source_expression()) } -> std::same_as<Sign>;
-  { m.sign(d, Convexity_at_target_expression()) } -> std::same_as<Sign>;
+  { c.is_locally_delaunay(d) } -> std::same_as<bool>;
+  { c.sign(d, Delaunay_expression()) } -> std::same_as<Sign>;
+  { c.sign(d, Convexity_at_source_expression()) } -> std::same_as<Sign>;
+  { c.sign(d, Convexity_at_target_expression()) } -> std::same_as<Sign>;
   { c.compute_flip(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
   { c.compute_flip_to_zero_area(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
   m.store_flip(d, *c.compute_flip(d));
-  { m.cotangent_weight(d) } -> std::convertible_to<double>;
-  { m.cotangent_weight(i, i, i, i) } -> std::convertible_to<double>;
+  { c.cotangent_weight(d) } -> std::convertible_to<double>;
+  { c.cotangent_weight(i, i, i, i) } -> std::convertible_to<double>;
   { c.is_degenerate(i) } -> std::same_as<bool>;
   { c.is_zero_length(i) } -> std::same_as<bool>;
   { c.squared_length(i) } -> std::convertible_to<typename Metric::FT>;
@@ -171,19 +173,20 @@ Syntax of \ref ::IntrinsicCorrespondence, where its meaning is described.
 template <class Correspondence, class Triangulation>
 concept IntrinsicCorrespondence = std::default_initializable<Correspondence> &&
     std::movable<Correspondence> &&
-    requires(Correspondence& c, const Triangulation& t, std::uint32_t h, double parameter,
-             const std::array<double, 3>& weights) {
+    requires(Correspondence& c, const Triangulation& t, const Flip& flip,
+             const Insertion_in_face& insertion, const Insertion_on_border& border_insertion,
+             const Removal_from_face& removal, const Removal_from_border& border_removal) {
   c.start(t);
-  { c.before_flip(t, h) } -> std::same_as<bool>;
-  c.after_flip(t, h);
-  { c.before_insert_in_face(t, h, weights) } -> std::same_as<bool>;
-  c.after_insert_in_face(t, h);
-  { c.before_insert_in_border_edge(t, h, parameter) } -> std::same_as<bool>;
-  c.after_insert_in_border_edge(t, h);
-  { c.before_remove(t, h) } -> std::same_as<bool>;
-  c.after_remove(t, h);
-  { c.before_remove_from_border(t, h) } -> std::same_as<bool>;
-  c.after_remove_from_border(t, h);
+  { c.before(t, flip) } -> std::same_as<bool>;
+  c.after(t, flip);
+  { c.before(t, insertion) } -> std::same_as<bool>;
+  c.after(t, insertion);
+  { c.before(t, border_insertion) } -> std::same_as<bool>;
+  c.after(t, border_insertion);
+  { c.before(t, removal) } -> std::same_as<bool>;
+  c.after(t, removal);
+  { c.before(t, border_removal) } -> std::same_as<bool>;
+  c.after(t, border_removal);
 };
 
 /*!
@@ -194,8 +197,9 @@ Syntax of \ref ::IntrinsicTriangulation, where its meaning is described.
 template <class Triangulation>
 concept IntrinsicTriangulation =
     std::constructible_from<typename Triangulation::Session, Triangulation&> &&
+    std::constructible_from<typename Triangulation::Const_session, const Triangulation&> &&
     requires(const Triangulation& t, typename Triangulation::Session& s,
-             const typename Triangulation::Session& c,
+             const typename Triangulation::Const_session& c,
              typename Triangulation::halfedge_descriptor h,
              typename Triangulation::edge_descriptor e) {
   requires internal::Has_mesh_elements<typename Triangulation::Mesh>;
@@ -205,8 +209,9 @@ concept IntrinsicTriangulation =
   { t.index(e) } -> std::convertible_to<std::uint32_t>;
   { c.is_locally_delaunay(h) } -> std::same_as<bool>;
   { c.delaunay_sign(h) } -> std::same_as<Sign>;
-  { s.flip_non_delaunay_edge(h) } -> std::same_as<decltype(s.flip_status(h))>;
-  { decltype(s.flip_status(h))::done } -> std::same_as<decltype(s.flip_status(h))>;
+  { c.flip_status(h) } -> std::same_as<Move_status>;
+  { s.is_locally_delaunay(h) } -> std::same_as<bool>;
+  { s.flip_non_delaunay_edge(h) } -> std::same_as<Move_status>;
   {
     c.suspended([] { return true; })
     } -> std::same_as<bool>;

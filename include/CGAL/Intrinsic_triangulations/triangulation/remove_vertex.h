@@ -145,12 +145,11 @@ private:
       if (!Triangulation::Metric::is_exact && c.quality < doubtful_quality && edges_.size() == 4 &&
           !is_border_ && straight_edge() != Traits::null_halfedge())
         return false;
-      const Diamond d = t_.diamond(c.edge);
       const Undo u{c.edge, 3, values(c.edge)};
       const std::array<Planar_vector<double>, 3> kmj = ear(c.edge);
       if (session_.flip_edge(c.edge) != Move_status::done) continue;
       undo_.push_back(u);
-      correct(d, kmj);
+      correct(c.edge, kmj);
       return true;
     }
     return false;
@@ -197,14 +196,14 @@ private:
     return {place(next(next(h, mesh_), mesh_)), place(next(opposite(h, mesh_), mesh_)), place(h)};
   }
 
-  void correct(const Diamond& d, const std::array<Planar_vector<double>, 3>& kmj) {
+  void correct(Halfedge h, const std::array<Planar_vector<double>, 3>& kmj) {
     if constexpr (is_corrected) {
       if (places_.empty()) return;
       const auto& [k, m, j] = kmj;
       const double x = m[0] - k[0], y = m[1] - k[1];
       const Flipped_values<double> n{x * x + y * y, 2 * (x * (j[1] - k[1]) - y * (j[0] - k[0])),
                                      2 * (m[0] * k[1] - m[1] * k[0])};
-      if (n.km > 0 && n.area_f > 0 && n.area_g > 0) t_.metric().store_flip(d, n);
+      if (n.km > 0 && n.area_f > 0 && n.area_g > 0) session_.correct_values(h, n);
     }
   }
 
@@ -213,9 +212,9 @@ private:
     if constexpr (is_corrected) {
       const auto& [ij, jk, ki, im, mj, f, g] = u.before;
       if (u.flips == 3)
-        t_.metric().store_flip(t_.diamond(u.edge), {ij, f, g});
+        session_.correct_values(u.edge, {ij, f, g});
       else
-        t_.metric().store_flip(t_.diamond(u.edge), {ij, g, f});
+        session_.correct_values(u.edge, {ij, g, f});
     }
   }
 

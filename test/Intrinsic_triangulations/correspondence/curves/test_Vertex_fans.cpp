@@ -16,15 +16,15 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using subdivision_oracle::Exact;
 
-IT::Input_surface surface(const gallery::Surface& s) {
+IT::Input surface(const gallery::Surface& s) {
   IT::Intrinsic_input i(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
   i.may_renumber = false;
-  return IT::Input_surface(Exact(std::move(i)));
+  return IT::Input(Exact(std::move(i)));
 }
 
 TEST(Vertex_fans, Give_every_halfedge_a_slot_of_its_own) {
   for (const gallery::Surface& s : gallery::oriented()) {
-    const IT::Input_surface input = surface(s);
+    const IT::Input input = surface(s);
     const IT::Vertex_fans fans(input);
     std::set<std::uint32_t> slots;
     for (std::uint32_t h = 0; h < input.number_of_halfedges(); ++h) {
@@ -37,7 +37,7 @@ TEST(Vertex_fans, Give_every_halfedge_a_slot_of_its_own) {
 
 TEST(Vertex_fans, Advance_counterclockwise_around_the_vertex) {
   for (const gallery::Surface& s : gallery::oriented()) {
-    const IT::Input_surface input = surface(s);
+    const IT::Input input = surface(s);
     const IT::Vertex_fans fans(input);
     for (std::uint32_t h = 0; h < input.number_of_halfedges(); ++h) {
       EXPECT_EQ(fans.advance(fans.slot(h), 0), fans.slot(h)) << s;
@@ -53,7 +53,7 @@ TEST(Vertex_fans, Advance_counterclockwise_around_the_vertex) {
 }
 
 TEST(Vertex_fans, Tell_the_distance_that_advancing_takes) {
-  const IT::Input_surface input = surface(gallery::two_tetrahedra_sharing_a_vertex());
+  const IT::Input input = surface(gallery::two_tetrahedra_sharing_a_vertex());
   const IT::Vertex_fans fans(input);
   for (std::uint32_t a = 0; a < input.number_of_halfedges(); ++a)
     for (std::uint32_t b = 0; b < input.number_of_halfedges(); ++b) {
@@ -67,7 +67,7 @@ TEST(Vertex_fans, Tell_the_distance_that_advancing_takes) {
 }
 
 TEST(Vertex_fans, Use_the_slots_of_removed_fans_again) {
-  const IT::Input_surface input = surface(gallery::tetrahedron());
+  const IT::Input input = surface(gallery::tetrahedron());
   IT::Vertex_fans fans(input);
   const std::uint32_t a = fans.add_fan_on_edge(3), b = fans.add_fan_on_edge(4);
   EXPECT_EQ(fans.halfedge(a), 3U);

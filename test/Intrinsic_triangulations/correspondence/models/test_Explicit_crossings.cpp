@@ -187,7 +187,7 @@ struct Placed {
   const std::vector<Point>& points;
 
   Point position(const IT::Surface_point& p) const {
-    const IT::Input_surface& in = t.correspondence().input();
+    const IT::Input& in = t.correspondence().input();
     const std::uint32_t h = p.halfedge;
     return place(points, {in.source(h), in.target(h), in.target(in.next(h))}, p.weights);
   }

@@ -109,7 +109,7 @@ void expect_paths(const Placed<T>& s, const std::string& name) {
 /// Points go to the intrinsic triangulation and back, vectors with them.
 template <class T>
 void expect_round_trips(const Placed<T>& s, int count, double tolerance) {
-  const IT::Input_surface& input = s.signposts().input();
+  const IT::Input& input = s.signposts().input();
   std::mt19937 random(5);
   const auto uniform = [&] { return static_cast<double>(random()) / 0x1p32; };
   for (int i = 0; i < count; ++i) {

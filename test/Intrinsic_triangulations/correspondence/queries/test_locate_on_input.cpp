@@ -26,7 +26,7 @@ using subdivision_oracle::Rounded;
 template <class T>
 double greatest_error(Plane<T>& p, Mover<T>& mover, int count, bool on_side) {
   double worst = 0;
-  const IT::Input_surface& s = p.t.correspondence().input();
+  const IT::Input& s = p.t.correspondence().input();
   for (int i = 0; i < count; ++i) {
     const std::uint32_t h = mover.halfedge(false);
     const std::array<double, 3> w = *IT::representable_weights(mover.weights(on_side));
@@ -86,7 +86,7 @@ TEST(Locate_on_input, Finds_inserted_vertices_whatever_moves_follow) {
           [&](IT::Gluing_map::Vertex v, std::uint32_t h, const auto& w) {
             return p.reposition(v, h, w);
           });
-    const IT::Input_surface& s = p.t.correspondence().input();
+    const IT::Input& s = p.t.correspondence().input();
     for (const auto v : mover.inserted) {
       const IT::Surface_point& q = p.t.correspondence().location(p.t.index(v));
       std::array<double, 2> x{0, 0};

@@ -25,7 +25,7 @@ using subdivision_oracle::Mover;
 using subdivision_oracle::Rounded;
 using Point = std::array<double, 3>;
 
-Point position(const IT::Input_surface& s, const IT::Surface_point& p, const meshes::Mesh& mesh) {
+Point position(const IT::Input& s, const IT::Surface_point& p, const meshes::Mesh& mesh) {
   Point x{0, 0, 0};
   std::uint32_t h = p.halfedge;
   for (const double w : p.weights) {
@@ -38,7 +38,7 @@ Point position(const IT::Input_surface& s, const IT::Surface_point& p, const mes
 /// From the input to the intrinsic triangulation and back.
 template <class T>
 void expect_round_trips(T& t, const meshes::Mesh& mesh, double tolerance, const std::string& name) {
-  const IT::Input_surface& s = t.correspondence().input();
+  const IT::Input& s = t.correspondence().input();
   Mover<T> mover(t, 9);
   for (std::uint32_t f = 0; f < s.mesh().number_of_faces(); ++f)
     for (int i = 0; i < 12; ++i) {
@@ -94,7 +94,7 @@ TEST(Locate_on_intrinsic, Finds_curves_in_all_fans_of_a_vertex) {
   Exact t(subdivision_oracle::input(mesh));
   EXPECT_GT(IT::flip_to_delaunay(t).flips, 0U);
   const IT::Intrinsic_view<Exact> view(t);
-  const IT::Input_surface& s = t.correspondence().input();
+  const IT::Input& s = t.correspondence().input();
   for (std::uint32_t x = 0; x < s.number_of_halfedges(); ++x) {
     const auto found = IT::find_curve(view, t.correspondence(), s.source(x), x);
     ASSERT_TRUE(found) << x;
@@ -107,7 +107,7 @@ TEST(Locate_on_intrinsic, Finds_curves_in_all_fans_of_a_vertex) {
 TEST(Locate_on_intrinsic, Finds_corners_and_points_on_sides_where_nothing_was_flipped) {
   const meshes::Mesh mesh = meshes::rough_grid(3, 1);
   Exact t(subdivision_oracle::input(mesh));
-  const IT::Input_surface& s = t.correspondence().input();
+  const IT::Input& s = t.correspondence().input();
   const IT::Intrinsic_view<Exact> view(t);
   for (std::uint32_t f = 0; f < s.mesh().number_of_faces(); ++f)
     for (const std::array<double, 3> w : {std::array{1., 0., 0.}, std::array{0., 0.25, 0.75}}) {

@@ -177,7 +177,6 @@ double angle_from(const View& view, std::uint32_t h, const IT::Tangent_vector& v
 TYPED_TEST(Tangent, Vectors_at_all_vertices_go_there_and_back) {
   for (const auto& [name, m] : fat_meshes()) {
     const auto t = moved<TypeParam>(m, 8);
-    auto changeable = t;
     const IT::Intrinsic_view view(t);
     std::size_t count = 0;
     for (const auto d : edges(t.mesh()))
@@ -187,7 +186,7 @@ TYPED_TEST(Tangent, Vectors_at_all_vertices_go_there_and_back) {
         const double all = cone_angle(view, h, is_on_border);
         const double angle = angle_at_source(view, h) / 3;
         const IT::Tangent_vector v{{h, {1, 0, 0}}, {2 * std::cos(angle), 2 * std::sin(angle)}};
-        const auto there = IT::tangent_to_input(changeable, v);
+        const auto there = IT::tangent_to_input(t, v);
         ASSERT_TRUE(there) << name;
         EXPECT_NEAR(std::hypot(there->vector[0], there->vector[1]), 2, 1e-12) << name;
         const auto back = IT::tangent_to_intrinsic(t, *there);
@@ -226,7 +225,7 @@ TEST(Point_queries, Go_from_the_input_to_the_intrinsic_triangulation_and_back) {
   for (const auto& [name, m] : fat_meshes()) {
     auto t = moved<Integer_coordinates>(m, 8);
     const auto s = moved<Signposts>(m, 8);
-    const IT::Input_surface& surface = s.correspondence().input();
+    const IT::Input& surface = s.correspondence().input();
     std::mt19937 random(5);
     for (int i = 0; i < 300; ++i) {
       const auto f = static_cast<std::uint32_t>(random() % m.triangles.size());

@@ -61,7 +61,7 @@ double area_of_cell(const Common_subdivision& s, std::size_t f, const std::vecto
 /// What holds on any surface: Euler characteristic, labels of sides, cells on both sides of edges.
 template <class T>
 void expect_subdivision(const T& t, const Common_subdivision& s, const std::string& name) {
-  const IT::Input_surface& input = t.correspondence().input();
+  const IT::Input& input = t.correspondence().input();
   const auto euler = [](std::size_t v, std::size_t e, std::size_t f) {
     return static_cast<std::ptrdiff_t>(v) - static_cast<std::ptrdiff_t>(e) +
            static_cast<std::ptrdiff_t>(f);
@@ -94,7 +94,7 @@ void expect_subdivision(const T& t, const Common_subdivision& s, const std::stri
 template <class T>
 void expect_measures(const T& t, const Common_subdivision& s, const std::vector<Point>& points,
                      double tolerance, const std::string& name) {
-  const IT::Input_surface& input = t.correspondence().input();
+  const IT::Input& input = t.correspondence().input();
   const std::vector<Point> x = IT::positions(s, points);
   std::vector<double> on_input(input.mesh().number_of_faces(), 0), on_intrinsic, length;
   for (std::size_t f = 0; f < s.number_of_faces(); ++f) {

@@ -196,7 +196,7 @@ struct Turned_signposts {
   std::uint32_t turned;
   double by;
 
-  const IT::Input_surface& input() const { return original.input(); }
+  const IT::Input& input() const { return original.input(); }
   auto shared_input() const { return original.shared_input(); }
   bool is_inserted(std::uint32_t v) const { return original.is_inserted(v); }
   const IT::Surface_point& location(std::uint32_t v) const { return original.location(v); }
@@ -224,7 +224,7 @@ TEST(Signpost_subdivision, Names_the_edge_whose_signposts_are_wrong) {
 
 /// Coordinates in parts, and the traces that they are compared with.
 struct Parts {
-  std::shared_ptr<const IT::Input_surface> input;
+  std::shared_ptr<const IT::Input> input;
   IT::Vertex_fans fans;
   std::vector<IT::Normal_coordinate> normal;
   std::vector<std::uint32_t> roundabout;

@@ -17,8 +17,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Reads the input of an exact metric, which has no more elements than there are in the mesh now.
-inline Input_metric read_input(Text_reader& in, const Gluing_map& mesh,
-                               std::uint32_t input_vertices, int scale_exponent) {
+inline Input_metric read_input_metric(Text_reader& in, const Gluing_map& mesh,
+                                      std::uint32_t input_vertices, int scale_exponent) {
   std::vector<Input_metric::Point> points;
   std::vector<double> squared_lengths;
   in.next_line();

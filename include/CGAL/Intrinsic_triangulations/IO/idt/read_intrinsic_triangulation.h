@@ -109,20 +109,22 @@ public:
     read_faces();
     connectivity_.read_border();
     connectivity_.read_input_faces(report.renumbered);
-    const auto input_vertices = static_cast<std::uint32_t>(connectivity_.input_vertex.size());
-    Renumbering renumbering = read_renumbering(report.renumbered);
-    Metric metric = read_metric(input_vertices, scale_exponent);
+    const std::shared_ptr<Input> input = read_input(report, scale_exponent);
+    Metric metric = read_metric(input);
     in_.next_line();
     in_.keyword("end");
     in_.finish_line();
-    return Triangulation(std::move(connectivity_.mesh), std::move(metric), std::move(renumbering),
-                         report, input_vertices);
+    if constexpr (has_correspondence) input->keep_values(metric);
+    return Triangulation(std::move(connectivity_.mesh), std::move(metric), input);
   }
 
 private:
+  static constexpr bool has_correspondence =
+      !std::is_same_v<typename Triangulation::Correspondence, No_correspondence>;
+
   // a correspondence would take inserted vertices for those of its input
   void check_correspondence() const {
-    if constexpr (!std::is_same_v<typename Triangulation::Correspondence, No_correspondence>)
+    if constexpr (has_correspondence)
       if (connectivity_.input_vertex.size() < connectivity_.number_of_vertices())
         in_.refuse("vertices were inserted, and where they are on the input is not stored; read "
                    "the triangulation with No_correspondence");
@@ -157,10 +159,31 @@ private:
     }
   }
 
-  Renumbering read_renumbering(bool renumbered) {
+  Input_names read_names(bool renumbered) {
     if (renumbered) check_number_of_input_faces();
-    return {checked_permutation(in_, renumbered, std::move(connectivity_.input_vertex), "vertex"),
-            checked_permutation(in_, renumbered, std::move(connectivity_.input_face), "face")};
+    Input_names names;
+    names.vertices = Element_names(
+        checked_permutation(in_, renumbered, std::move(connectivity_.input_vertex), "vertex"));
+    names.faces = Element_names(
+        checked_permutation(in_, renumbered, std::move(connectivity_.input_face), "face"));
+    if (renumbered) // which the file does not hold
+      names.edges = Element_names(
+          std::vector<std::uint32_t>(connectivity_.mesh.number_of_edges(), Gluing::none));
+    return names;
+  }
+
+  // The triangulation is its own input. Where vertices were inserted, what is known of it are its vertices.
+  std::shared_ptr<Input> read_input(const Input_report& report, int scale_exponent) {
+    const auto vertices = static_cast<std::uint32_t>(connectivity_.input_vertex.size());
+    const Gluing_map& mesh = connectivity_.mesh;
+    Input_names names = read_names(report.renumbered);
+    Input_metric metric({}, {}, {}, 0, scale_exponent);
+    if constexpr (Metric::is_exact) metric = read_input_metric(in_, mesh, vertices, scale_exponent);
+    auto input = std::make_shared<Input>(
+        vertices == mesh.number_of_vertices() ? mesh : Gluing_map(vertices, 0, 0),
+        std::move(metric), std::move(names));
+    input->set_report(report);
+    return input;
   }
 
   // an inserted vertex makes two faces more, on the border one
@@ -172,19 +195,17 @@ private:
       in_.fail("so many inserted vertices do not fit the numbers of faces before and after");
   }
 
-  Metric read_metric(std::uint32_t input_vertices, int scale_exponent) {
+  Metric read_metric(const std::shared_ptr<const Input>& input) {
     if constexpr (Metric::is_exact) {
-      auto input = std::make_shared<const Input_metric>(
-          read_input(in_, connectivity_.mesh, input_vertices, scale_exponent));
-      History_reader history(in_, connectivity_.mesh, *input);
+      History_reader history(in_, connectivity_.mesh, input->metric());
       history.read_moves(format_version_);
-      history.read_versions(connectivity_.mesh.number_of_vertices() - input_vertices,
+      history.read_versions(connectivity_.mesh.number_of_vertices() - input->number_of_vertices(),
                             squared_lengths_, areas_);
-      return Metric(std::move(input), std::move(history.history), std::move(history.versions),
+      return Metric(input, std::move(history.history), std::move(history.versions),
                     std::move(squared_lengths_), std::move(areas_), std::move(near_lengths_),
                     std::move(near_areas_));
     } else
-      return Metric(scale_exponent, std::move(squared_lengths_), std::move(areas_));
+      return Metric(input->scale_exponent(), std::move(squared_lengths_), std::move(areas_));
   }
 
   static constexpr int maximal_exponent = 2200; // beyond that of the quotient of any two doubles

@@ -46,7 +46,7 @@ public:
     write_border();
     write_input_faces();
     if constexpr (Metric::is_exact) {
-      write_input(t_.metric().input());
+      write_input(t_.input().metric());
       write_history(t_.metric().history());
       write_versions();
     }
@@ -71,21 +71,17 @@ private:
         std::find_if(mollification_names.begin(), mollification_names.end(),
                      [&](const auto& n) { return n.first == report.mollification.kind; });
     out_.line("IDT", intrinsic_triangulation_format_version, arithmetic_name<Metric>);
-    out_.line("scale", t_.metric().scale_exponent());
+    out_.line("scale", t_.input().scale_exponent());
     out_.line("degenerate_faces", report.degenerate_faces);
     out_.line("mollification", kind->second, report.mollification.delta);
     out_.line("renumbered", report.renumbered ? 1 : 0);
   }
 
-  static std::uint32_t input_number(const std::vector<std::uint32_t>& map, std::uint32_t i) {
-    return map.empty() ? i : map[i];
-  }
-
   void write_vertices() {
     out_.line("vertices", mesh_.number_of_vertices());
     for (std::uint32_t v = 0; v < mesh_.number_of_vertices(); ++v) {
-      if (v < t_.number_of_input_vertices())
-        out_.words(input_number(t_.renumbering().input_vertex, v));
+      if (v < t_.input().number_of_vertices())
+        out_.words(t_.input().names().vertices.user(v));
       else
         out_.words("-");
       const Halfedge h = mesh_.halfedge(Gluing_map::Vertex{v});
@@ -132,7 +128,7 @@ private:
 
   // nothing if faces were not renumbered
   void write_input_faces() {
-    const std::vector<std::uint32_t>& faces = t_.renumbering().input_face;
+    const std::vector<std::uint32_t>& faces = t_.input().names().faces.users();
     out_.line("input_faces", faces.size());
     for (const std::uint32_t f : faces) out_.line(f);
   }

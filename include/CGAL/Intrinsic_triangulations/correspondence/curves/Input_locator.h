@@ -169,7 +169,7 @@ namespace internal {
 template <class Triangulation, class Coordinates>
 class Input_locator {
 public:
-  Input_locator(Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+  Input_locator(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                 const std::array<double, 3>& weights)
       : metric_(t.metric()), view_(t), coordinates_(coordinates), sides_(sides_of_face(view_, h)),
         weights_(weights), corners_(corner_coordinates(view_, coordinates, h)) {}
@@ -286,7 +286,7 @@ private:
     set_direction(p, l);
   }
 
-  typename Triangulation::Metric& metric_;
+  const typename Triangulation::Metric& metric_;
   Intrinsic_view<Triangulation> view_;
   const Coordinates& coordinates_;
   std::array<std::uint32_t, 3> sides_;
@@ -304,7 +304,7 @@ private:
 \complexity that of following a number of curves logarithmic in the number of crossings of the face
 */
 template <class Triangulation, class Coordinates>
-Located locate_by_curves(Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+Located locate_by_curves(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                          const std::array<double, 3>& weights) {
   [[maybe_unused]] const typename Triangulation::Metric::Scope scope;
   return Input_locator<Triangulation, Coordinates>(t, coordinates, h, weights).locate();

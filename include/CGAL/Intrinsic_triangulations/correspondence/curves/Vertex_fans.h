@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_VERTEX_FANS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 
 #include <cstdint>
 #include <utility>
@@ -30,8 +30,7 @@ public:
   \brief numbers the halfedges around the vertices of `input`.
   \complexity linear
   */
-  explicit Vertex_fans(const Input_surface& input)
-      : slot_(input.number_of_halfedges(), Gluing::none) {
+  explicit Vertex_fans(const Input& input) : slot_(input.number_of_halfedges(), Gluing::none) {
     halfedge_.reserve(slot_.size());
     fan_.resize(slot_.size());
     for (std::uint32_t h = 0; h < slot_.size(); ++h)
@@ -93,7 +92,7 @@ private:
     std::uint32_t begin, size;
   };
 
-  void add_fan(const Input_surface& input, std::uint32_t first) {
+  void add_fan(const Input& input, std::uint32_t first) {
     const auto begin = static_cast<std::uint32_t>(halfedge_.size());
     for (std::uint32_t h = first;;) {
       slot_[h] = static_cast<std::uint32_t>(halfedge_.size());

@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_DIAMOND_UNFOLDER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_DIAMOND_UNFOLDER_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
@@ -13,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/unfold_corners.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <array>
@@ -25,7 +25,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// returns the face of an input halfedge and its slot there. \pre it has a face
-inline Flip_history::Side input_side(const Input_surface& input, std::uint32_t halfedge) {
+inline Flip_history::Side input_side(const Input& input, std::uint32_t halfedge) {
   const std::uint32_t f = input.face(halfedge), first = input.halfedge_of_face(f);
   if (halfedge == first) return {f, 0};
   return {f, halfedge == input.next(first) ? 1U : 2U};
@@ -116,7 +116,7 @@ public:
 private:
   using Side = Flip_history::Side;
 
-  const Input_surface& input() const { return coordinates_->input(); }
+  const Input& input() const { return coordinates_->input(); }
 
   template <class View>
   static std::uint32_t last(const View& view, std::uint32_t h) {

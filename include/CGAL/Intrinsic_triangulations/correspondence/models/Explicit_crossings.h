@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_CROSSINGS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
@@ -15,8 +14,10 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_edge_lists.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -69,7 +70,7 @@ public:
   }
 
   /// returns the input.
-  const Input_surface& input() const { return integers_.input(); }
+  const Input& input() const { return integers_.input(); }
   /// returns the curves at the vertices.
   const Vertex_fans& fans() const { return integers_.fans(); }
   /// returns the bound of the numbers of intrinsic edges.
@@ -102,96 +103,83 @@ public:
     return normal_coordinate(h / 2) < 0 ? fans().halfedge(roundabout(h)) : Gluing::none;
   }
 
-  /// observes a flip before it is done. \return whether the number of crossings stays in bounds
+  /// announces a flip. \return whether the number of crossings stays in bounds
   /// \complexity linear in the number of crossings of the new edge
   template <class Triangulation>
-  bool before_flip(const Triangulation& t, std::uint32_t h) {
-    const Intrinsic_view<Triangulation> view(t);
-    const internal::Quad_sides q{sides_of_face(view, h), sides_of_face(view, h ^ 1U)};
+  bool before(const Triangulation&, const Flip& move) {
+    const internal::Quad_sides q{{move.ij, move.jk, move.ki}, {move.ij ^ 1U, move.im, move.mj}};
     const Normals left = normals(q.left), right = normals(q.right);
     const Corner_coordinates f = corner_coordinates(left), g = corner_coordinates(right);
-    if (!integers_.before_flip(h, f, g)) return false;
+    if (!integers_.before_flip(move, f, g)) return false;
     std::vector<std::uint32_t>& list = announced_[0];
     list.clear();
     internal::find_crossings_of_flipped_edge(q, left, right, f, g, Appender{*this, list},
-                                             [&] { list.push_back(along(h ^ 1U)); });
+                                             [&] { list.push_back(along(move.ij ^ 1U)); });
     return true;
   }
 
-  /// observes a flip after it was done.
+  /// follows a flip.
   template <class Triangulation>
-  void after_flip(const Triangulation& t, std::uint32_t h) {
-    integers_.after_flip(t, h);
-    store(h, announced_[0]);
+  void after(const Triangulation& t, const Flip& move) {
+    integers_.after(t, move);
+    store(move.ij, announced_[0]);
   }
 
-  /// observes the insertion of a vertex into the face of `h` before it is done.
+  /// announces the insertion of a vertex in a face.
   /// \return true
   template <class Triangulation>
-  bool before_insert_in_face(Triangulation& t, std::uint32_t h,
-                             const std::array<double, 3>& weights) {
-    if (!integers_.before_insert_in_face(t, h, weights)) return false;
-    find_spokes(t, h);
+  bool before(const Triangulation& t, const Insertion_in_face& move) {
+    if (!integers_.before(t, move)) return false;
+    find_spokes(move.sides);
     return true;
   }
 
-  /// observes the insertion of a vertex into a face after it was done; see `split_face()`.
+  /// follows the insertion of a vertex in a face.
   template <class Triangulation>
-  void after_insert_in_face(const Triangulation& t, std::uint32_t h) {
-    integers_.after_insert_in_face(t, h);
+  void after(const Triangulation& t, const Insertion_in_face& move) {
+    integers_.after(t, move);
     lists_.grow(number_of_edges());
-    const std::array<std::uint32_t, 3> to =
-        Integer_coordinates::spokes(Intrinsic_view<Triangulation>(t), h);
-    for (std::size_t k = 0; k < 3; ++k) store(to[k], announced_[k]);
+    for (std::size_t k = 0; k < 3; ++k) store(move.spokes[k], announced_[k]);
   }
 
-  /// observes the insertion of a vertex on the border edge of `h` before it is done.
+  /// announces the insertion of a vertex on the border.
   /// \return true
   template <class Triangulation>
-  bool before_insert_in_border_edge(Triangulation& t, std::uint32_t h, double parameter) {
-    if (!integers_.before_insert_in_border_edge(t, h, parameter)) return false;
-    find_spokes(t, h);
+  bool before(const Triangulation& t, const Insertion_on_border& move) {
+    if (!integers_.before(t, move)) return false;
+    find_spokes({move.ip, move.jk, move.ki});
     return true;
   }
 
-  /// observes the insertion of a vertex on a border edge after it was done; see
-  /// `split_border_edge()`.
+  /// follows the insertion of a vertex on the border.
   template <class Triangulation>
-  void after_insert_in_border_edge(const Triangulation& t, std::uint32_t h) {
-    integers_.after_insert_in_border_edge(t, h);
+  void after(const Triangulation& t, const Insertion_on_border& move) {
+    integers_.after(t, move);
     lists_.grow(number_of_edges()); // parts of the border edge are crossed by nothing
-    store(Intrinsic_view<Triangulation>(t).next(h) ^ 1U, announced_[2]);
+    store(move.pk ^ 1U, announced_[2]);
   }
 
-  /// observes the removal of a vertex of degree three before it is done; see
-  /// `remove_degree_3_vertex()`.
+  /// announces the removal of a vertex of degree three.
+  /// \return see `Integer_coordinates`
   template <class Triangulation>
-  bool before_remove(const Triangulation& t, std::uint32_t h) {
-    if (!integers_.before_remove(t, h)) return false;
-    for (const std::uint32_t s : Integer_coordinates::spokes(Intrinsic_view<Triangulation>(t), h))
-      lists_.clear(s / 2);
+  bool before(const Triangulation& t, const Removal_from_face& move) {
+    if (!integers_.before(t, move)) return false;
+    for (const std::uint32_t s : move.spokes) lists_.clear(s / 2);
     return true;
   }
 
-  /// observes the removal of a vertex after it was done.
+  /// announces the removal of a vertex from the border.
+  /// \return see `Integer_coordinates`
   template <class Triangulation>
-  void after_remove(const Triangulation& t, std::uint32_t h) {
-    integers_.after_remove(t, h);
-  }
-
-  /// observes the removal of a vertex on the border before it is done; see `remove_border_vertex()`.
-  template <class Triangulation>
-  bool before_remove_from_border(const Triangulation& t, std::uint32_t h) {
-    if (!integers_.before_remove_from_border(t, h)) return false;
-    lists_.clear(Intrinsic_view<Triangulation>(t).next(h) / 2);
+  bool before(const Triangulation& t, const Removal_from_border& move) {
+    if (!integers_.before(t, move)) return false;
+    lists_.clear(move.pk / 2);
     return true;
   }
 
-  /// observes the removal of a vertex on the border after it was done.
-  template <class Triangulation>
-  void after_remove_from_border(const Triangulation& t, std::uint32_t h) {
-    integers_.after_remove_from_border(t, h);
-  }
+  /// has followed a removal when it was announced.
+  template <class Triangulation, class Removal>
+  void after(const Triangulation&, const Removal&) {}
 
 private:
   using Normals = std::array<Normal_coordinate, 3>;
@@ -218,9 +206,7 @@ private:
             normal_coordinate(sides[2] / 2)};
   }
 
-  template <class Triangulation>
-  void find_spokes(const Triangulation& t, std::uint32_t h) {
-    const std::array<std::uint32_t, 3> sides = sides_of_face(Intrinsic_view<Triangulation>(t), h);
+  void find_spokes(const std::array<std::uint32_t, 3>& sides) {
     const Normals n = normals(sides);
     const Corner_coordinates c = corner_coordinates(n);
     for (unsigned k = 0; k < 3; ++k) {

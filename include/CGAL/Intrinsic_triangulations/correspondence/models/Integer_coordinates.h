@@ -5,12 +5,13 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_INTEGER_COORDINATES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <array>
@@ -49,7 +50,7 @@ public:
   \param location place of each inserted vertex, see `location()`
   \pre the parts are consistent, see `first_inconsistent_edge()`
   */
-  Integer_coordinates(std::shared_ptr<const Input_surface> input, Vertex_fans fans,
+  Integer_coordinates(std::shared_ptr<const Input> input, Vertex_fans fans,
                       std::vector<Normal_coordinate> normal, std::vector<std::uint32_t> roundabout,
                       std::vector<Surface_point> location)
       : input_(std::move(input)), fans_(std::move(fans)), normal_(std::move(normal)),
@@ -59,12 +60,12 @@ public:
   /// \complexity linear
   template <class Triangulation>
   void start(const Triangulation& t) {
-    start(std::make_shared<const Input_surface>(t));
+    start(t.shared_input());
   }
 
   /// starts from an input that is given: every edge runs along itself.
   /// \complexity linear
-  void start(std::shared_ptr<const Input_surface> input) {
+  void start(std::shared_ptr<const Input> input) {
     input_ = std::move(input);
     fans_ = Vertex_fans(*input_);
     normal_.assign(input_->number_of_halfedges() / 2, -1);
@@ -73,7 +74,7 @@ public:
   }
 
   /// returns the input.
-  const Input_surface& input() const { return *input_; }
+  const Input& input() const { return *input_; }
   /// returns the curves at the vertices.
   const Vertex_fans& fans() const { return fans_; }
   /// returns the bound of the numbers of intrinsic edges.
@@ -93,40 +94,138 @@ public:
     return location_[inserted_vertex - input_->number_of_vertices()];
   }
 
-  /// observes a flip before it is done. \return whether the number of crossings stays in bounds
+  /// announces a flip. \return whether the number of crossings stays in bounds
   template <class Triangulation>
-  bool before_flip(const Triangulation& t, std::uint32_t h) {
-    const Intrinsic_view<Triangulation> view(t);
-    return before_flip(h, corner_coordinates(view, *this, h),
-                       corner_coordinates(view, *this, h ^ 1U));
+  bool before(const Triangulation&, const Flip& move) {
+    return before_flip(move, corner_coordinates(normals({move.ij, move.jk, move.ki})),
+                       corner_coordinates(normals({move.ij, move.im, move.mj})));
   }
-  /// observes a flip of which is known how curves run in the two faces, see
+  /// announces a flip of which is known how curves run in the two faces, see
   /// `flipped_normal_coordinate()`.
-  bool before_flip(std::uint32_t h, const Corner_coordinates& f, const Corner_coordinates& g) {
-    flipped_ = flipped_normal_coordinate(normal_[h / 2], f, g);
+  bool before_flip(const Flip& move, const Corner_coordinates& f, const Corner_coordinates& g) {
+    flipped_ = flipped_normal_coordinate(normal_[move.ij / 2], f, g);
     return flipped_ <= maximal_normal_coordinate;
   }
 
   /// returns the normal coordinate of the edge that the flip which was announced last makes.
   Normal_coordinate flipped_coordinate() const { return flipped_; }
 
-  /// observes a flip after it was done.
+  /// follows a flip.
   template <class Triangulation>
-  void after_flip(const Triangulation& t, std::uint32_t h) {
-    normal_[h / 2] = flipped_;
-    const Intrinsic_view<Triangulation> view(t);
-    update_roundabout(view, h);
-    update_roundabout(view, h ^ 1U);
+  void after(const Triangulation&, const Flip& move) {
+    normal_[move.ij / 2] = flipped_;
+    update_roundabout(move.ij, move.ki, move.im);
+    update_roundabout(move.ij ^ 1U, move.mj, move.jk);
   }
 
-  /// observes the insertion of a vertex into the face of `h` before it is done.
+  /// announces the insertion of a vertex in a face.
   /// \return true
   template <class Triangulation>
-  bool before_insert_in_face(Triangulation& t, std::uint32_t h,
-                             const std::array<double, 3>& weights) {
+  bool before(const Triangulation& t, const Insertion_in_face& move) {
+    announce_insertion(t, move.sides, move.weights);
+    return true;
+  }
+
+  /// returns the region of the face into which the insertion that was announced last puts the vertex.
+  const Face_region& region_of_insertion() const { return insertion_.region; }
+
+  /// follows the insertion of a vertex in a face.
+  template <class Triangulation>
+  void after(const Triangulation&, const Insertion_in_face& move) {
+    const std::array<std::uint32_t, 3>& to = move.spokes;
+    for (const std::uint32_t s : to) grow(s);
+    set_location(move.vertex, insertion_.location);
+    for (unsigned k = 0; k < 3; ++k) {
+      normal_[to[k] / 2] = insertion_.normal[k];
+      roundabout_[to[k]] = insertion_.roundabout[k];
+      roundabout_[to[k] ^ 1U] = Gluing::none;
+    }
+    if (insertion_.along_side)
+      start_curves_on_side(move.sides[0], to);
+    else if (insertion_.region.is_on_curve)
+      start_curves_in_face(to);
+  }
+
+  /// announces the insertion of a vertex on the border.
+  /// \return true
+  template <class Triangulation>
+  bool before(const Triangulation& t, const Insertion_on_border& move) {
+    announce_insertion(t, {move.ip, move.jk, move.ki}, {1 - move.parameter, move.parameter, 0});
+    return true;
+  }
+
+  /// follows the insertion of a vertex on the border.
+  template <class Triangulation>
+  void after(const Triangulation&, const Insertion_on_border& move) {
+    const auto [ip, pk, pj] = std::array{move.ip, move.pk, move.pj};
+    for (const std::uint32_t s : {ip, pk, pj}) grow(s);
+    set_location(move.vertex, insertion_.location);
+    const std::uint32_t slot = fans_.add_fan_on_edge(insertion_.location.halfedge);
+    normal_[ip / 2] = normal_[pj / 2] = -1;
+    normal_[pk / 2] = insertion_.normal[2];
+    roundabout_[pk ^ 1U] = insertion_.roundabout[2];
+    roundabout_[pj ^ 1U] = roundabout_[ip ^ 1U];
+    roundabout_[pj] = slot;
+    roundabout_[pk] = roundabout_[ip ^ 1U] = slot + 1;
+  }
+
+  /// announces the removal of a vertex of degree three.
+  /// \return whether curves run straight through the face without the vertex; if not, which inexact
+  /// arithmetic can lead to, nothing has changed
+  template <class Triangulation>
+  bool before(const Triangulation&, const Removal_from_face& move) {
+    const std::array<std::uint32_t, 3>&to = move.spokes, &sides = move.sides;
+    if (!can_do_without(normals(sides), normals(to), roundabout_[to[0] ^ 1U] != Gluing::none))
+      return false;
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t a = to[k], b = to[(k + 1) % 3];
+      if (normal_[a / 2] >= 0 || normal_[b / 2] >= 0) continue;
+      // a and b are two parts of one straight curve, which the side between their ends lies on
+      normal_[sides[k] / 2] = -1;
+      roundabout_[sides[k]] = roundabout_[a];
+      roundabout_[sides[k] ^ 1U] = roundabout_[b];
+    }
+    if (roundabout_[to[0] ^ 1U] != Gluing::none) fans_.remove_fan(roundabout_[to[0] ^ 1U]);
+    for (const std::uint32_t s : to) normal_[s / 2] = 0;
+    return true;
+  }
+
+  /// announces the removal of a vertex from the border.
+  /// \return as for a removal from a face
+  template <class Triangulation>
+  bool before(const Triangulation&, const Removal_from_border& move) {
+    const std::array<Normal_coordinate, 3> sides{0, normal_[move.jk / 2], normal_[move.ki / 2]};
+    if (!can_do_without(sides, {-1, -1, normal_[move.pk / 2]}, true)) return false;
+    fans_.remove_fan(roundabout_[move.pj]);
+    roundabout_[move.ip ^ 1U] = roundabout_[move.pj ^ 1U];
+    normal_[move.pj / 2] = normal_[move.pk / 2] = 0;
+    return true;
+  }
+
+  /// has followed a removal when it was announced.
+  template <class Triangulation, class Removal>
+  void after(const Triangulation&, const Removal&) {}
+
+private:
+  struct Insertion {
+    std::array<std::uint32_t, 3> sides;
+    bool along_side = false; // on the first one, which runs along an input edge
+    Face_region region;
+    Surface_point location;
+    std::array<Normal_coordinate, 3> normal;
+    std::array<std::uint32_t, 3> roundabout;
+  };
+
+  std::array<Normal_coordinate, 3> normals(const std::array<std::uint32_t, 3>& sides) const {
+    return {normal_[sides[0] / 2], normal_[sides[1] / 2], normal_[sides[2] / 2]};
+  }
+
+  template <class Triangulation>
+  void announce_insertion(const Triangulation& t, const std::array<std::uint32_t, 3>& sides,
+                          const std::array<double, 3>& weights) {
     const Intrinsic_view<Triangulation> view(t);
-    const std::array<std::uint32_t, 3> sides = sides_of_face(view, h);
-    const Corner_coordinates corners = corner_coordinates(view, *this, h);
+    const std::uint32_t h = sides[0];
+    const Corner_coordinates corners = corner_coordinates(normals(sides));
     Insertion& n = insertion_;
     n = {};
     n.sides = sides;
@@ -145,121 +244,7 @@ public:
     n.normal = inserted_normal_coordinates(corners, n.region);
     if (n.along_side) n.normal[0] = n.normal[1] = -1;
     for (unsigned k = 0; k < 3; ++k) n.roundabout[k] = outgoing_roundabout(n, k);
-    return true;
   }
-
-  /// returns the region of the face into which the insertion that was announced last puts the vertex.
-  const Face_region& region_of_insertion() const { return insertion_.region; }
-
-  /// observes the insertion of a vertex into a face after it was done; see `split_face()`.
-  template <class Triangulation>
-  void after_insert_in_face(const Triangulation& t, std::uint32_t h) {
-    const Intrinsic_view<Triangulation> view(t);
-    const std::array<std::uint32_t, 3> to = spokes(view, h);
-    const std::uint32_t p = view.target(to[0]);
-    for (const std::uint32_t s : to) grow(s);
-    set_location(p, insertion_.location);
-    for (unsigned k = 0; k < 3; ++k) {
-      normal_[to[k] / 2] = insertion_.normal[k];
-      roundabout_[to[k]] = insertion_.roundabout[k];
-      roundabout_[to[k] ^ 1U] = Gluing::none;
-    }
-    if (insertion_.along_side)
-      start_curves_on_side(h, to);
-    else if (insertion_.region.is_on_curve)
-      start_curves_in_face(to);
-  }
-
-  /// observes the insertion of a vertex on the border edge of `h` before it is done.
-  /// \return true
-  template <class Triangulation>
-  bool before_insert_in_border_edge(Triangulation& t, std::uint32_t h, double parameter) {
-    return before_insert_in_face(t, h, {1 - parameter, parameter, 0});
-  }
-
-  /// observes the insertion of a vertex on a border edge after it was done; see
-  /// `split_border_edge()`.
-  template <class Triangulation>
-  void after_insert_in_border_edge(const Triangulation& t, std::uint32_t h) {
-    const Intrinsic_view<Triangulation> view(t);
-    const std::uint32_t pk = view.next(h), pj = view.next(pk ^ 1U);
-    for (const std::uint32_t s : {h, pk, pj}) grow(s);
-    set_location(view.target(h), insertion_.location);
-    const std::uint32_t slot = fans_.add_fan_on_edge(insertion_.location.halfedge);
-    normal_[h / 2] = normal_[pj / 2] = -1;
-    normal_[pk / 2] = insertion_.normal[2];
-    roundabout_[pk ^ 1U] = insertion_.roundabout[2];
-    roundabout_[pj ^ 1U] = roundabout_[h ^ 1U];
-    roundabout_[pj] = slot;
-    roundabout_[pk] = roundabout_[h ^ 1U] = slot + 1;
-  }
-
-  /// observes the removal of a vertex of degree three before it is done; see
-  /// `remove_degree_3_vertex()`.
-  /// \return whether curves run straight through the face without the vertex; if not, which inexact
-  /// arithmetic can lead to, nothing has changed
-  template <class Triangulation>
-  bool before_remove(const Triangulation& t, std::uint32_t h) {
-    const Intrinsic_view<Triangulation> view(t);
-    const std::array<std::uint32_t, 3> to = spokes(view, h);
-    const std::array<std::uint32_t, 3> sides = outer_sides(view, h, to);
-    if (!can_do_without({normal_[sides[0] / 2], normal_[sides[1] / 2], normal_[sides[2] / 2]},
-                        {normal_[to[0] / 2], normal_[to[1] / 2], normal_[to[2] / 2]},
-                        roundabout_[to[0] ^ 1U] != Gluing::none))
-      return false;
-    for (unsigned k = 0; k < 3; ++k) {
-      const std::uint32_t a = to[k], b = to[(k + 1) % 3];
-      if (normal_[a / 2] >= 0 || normal_[b / 2] >= 0) continue;
-      // a and b are two parts of one straight curve, which the side between their ends lies on
-      normal_[sides[k] / 2] = -1;
-      roundabout_[sides[k]] = roundabout_[a];
-      roundabout_[sides[k] ^ 1U] = roundabout_[b];
-    }
-    if (roundabout_[to[0] ^ 1U] != Gluing::none) fans_.remove_fan(roundabout_[to[0] ^ 1U]);
-    for (const std::uint32_t s : to) normal_[s / 2] = 0;
-    return true;
-  }
-
-  /// observes the removal of a vertex after it was done.
-  template <class Triangulation>
-  void after_remove(const Triangulation&, std::uint32_t) {}
-
-  /// observes the removal of a vertex on the border before it is done; see `remove_border_vertex()`.
-  /// \return see `before_remove()`
-  template <class Triangulation>
-  bool before_remove_from_border(const Triangulation& t, std::uint32_t h) {
-    const Intrinsic_view<Triangulation> view(t);
-    const std::uint32_t pk = view.next(h), pj = view.next(pk ^ 1U);
-    const std::array<Normal_coordinate, 3> sides{0, normal_[view.next(pj) / 2],
-                                                 normal_[view.next(pk) / 2]};
-    if (!can_do_without(sides, {-1, -1, normal_[pk / 2]}, true)) return false;
-    fans_.remove_fan(roundabout_[pj]);
-    roundabout_[h ^ 1U] = roundabout_[pj ^ 1U];
-    normal_[pj / 2] = normal_[pk / 2] = 0;
-    return true;
-  }
-
-  /// observes the removal of a vertex on the border after it was done.
-  template <class Triangulation>
-  void after_remove_from_border(const Triangulation&, std::uint32_t) {}
-
-  /// returns the halfedges to a vertex p of degree three from the corners i, j, k of the face around it,
-  /// where `h` is ij in the face ijp.
-  template <class View>
-  static std::array<std::uint32_t, 3> spokes(const View& view, std::uint32_t h) {
-    const std::uint32_t jp = view.next(h), pi = view.next(jp);
-    return {pi ^ 1U, jp, view.next(view.next(jp ^ 1U))};
-  }
-
-private:
-  struct Insertion {
-    std::array<std::uint32_t, 3> sides;
-    bool along_side = false;
-    Face_region region;
-    Surface_point location;
-    std::array<Normal_coordinate, 3> normal;
-    std::array<std::uint32_t, 3> roundabout;
-  };
 
   // The roundabout of an edge between the first side of a corner and the last: that of the first,
   // plus the curves between them (Eq. 12 of the course).
@@ -269,11 +254,9 @@ private:
                          static_cast<std::uint32_t>(parallels(normal_[first / 2]) + emanating));
   }
 
-  // In the face of the opposite halfedge, (target, source, apex), the halfedge before `h` at its
-  // source is the next one.
-  template <class View>
-  void update_roundabout(const View& view, std::uint32_t h) {
-    const std::uint32_t before = view.next(h ^ 1U), opposite = view.next(before);
+  // of a halfedge between two sides of its source: the one before it, and the one opposite the source in
+  // the face on its right
+  void update_roundabout(std::uint32_t h, std::uint32_t before, std::uint32_t opposite) {
     const Normal_coordinate emanating = crossings(normal_[opposite / 2]) -
                                         crossings(normal_[h / 2]) - crossings(normal_[before / 2]);
     roundabout_[h] = turned(before, std::max(0, emanating));
@@ -294,13 +277,6 @@ private:
     const std::size_t i = vertex - input_->number_of_vertices();
     if (i >= location_.size()) location_.resize(i + 1);
     location_[i] = location;
-  }
-
-  // the sides ij, jk, ki of the face around a vertex of degree three
-  template <class View>
-  static std::array<std::uint32_t, 3> outer_sides(const View& view, std::uint32_t h,
-                                                  const std::array<std::uint32_t, 3>& to) {
-    return {h, view.next(to[1] ^ 1U), view.next(to[2] ^ 1U)};
   }
 
   // Whether a vertex of degree three is in a region of the face around it, or on a curve along a side.
@@ -352,7 +328,7 @@ private:
     out(k + 2) = back;
   }
 
-  std::shared_ptr<const Input_surface> input_;
+  std::shared_ptr<const Input> input_;
   Vertex_fans fans_;
   std::vector<Normal_coordinate> normal_; // per edge
   std::vector<std::uint32_t> roundabout_; // per halfedge

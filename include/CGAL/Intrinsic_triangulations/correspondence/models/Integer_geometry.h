@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
 #include <CGAL/Interval_nt.h>
@@ -49,14 +49,15 @@ public:
   \throws Invalid_input if an edge has no length, across which nothing can be unfolded
   \complexity linear
   */
-  explicit Integer_geometry(std::shared_ptr<const Input_metric> input) : input_(std::move(input)) {
+  explicit Integer_geometry(std::shared_ptr<const Input> input) : input_(std::move(input)) {
+    const Input_metric& metric = input_->metric();
     const Protect_FPU_rounding<true> upward;
-    const std::vector<FT> areas = quadruple_areas<FT>(*input_);
+    const std::vector<FT> areas = quadruple_areas<FT>(metric);
     faces_.reserve(areas.size());
     for (std::uint32_t f = 0; f < areas.size(); ++f) {
       Input_face face{{}, areas[f]};
       for (unsigned k = 0; k < 3; ++k) {
-        const FT l = input_->squared_length<FT>(f, k);
+        const FT l = metric.squared_length<FT>(f, k);
         if (l.sup() <= 0)
           throw Invalid_input(Element_kind::face, f,
                               "face " + std::to_string(f) +
@@ -68,7 +69,9 @@ public:
   }
 
   /// returns the input.
-  const Input_metric& input() const { return *input_; }
+  const Input& input() const { return *input_; }
+  /// returns the input, to be shared.
+  const std::shared_ptr<const Input>& shared_input() const { return input_; }
 
   /*!
   \brief returns the exact sign of an expression in the values of the diamond of an edge.
@@ -151,7 +154,7 @@ private:
     if (value.inf() > 0) return POSITIVE;
     if (value.sup() < 0) return NEGATIVE;
     ++statistics.filter_failures;
-    return evaluation_.sign(*input_, d, expression, statistics);
+    return evaluation_.sign(input_->metric(), d, expression, statistics);
   }
 
   Diamond_values<FT> values_of(const Unfolded_diamond& d) const {
@@ -203,17 +206,20 @@ private:
                   const Rebuilt& r, const Expression& expression,
                   Predicate_statistics& statistics) {
     ++statistics.filter_failures;
-    if (r.diamond != nullptr) return evaluation_.sign(*input_, *r.diamond, expression, statistics);
-    if (const std::optional<Sign> s = input_diamond_sign(*input_, r.left, r.right, expression)) {
+    if (r.diamond != nullptr)
+      return evaluation_.sign(input_->metric(), *r.diamond, expression, statistics);
+    if (const std::optional<Sign> s =
+            input_diamond_sign(input_->metric(), r.left, r.right, expression)) {
       ++(*s == ZERO ? statistics.certified_zero : statistics.integer);
       return *s;
     }
-    return evaluation_.sign(*input_, unfolder_(view, coordinates, h), expression, statistics);
+    return evaluation_.sign(input_->metric(), unfolder_(view, coordinates, h), expression,
+                            statistics);
   }
 
   using Input_face = std::pair<std::array<FT, 3>, FT>; // squared lengths, quadruple area
 
-  std::shared_ptr<const Input_metric> input_;
+  std::shared_ptr<const Input> input_;
   std::vector<Input_face> faces_;
   Diamond_unfolder unfolder_;
   Unfolded_evaluation evaluation_;

@@ -5,14 +5,15 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_SIGNPOSTS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Input_surface.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_location.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/trace_signpost.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/tracing/tangent_frames.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ public:
   /// \complexity linear
   template <class Triangulation>
   void start(const Triangulation& t) {
-    input_ = std::make_shared<const Input_surface>(t);
+    input_ = t.shared_input();
     frames_ = std::make_shared<const Tangent_frames>(*input_);
     location_.clear();
     signpost_.resize(input_->number_of_halfedges());
@@ -58,9 +59,9 @@ public:
   }
 
   /// returns the input.
-  const Input_surface& input() const { return *input_; }
+  const Input& input() const { return *input_; }
   /// returns the input, to be shared.
-  std::shared_ptr<const Input_surface> shared_input() const { return input_; }
+  const std::shared_ptr<const Input>& shared_input() const { return input_; }
   /// returns the directions of the input at its vertices.
   const Tangent_frames& frames() const { return *frames_; }
   /// tells whether a vertex was inserted.
@@ -86,7 +87,7 @@ public:
   /// starts a geodesic on the input from the source of an intrinsic halfedge.
   /// \param h the halfedge
   /// \param turn the angle from it to the geodesic, counterclockwise
-  Geodesic_walk<Input_surface> walk(std::uint32_t h, double turn = 0) const {
+  Geodesic_walk<Input> walk(std::uint32_t h, double turn = 0) const {
     const std::uint32_t f = signpost_[h].fan, fans = number_of_fans();
     const double a = reduced(f, signpost_[h].angle + turn);
     if (f < fans) return {*input_, frames_->corner(f, a)};
@@ -122,110 +123,96 @@ public:
                                   along + (face.side[side] == h ? 0 : std::numbers::pi) + turn));
   }
 
-  /// observes a flip before it is done. \return true
+  /// announces a flip. \return true
   template <class Triangulation>
-  bool before_flip(const Triangulation& t, std::uint32_t h) {
-    const Intrinsic_view<Triangulation> view(t);
-    leave(h, view.next(h ^ 1U));
-    leave(h ^ 1U, view.next(h));
+  bool before(const Triangulation&, const Flip& move) {
+    leave(move.ij, move.im);
+    leave(move.ij ^ 1U, move.jk);
     return true;
   }
 
-  /// observes a flip after it was done.
+  /// follows a flip.
   template <class Triangulation>
-  void after_flip(const Triangulation& t, std::uint32_t h) {
+  void after(const Triangulation& t, const Flip& move) {
     const Intrinsic_view<Triangulation> view(t);
-    set_next(view, view.next(h ^ 1U));
-    set_next(view, view.next(h));
+    set_next(view, move.ki);
+    set_next(view, move.mj);
   }
 
-  /// observes the insertion of a vertex into the face of `h` before it is done.
+  /// announces the insertion of a vertex in a face.
   /// \return whether the place on the input was found
   template <class Triangulation>
-  bool before_insert_in_face(const Triangulation& t, std::uint32_t h,
-                             const std::array<double, 3>& weights) {
+  bool before(const Triangulation& t, const Insertion_in_face& move) {
+    const std::uint32_t h = move.sides[0];
     const Intrinsic_view<Triangulation> view(t);
-    if (weights[2] != 0 || !place_on_edge(t, h, weights[1]))
-      inserted_ = internal::find_on_input(t, *this, {h, weights});
+    if (move.weights[2] != 0 || !place_on_edge(t, h, move.weights[1]))
+      inserted_ = internal::find_on_input(t, *this, {h, move.weights});
     if (!inserted_.is_found) return false;
     const Planar_vector<double> to_source =
-        inserted_.transfer(Geodesic_face(view, h).to_corner(weights, 0));
+        inserted_.transfer(Geodesic_face(view, h).to_corner(move.weights, 0));
     inserted_angle_ = std::atan2(to_source[1], to_source[0]);
     return true;
   }
 
-  /// observes the insertion of a vertex into a face after it was done; see `split_face()`.
+  /// follows the insertion of a vertex in a face.
   template <class Triangulation>
-  void after_insert_in_face(const Triangulation& t, std::uint32_t h) {
+  void after(const Triangulation& t, const Insertion_in_face& move) {
     const Intrinsic_view<Triangulation> view(t);
-    const std::uint32_t jp = view.next(h), pi = view.next(jp), pj = jp ^ 1U, jk = view.next(pj),
-                        kp = view.next(jk), ki = view.next(kp ^ 1U);
-    for (const std::uint32_t s : {jp, pi, kp}) grow(s);
-    const std::uint32_t f = add_location(view.source(pi), false);
+    const auto& [ij, jk, ki] = move.sides;
+    const std::uint32_t pi = move.spokes[0] ^ 1U, pj = move.spokes[1] ^ 1U;
+    for (const std::uint32_t s : move.spokes) grow(s);
+    const std::uint32_t f = add_location(move.vertex, false);
     signpost_[pi] = {reduced(f, inserted_angle_), f};
-    for (const std::uint32_t g : {pi, pj, h, jk, ki}) set_next(view, g);
+    for (const std::uint32_t g : {pi, pj, ij, jk, ki}) set_next(view, g);
   }
 
-  /// observes the insertion of a vertex on the border edge of `h` before it is done.
+  /// announces the insertion of a vertex on the border.
   /// \return true
   template <class Triangulation>
-  bool before_insert_in_border_edge(const Triangulation& t, std::uint32_t h, double parameter) {
+  bool before(const Triangulation& t, const Insertion_on_border& move) {
     const Intrinsic_view<Triangulation> view(t);
-    const std::uint32_t i = view.source(h), j = view.target(h);
+    const std::uint32_t i = view.source(move.ip), j = view.target(move.ip);
     const std::uint32_t g = is_inserted(i)
                                 ? location(i).halfedge
-                                : frames_->halfedge(frames_->fan(signpost_[h].fan).begin);
+                                : frames_->halfedge(frames_->fan(signpost_[move.ip].fan).begin);
     const double from = is_inserted(i) ? location(i).weights[1] : 0;
     const double to = is_inserted(j) ? location(j).weights[1] : 1;
-    place(g, from + parameter * (to - from));
+    place(g, from + move.parameter * (to - from));
     return true;
   }
 
-  /// observes the insertion of a vertex on a border edge after it was done; see
-  /// `split_border_edge()`.
+  /// follows the insertion of a vertex on the border.
   template <class Triangulation>
-  void after_insert_in_border_edge(const Triangulation& t, std::uint32_t h) {
+  void after(const Triangulation& t, const Insertion_on_border& move) {
     const Intrinsic_view<Triangulation> view(t);
-    const std::uint32_t pk = view.next(h), pj = view.next(pk ^ 1U);
+    const auto [ip, pk, pj] = std::array{move.ip, move.pk, move.pj};
     for (const std::uint32_t s : {pk, pj}) grow(s);
-    const std::uint32_t f = add_location(view.target(h), true);
-    signpost_[pj ^ 1U] = signpost_[h ^ 1U];
+    const std::uint32_t f = add_location(move.vertex, true);
+    signpost_[pj ^ 1U] = signpost_[ip ^ 1U];
     signpost_[pj] = {0, f};
-    signpost_[h ^ 1U] = {std::numbers::pi, f};
+    signpost_[ip ^ 1U] = {std::numbers::pi, f};
     set_next(view, pj);
-    set_next(view, view.next(pk));
+    set_next(view, move.ki);
   }
 
-  /// observes the removal of a vertex of degree three before it is done; see
-  /// `remove_degree_3_vertex()`.
+  /// announces the removal of a vertex of degree three. \return true
   template <class Triangulation>
-  bool before_remove(const Triangulation& t, std::uint32_t h) {
-    const Intrinsic_view<Triangulation> view(t);
-    const std::uint32_t jp = view.next(h), ip = view.next(jp) ^ 1U, jk = view.next(jp ^ 1U),
-                        kp = view.next(jk), ki = view.next(kp ^ 1U);
-    leave(ip, h);
-    leave(jp, jk);
-    leave(kp, ki);
+  bool before(const Triangulation&, const Removal_from_face& move) {
+    for (std::size_t k = 0; k < 3; ++k) leave(move.spokes[k], move.sides[k]);
     return true;
   }
 
-  /// observes the removal of a vertex after it was done.
+  /// announces the removal of a vertex from the border. \return true
   template <class Triangulation>
-  void after_remove(const Triangulation&, std::uint32_t) {}
-
-  /// observes the removal of a vertex on the border before it is done; see `remove_border_vertex()`.
-  template <class Triangulation>
-  bool before_remove_from_border(const Triangulation& t, std::uint32_t h) {
-    const Intrinsic_view<Triangulation> view(t);
-    const std::uint32_t pk = view.next(h), pj = view.next(pk ^ 1U);
-    leave(pk ^ 1U, view.next(pk));
-    signpost_[h ^ 1U] = signpost_[pj ^ 1U];
+  bool before(const Triangulation&, const Removal_from_border& move) {
+    leave(move.pk ^ 1U, move.ki);
+    signpost_[move.ip ^ 1U] = signpost_[move.pj ^ 1U];
     return true;
   }
 
-  /// observes the removal of a vertex on the border after it was done.
-  template <class Triangulation>
-  void after_remove_from_border(const Triangulation&, std::uint32_t) {}
+  /// has followed a removal when it was announced.
+  template <class Triangulation, class Removal>
+  void after(const Triangulation&, const Removal&) {}
 
 private:
   // Fans from number_of_fans() on are those of inserted vertices: one more on the border, two for each.
@@ -321,7 +308,7 @@ private:
     return true;
   }
 
-  std::shared_ptr<const Input_surface> input_;
+  std::shared_ptr<const Input> input_;
   std::shared_ptr<const Tangent_frames> frames_;
   std::vector<Signpost> signpost_;      // per intrinsic halfedge
   std::vector<std::uint32_t> outgoing_; // per fan of the input: an intrinsic halfedge of it

@@ -171,7 +171,7 @@ private:
   const Triangulation& t_;
   Intrinsic_view<Triangulation> view_;
   const Signposts& signposts_;
-  const Input_surface& input_;
+  const Input& input_;
   Vertex_fans fans_;
   Edge_traces traces_;
   std::vector<std::uint32_t> fan_;        // per inserted vertex

@@ -64,7 +64,7 @@ struct Mapped_point {
 };
 
 template <class Triangulation>
-std::optional<Mapped_point> map_to_input(Triangulation& t, const Surface_point& p) {
+std::optional<Mapped_point> map_to_input(const Triangulation& t, const Surface_point& p) {
   const auto& c = t.correspondence();
   if constexpr (Has_curves<Triangulation>) {
     const Located l = locate_by_curves(t, c, p.halfedge, p.weights);
@@ -111,7 +111,7 @@ std::optional<Mapped_point> map_to_intrinsic(const Triangulation& t, const Surfa
   face; with signposts, linear in the number of input edges between the point and a corner of its face
 */
 template <class Triangulation>
-std::optional<Surface_point> locate_on_input(Triangulation& t, const Surface_point& p) {
+std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surface_point& p) {
   internal::expect_correspondence<Triangulation>();
   const std::optional<internal::Mapped_point> q = internal::map_to_input(t, p);
   return q ? std::optional(q->point) : std::nullopt;

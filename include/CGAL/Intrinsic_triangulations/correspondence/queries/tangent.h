@@ -88,7 +88,7 @@ the border is given in the frame of a face beside it.
 \complexity that of `locate_on_input()`; at a vertex, that of `trace_edge()`, and linear in its degree
 */
 template <class Triangulation>
-std::optional<Tangent_vector> tangent_to_input(Triangulation& t, const Tangent_vector& v) {
+std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tangent_vector& v) {
   internal::expect_correspondence<Triangulation>();
   const unsigned corner = internal::corner_of(v.point);
   if (corner == 3) {
@@ -96,12 +96,12 @@ std::optional<Tangent_vector> tangent_to_input(Triangulation& t, const Tangent_v
     if (!p) return std::nullopt;
     return Tangent_vector{p->point, internal::turned(v.vector, p->turn)};
   }
-  const Geodesic_face face(Intrinsic_view(std::as_const(t)), v.point.halfedge);
+  const Geodesic_face face(Intrinsic_view<Triangulation>(t), v.point.halfedge);
   const Planar_vector<double> r = face.relative_to(corner, v.vector);
   const double length = std::hypot(r[0], r[1]), angle = std::atan2(r[1], r[0]);
-  const auto walk = internal::walk_on_input(std::as_const(t), face.side[corner], angle);
+  const auto walk = internal::walk_on_input(t, face.side[corner], angle);
   if (!walk.is_blocked()) return internal::at_start(walk, length);
-  return internal::at_start(internal::walk_on_input(std::as_const(t), face.side[corner], 0), length,
+  return internal::at_start(internal::walk_on_input(t, face.side[corner], 0), length,
                             angle);
 }
 

@@ -43,14 +43,8 @@ public:
 private:
   static constexpr std::uint32_t none = Common_subdivision::none;
 
-  std::uint32_t user_vertex(std::uint32_t v) const {
-    const std::vector<std::uint32_t>& map = t_.renumbering().input_vertex;
-    return map.empty() ? v : map[v];
-  }
-  std::uint32_t user_face(std::uint32_t f) const {
-    const std::vector<std::uint32_t>& map = t_.renumbering().input_face;
-    return map.empty() ? f : map[f];
-  }
+  std::uint32_t user_vertex(std::uint32_t v) const { return t_.input().names().vertices.user(v); }
+  std::uint32_t user_face(std::uint32_t f) const { return t_.input().names().faces.user(f); }
 
   void add_vertices() {
     const auto& input = coordinates_.input();

@@ -24,9 +24,7 @@ template <class Triangulation, class Coordinates>
 Weighted_vertices weighted_vertices(const Triangulation& t, const Coordinates& coordinates,
                                     const Surface_point& p) {
   const auto& input = coordinates.input();
-  const auto user_vertex = [&map = t.renumbering().input_vertex](std::uint32_t v) {
-    return map.empty() ? v : map[v];
-  };
+  const auto user_vertex = [&t](std::uint32_t v) { return t.input().names().vertices.user(v); };
   const std::uint32_t next = input.next(p.halfedge);
   return {3,
           {user_vertex(input.source(p.halfedge)), user_vertex(input.target(p.halfedge)),

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -48,11 +47,11 @@ struct Delaunay_certificate {
 \complexity linear in the number of crossings, mostly; see `Integer_geometry::sign()`
 */
 template <MutableDeltaComplex Mesh>
-Delaunay_certificate certify_delaunay(Integer_only_triangulation<Mesh>& t) {
+Delaunay_certificate certify_delaunay(const Integer_only_triangulation<Mesh>& t) {
   Delaunay_certificate certificate;
   const Predicate_statistics before = std::exchange(t.statistics(), {});
   {
-    typename Integer_only_triangulation<Mesh>::Session session(t);
+    const typename Integer_only_triangulation<Mesh>::Const_session session(t);
     for (const typename Integer_only_triangulation<Mesh>::face_descriptor f : faces(t.mesh()))
       if (session.orientation(halfedge(f, t.mesh())) != POSITIVE) ++certificate.inverted_faces;
     for (const typename Integer_only_triangulation<Mesh>::edge_descriptor e : edges(t.mesh()))
@@ -74,17 +73,13 @@ unfolded from the input (see `Integer_only_triangulation`). Inserted vertices ar
 \tparam Mesh a model of `MutableDeltaComplex`
 \tparam Traits a model of `IntrinsicTriangulationTraits`
 \param t the triangulation
-\param input what it was built from, with the same options. If `Mollification::automatic` could come to
-  different results in the arithmetic of `t`, pass what `t.report().mollification.kind` says.
 \throws Invalid_input and std::length_error as the constructor of `Integer_only_triangulation`
 \complexity see the other overload
 */
 template <MutableDeltaComplex Mesh, class Traits>
 Delaunay_certificate
-certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>& t,
-                 Intrinsic_input input) {
-  Integer_only_triangulation<Mesh> integers(t, std::move(input));
-  return certify_delaunay(integers);
+certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>& t) {
+  return certify_delaunay(Integer_only_triangulation<Mesh>(t));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

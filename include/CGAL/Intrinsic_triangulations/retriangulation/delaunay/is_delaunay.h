@@ -38,12 +38,12 @@ Edges on the border, or with the same face on both sides, are locally Delaunay.
 \complexity linear
 */
 template <IntrinsicTriangulation Triangulation>
-Delaunay_report<typename Triangulation::edge_descriptor> check_delaunay(Triangulation& t) {
+Delaunay_report<typename Triangulation::edge_descriptor> check_delaunay(const Triangulation& t) {
   using Edge = typename Triangulation::edge_descriptor;
   using Halfedge = typename Triangulation::halfedge_descriptor;
   const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
   const auto& mesh = t.mesh();
-  typename Triangulation::Session session(t);
+  const typename Triangulation::Const_session session(t);
   Delaunay_report<Edge> report;
   for (const Edge e : edges(mesh)) {
     const Halfedge h = halfedge(e, mesh), o = opposite(h, mesh);
@@ -61,8 +61,8 @@ Delaunay_report<typename Triangulation::edge_descriptor> check_delaunay(Triangul
 \complexity linear
 */
 template <IntrinsicTriangulation Triangulation>
-bool is_delaunay(Triangulation& t) {
-  typename Triangulation::Session session(t);
+bool is_delaunay(const Triangulation& t) {
+  const typename Triangulation::Const_session session(t);
   for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
     if (!session.is_locally_delaunay(halfedge(e, t.mesh()))) return false;
   return true;

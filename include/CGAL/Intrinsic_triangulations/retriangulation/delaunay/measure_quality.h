@@ -78,12 +78,12 @@ would have to prove again
 \complexity linear
 */
 template <class Triangulation, class Is_tie>
-Quality measure_quality(Triangulation& t, const Is_tie& is_tie) {
+Quality measure_quality(const Triangulation& t, const Is_tie& is_tie) {
   Quality q;
   internal::measure_faces(t, q);
   const auto& mesh = t.mesh();
   const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
-  typename Triangulation::Session session(t);
+  const typename Triangulation::Const_session session(t);
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
     if (face(h, mesh) == null || face(opposite(h, mesh), mesh) == null) continue;
@@ -101,7 +101,7 @@ Quality measure_quality(Triangulation& t, const Is_tie& is_tie) {
 See the overload with a functor.
 */
 template <class Triangulation>
-Quality measure_quality(Triangulation& t) {
+Quality measure_quality(const Triangulation& t) {
   return measure_quality(t, [](const auto&) { return false; });
 }
 

@@ -64,7 +64,7 @@ public:
   \param segments the edges that are not flipped
   */
   template <class Metric>
-  Face_state operator()(Metric& metric, const Indexed_face& face,
+  Face_state operator()(const Metric& metric, const Indexed_face& face,
                         const std::array<std::uint32_t, 3>& corners,
                         const Constrained_segments& segments) const {
     const std::span<const Indexed_face> faces(&face, 1);

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_ELEMENT_NAMES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_ELEMENT_NAMES_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief maps the numbers of the input's vertices, edges or faces to those in the user's mesh, in the order
+of iteration there, and back.
+
+They differ where elements were renumbered for locality, and where polygons were triangulated, whose
+diagonals have none.
+*/
+class Element_names {
+public:
+  /// maps every number to itself.
+  Element_names() = default;
+  /*!
+  \brief takes both maps.
+  \param user the user's number of each element; `Gluing::none` if it has none
+  \param here the element by the user's number
+  */
+  Element_names(std::vector<std::uint32_t> user, std::vector<std::uint32_t> here)
+      : user_(std::move(user)), here_(std::move(here)) {}
+
+  /// takes the user's numbers and inverts them. \complexity linear
+  explicit Element_names(std::vector<std::uint32_t> user)
+      : user_(std::move(user)), here_(inverse_of(user_)) {}
+
+  /// tells whether every number is mapped to itself.
+  bool is_identity() const { return user_.empty(); }
+  /// returns the user's number of an element, `Gluing::none` if it has none; elements that were inserted
+  /// keep their number.
+  std::uint32_t user(std::uint32_t here) const { return here < user_.size() ? user_[here] : here; }
+  /// returns the element with the user's number; `Gluing::none` if that is not known.
+  std::uint32_t here(std::uint32_t user) const {
+    if (user_.empty()) return user;
+    return user < here_.size() ? here_[user] : Gluing::none;
+  }
+  /// returns the user's number of each element; empty: the same.
+  const std::vector<std::uint32_t>& users() const { return user_; }
+
+  /// returns the names of elements that have been renumbered: those of what `renumbered` calls `user`.
+  Element_names after(const Element_names& renumbered) const {
+    if (is_identity() || renumbered.is_identity()) return is_identity() ? renumbered : *this;
+    std::vector<std::uint32_t> users;
+    users.reserve(renumbered.user_.size());
+    for (const std::uint32_t i : renumbered.user_) users.push_back(user(i));
+    return Element_names(std::move(users));
+  }
+
+private:
+  static std::vector<std::uint32_t> inverse_of(const std::vector<std::uint32_t>& user) {
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t i = 0; i < user.size(); ++i) {
+      if (user[i] == Gluing::none) continue;
+      if (user[i] >= result.size()) result.resize(user[i] + std::size_t{1}, Gluing::none);
+      result[user[i]] = i;
+    }
+    return result;
+  }
+
+  std::vector<std::uint32_t> user_;
+  std::vector<std::uint32_t> here_;
+};
+
+/*!
+\brief names the vertices, edges and faces of the input as the user's mesh does.
+*/
+struct Input_names {
+  Element_names vertices; ///< rows of matrices
+  Element_names edges;    ///< diagonals of polygons have no name
+  Element_names faces;    ///< triangles, in the order of the user's faces that they were made of
+  /// The user's face that each triangle, by its name, is a part of; empty: all faces are triangles.
+  std::vector<std::uint32_t> polygon_of_triangle;
+
+  /// returns the user's face that an input face is, or is a part of.
+  std::uint32_t polygon(std::uint32_t face) const {
+    const std::uint32_t triangle = faces.user(face);
+    return polygon_of_triangle.empty() ? triangle : polygon_of_triangle[triangle];
+  }
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_ELEMENT_NAMES_H

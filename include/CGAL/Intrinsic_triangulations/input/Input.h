@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INPUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INPUT_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/input/Element_names.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_report.h>
+#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is the surface that an intrinsic triangulation was built from: connectivity, exact metric, the
+user's names of its elements, and what was done to it.
+
+The triangulation owns it, shared with its copies and with all that reads it: metric, correspondence,
+queries, certificates and files. It never changes. Numbers of vertices, edges and faces are those of the
+triangulation before its first move; halfedges `2e` and `2e + 1` are the sides of edge `e`.
+
+A triangulation that was read from a file is its own input: the connectivity is that of the file. What
+defines its values exactly, `metric()`, is that of the triangulation before all moves.
+\cgalModels{NumberedComplex}
+*/
+class Input {
+public:
+  /// constructs the empty surface.
+  Input() = default;
+
+  /*!
+  \brief takes the parts of the surface.
+  \param mesh the connectivity
+  \param metric what defines lengths and areas
+  \param names the numbers in the user's mesh
+  */
+  Input(Gluing_map mesh, Input_metric metric, Input_names names = {})
+      : mesh_(std::move(mesh)), metric_(std::move(metric)), names_(std::move(names)) {}
+
+  /// returns the connectivity.
+  const Gluing_map& mesh() const { return mesh_; }
+  /// returns what defines lengths and areas exactly.
+  const Input_metric& metric() const { return metric_; }
+  /// tells whether `metric()` defines the lengths of the faces of `mesh()`: not if edges were flipped before the
+  /// triangulation was read from a file, or doubles were all that the file had. \complexity linear
+  bool is_defined_by_metric() const {
+    if (metric_.number_of_faces() != number_of_faces()) return false;
+    for (std::uint32_t f = 0; f < number_of_faces(); ++f) {
+      std::uint32_t h = halfedge_of_face(f);
+      for (const std::uint32_t name : metric_.sides(f)) {
+        if (name != (metric_.is_embedded() ? source(h) : h / 2)) return false;
+        h = next(h);
+      }
+    }
+    return true;
+  }
+  /// returns how the user's mesh numbers the vertices, edges and faces.
+  const Input_names& names() const { return names_; }
+  /// returns what was done to the input.
+  const Input_report& report() const { return report_; }
+  /// returns s, where coordinates are scaled by 2^s and squared lengths by 4^s.
+  int scale_exponent() const { return metric_.scale_exponent(); }
+
+  /// returns the number of vertices.
+  std::uint32_t number_of_vertices() const { return mesh_.number_of_vertices(); }
+  /// returns the number of edges.
+  std::uint32_t number_of_edges() const { return mesh_.number_of_edges(); }
+  /// returns the number of halfedges.
+  std::uint32_t number_of_halfedges() const { return mesh_.number_of_halfedges(); }
+  /// returns the number of faces.
+  std::uint32_t number_of_faces() const { return mesh_.number_of_faces(); }
+  /// returns the halfedge after `h`.
+  std::uint32_t next(std::uint32_t h) const { return mesh_.next({h}).index; }
+  /// returns the other side of the edge of `h`.
+  static std::uint32_t opposite(std::uint32_t h) { return h ^ 1U; }
+  /// tells whether `h` has no face.
+  bool is_border(std::uint32_t h) const { return face(h) == Gluing::none; }
+  /// returns the face of `h`, `Gluing::none` on the border.
+  std::uint32_t face(std::uint32_t h) const { return mesh_.face({h}).index; }
+  /// returns the vertex that `h` starts from.
+  std::uint32_t source(std::uint32_t h) const {
+    return mesh_.source(Gluing_map::Halfedge{h}).index;
+  }
+  /// returns the vertex that `h` points to.
+  std::uint32_t target(std::uint32_t h) const {
+    return mesh_.target(Gluing_map::Halfedge{h}).index;
+  }
+  /// returns a halfedge of face `f`.
+  std::uint32_t halfedge_of_face(std::uint32_t f) const {
+    return mesh_.halfedge(Gluing_map::Face{f}).index;
+  }
+  /// returns a halfedge that starts at vertex `v`, the one whose right side is the border if there is
+  /// one. \pre `v` is not isolated
+  std::uint32_t outgoing_halfedge(std::uint32_t v) const {
+    return mesh_.halfedge(Gluing_map::Vertex{v}).index ^ 1U;
+  }
+  /// returns the squared length of edge `e`, in scaled units. \pre `has_values()`
+  double squared_length(std::uint32_t e) const { return squared_length_[e]; }
+  /// returns the quadruple area of face `f`, in scaled units. \pre `has_values()`
+  double quadruple_area(std::uint32_t f) const { return quadruple_area_[f]; }
+  /// tells whether lengths and areas are kept as doubles: a triangulation with correspondence asks for it.
+  bool has_values() const { return squared_length_.size() == mesh_.number_of_edges(); }
+
+  /// \name Construction
+  /// A triangulation that is being built completes its input; afterwards all see it const.
+  /// @{
+
+  /// keeps the lengths and areas that a metric of the surface has, as doubles.
+  /// \tparam Metric a model of `IntrinsicMetric` \complexity linear
+  template <class Metric>
+  void keep_values(const Metric& metric) {
+    squared_length_.clear();
+    quadruple_area_.clear();
+    squared_length_.reserve(number_of_edges());
+    quadruple_area_.reserve(number_of_faces());
+    for (std::uint32_t e = 0; e < number_of_edges(); ++e)
+      squared_length_.push_back(metric.approximate_squared_length(e));
+    for (std::uint32_t f = 0; f < number_of_faces(); ++f)
+      quadruple_area_.push_back(metric.approximate_quadruple_area(f));
+  }
+  /// changes what defines lengths and areas.
+  void set_metric(Input_metric metric) { metric_ = std::move(metric); }
+  /// reports what was done to the input.
+  void set_report(const Input_report& report) { report_ = report; }
+  /// @}
+
+private:
+  Gluing_map mesh_;
+  Input_metric metric_;
+  Input_names names_;
+  Input_report report_;
+  std::vector<double> squared_length_;
+  std::vector<double> quadruple_area_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INPUT_H

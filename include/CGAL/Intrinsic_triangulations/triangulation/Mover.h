@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_MOVER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_MOVER_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/moves.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The record of the flip of an edge with two faces.
+template <class Mesh>
+Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const Mesh& mesh,
+                 const Mesh_adaptor<Mesh>& number) {
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  const Halfedge o = opposite(h, mesh), jk = next(h, mesh), im = next(o, mesh);
+  return {number.halfedge(h),
+          number.halfedge(jk),
+          number.halfedge(next(jk, mesh)),
+          number.halfedge(im),
+          number.halfedge(next(im, mesh)),
+          number.face(face(h, mesh)),
+          number.face(face(o, mesh))};
+}
+
+// The elementary moves of a triangulation, each in the one order: make its record, compute the values, ask
+// the correspondence, change connectivity and metric, tell the correspondence. A move that is refused
+// changes nothing.
+template <class Triangulation>
+class Mover {
+  using Mesh = typename Triangulation::Mesh;
+  using Graph_traits = boost::graph_traits<Mesh>;
+  using Metric = typename Triangulation::Metric;
+  using Vertex = typename Graph_traits::vertex_descriptor;
+  using Halfedge = typename Graph_traits::halfedge_descriptor;
+  using Weights = std::array<double, 3>;
+
+public:
+  using Insertion = typename Triangulation::Insertion;
+
+  explicit Mover(Triangulation& t)
+      : t_(t), mesh_(t.mesh_), number_(t.number_), metric_(t.metric_),
+        correspondence_(t.correspondence_) {}
+
+  // of the face of h with the sides ij, jk, ki, without a vertex inside
+  Star_of_vertex star_of_face(Halfedge h) const {
+    const Halfedge jk = next(h, mesh_), ki = next(jk, mesh_);
+    return {{number_.halfedge(h), number_.halfedge(jk), number_.halfedge(ki)},
+            {Gluing::none, Gluing::none, Gluing::none},
+            {face_number(h), Gluing::none, Gluing::none},
+            Gluing::none};
+  }
+
+  // of the vertex opposite h
+  Star_of_vertex star_of_vertex(Halfedge h) const {
+    const Halfedge jp = next(h, mesh_), pi = next(jp, mesh_);
+    const Halfedge jk = next(opposite(jp, mesh_), mesh_), kp = next(jk, mesh_);
+    const Halfedge ki = next(opposite(kp, mesh_), mesh_);
+    return {{number_.halfedge(h), number_.halfedge(jk), number_.halfedge(ki)},
+            {number_.halfedge(pi) ^ 1U, number_.halfedge(jp), number_.halfedge(kp)},
+            {face_number(h), face_number(jk), face_number(ki)},
+            number_.vertex(target(jp, mesh_))};
+  }
+
+  // of the border edge of h, without a vertex on it
+  Star_on_border star_of_border_edge(Halfedge h) const {
+    const Halfedge jk = next(h, mesh_), ki = next(jk, mesh_);
+    return {number_.halfedge(h),  Gluing::none,   Gluing::none, number_.halfedge(jk),
+            number_.halfedge(ki), face_number(h), Gluing::none, Gluing::none};
+  }
+
+  // of the target of h
+  Star_on_border star_on_border(Halfedge h) const {
+    const Halfedge pk = next(h, mesh_), ki = next(pk, mesh_);
+    const Halfedge pj = next(opposite(pk, mesh_), mesh_), jk = next(pj, mesh_);
+    return {number_.halfedge(h),  number_.halfedge(pk),
+            number_.halfedge(pj), number_.halfedge(jk),
+            number_.halfedge(ki), face_number(h),
+            face_number(pj),      number_.vertex(target(h, mesh_))};
+  }
+
+  Move_status flip(Halfedge h, bool to_zero_area = false) {
+    const Flip move = flip_record(h, mesh_, number_);
+    const Diamond d = move.diamond();
+    const auto values =
+        to_zero_area ? metric_.compute_flip_to_zero_area(d) : metric_.compute_flip(d);
+    if (!values) return Move_status::arithmetic;
+    if (!correspondence_.before(t_, move)) return Move_status::crossings;
+    CGAL::Euler::flip_edge(h, mesh_);
+    metric_.store_flip(d, *values);
+    correspondence_.after(t_, move);
+    return Move_status::done;
+  }
+
+  Insertion insert(Halfedge h, const Weights& weights) {
+    return weights[2] == 0 ? insert_on_edge(h, weights) : insert_in_face(h, weights);
+  }
+
+  // takes back what `insert()` did last
+  void undo_insertion(Halfedge h, const Weights& weights) {
+    if (weights[2] == 0 && is_on_border(h)) {
+      remove_from_border(h);
+      return;
+    }
+    if (weights[2] == 0) // four flips are the identity; the vertex is a source, then a target
+      if (flip(h, true) != Move_status::done || flip(h) != Move_status::done ||
+          flip(opposite(h, mesh_), true) != Move_status::done)
+        return;
+    remove_from_face(h);
+  }
+
+  Move_status remove_from_face(Halfedge h) {
+    const Removal_from_face move{star_of_vertex(h)};
+    if (!correspondence_.before(t_, move)) return Move_status::not_removable;
+    metric_.remove_from_face(move.edges_and_faces());
+    remove_degree_3_vertex(h, mesh_, number_);
+    correspondence_.after(t_, move);
+    return Move_status::done;
+  }
+
+  Move_status remove_from_border(Halfedge h) {
+    const Removal_from_border move{star_on_border(h)};
+    if (!correspondence_.before(t_, move)) return Move_status::not_removable;
+    metric_.remove_from_border_edge(move.edges_and_faces());
+    remove_border_vertex(h, mesh_, number_);
+    correspondence_.after(t_, move);
+    return Move_status::done;
+  }
+
+private:
+  Insertion insert_in_face(Halfedge h, const Weights& weights) {
+    Insertion_in_face move{star_of_face(h), weights};
+    if (!correspondence_.before(t_, move)) return {Move_status::not_traceable};
+    const Vertex v = split_face(h, mesh_, number_);
+    static_cast<Star_of_vertex&>(move) = star_of_vertex(h);
+    if (!metric_.insert_in_face(move.edges_and_faces(), weights)) {
+      remove_degree_3_vertex(h, mesh_, number_);
+      return {Move_status::arithmetic};
+    }
+    correspondence_.after(t_, move);
+    return {Move_status::done, v};
+  }
+
+  // inside: a vertex in the face, at distance zero from the edge, which is flipped away
+  Insertion insert_on_edge(Halfedge h, const Weights& weights) {
+    if (is_on_border(h)) return insert_on_border(h, weights[1]);
+    const Insertion n = insert_in_face(h, weights);
+    if (n.status != Move_status::done) return n;
+    const Move_status s = flip(h);
+    if (s == Move_status::done) return n;
+    remove_from_face(h);
+    return {s};
+  }
+
+  Insertion insert_on_border(Halfedge h, double parameter) {
+    Insertion_on_border move{star_of_border_edge(h), parameter};
+    if (!correspondence_.before(t_, move)) return {Move_status::not_traceable};
+    const Vertex v = split_border_edge(h, mesh_, number_);
+    static_cast<Star_on_border&>(move) = star_on_border(h);
+    if (!metric_.insert_in_border_edge(move.edges_and_faces(), parameter)) {
+      remove_border_vertex(h, mesh_, number_);
+      return {Move_status::arithmetic};
+    }
+    correspondence_.after(t_, move);
+    return {Move_status::done, v};
+  }
+
+  bool is_on_border(Halfedge h) const {
+    return face(opposite(h, mesh_), mesh_) == Graph_traits::null_face();
+  }
+  std::uint32_t face_number(Halfedge h) const { return number_.face(face(h, mesh_)); }
+
+  Triangulation& t_;
+  Mesh& mesh_;
+  Mesh_adaptor<Mesh>& number_;
+  Metric& metric_;
+  typename Triangulation::Correspondence& correspondence_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_MOVER_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_MOVES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_MOVES_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+
+#include <array>
+#include <cstdint>
+
+/*!
+\file
+The records of elementary moves: the elements around, by number. The owner of a triangulation makes one
+for each move, from which metric and correspondence read; nobody walks over the mesh again.
+
+Moves keep the numbers of halfedges that stay, so that a record describes both what was and what will be.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief records the flip of edge ij, from which it runs from k to m: all halfedges keep their numbers.
+
+Before it, the left face f has the sides ij, jk, ki and the right face g has ji, im, mj. After it, f has
+ij (which is km now), mj, jk, and g has ji (which is mk), ki, im.
+*/
+struct Flip {
+  std::uint32_t ij; ///< the halfedge that is flipped; the other side of its edge is `ij ^ 1`
+  std::uint32_t jk; ///< the halfedge from j to k
+  std::uint32_t ki; ///< the halfedge from k to i
+  std::uint32_t im; ///< the halfedge from i to m
+  std::uint32_t mj; ///< the halfedge from m to j
+  std::uint32_t f;  ///< the face on the left of `ij`
+  std::uint32_t g;  ///< the face on the right of `ij`
+
+  /// returns the edges and faces, from which the metric reads.
+  Diamond diamond() const { return {ij / 2, jk / 2, ki / 2, im / 2, mj / 2, f, g}; }
+};
+
+/*!
+\brief records a vertex p of degree three inside a face ijk.
+*/
+struct Star_of_vertex {
+  std::array<std::uint32_t, 3> sides;  ///< the halfedges ij, jk, ki
+  std::array<std::uint32_t, 3> spokes; ///< the halfedges ip, jp, kp
+  std::array<std::uint32_t, 3> faces;  ///< the faces ijp, jkp, kip; the first one is ijk without p
+  std::uint32_t vertex;                ///< p
+
+  /// returns the edges and faces, from which the metric reads.
+  Vertex_star edges_and_faces() const {
+    return {{sides[0] / 2, sides[1] / 2, sides[2] / 2},
+            {spokes[0] / 2, spokes[1] / 2, spokes[2] / 2},
+            faces};
+  }
+};
+
+/*!
+\brief records the insertion of a vertex in a face.
+
+Before it, only the sides and the weights are known, and what is new is `Gluing::none`.
+*/
+struct Insertion_in_face : Star_of_vertex {
+  /// Barycentric coordinates of p at i, j, k, see `representable_weights()`; the last one is zero if p
+  /// is on the edge ij, which is flipped away next.
+  std::array<double, 3> weights;
+};
+
+/*!
+\brief records the removal of a vertex of degree three.
+*/
+struct Removal_from_face : Star_of_vertex {};
+
+/*!
+\brief records a vertex p on the border edge ij of a face ijk.
+*/
+struct Star_on_border {
+  std::uint32_t ip;     ///< the halfedge from i to p, which is ij without p
+  std::uint32_t pk;     ///< the halfedge from p to k
+  std::uint32_t pj;     ///< the halfedge from p to j
+  std::uint32_t jk;     ///< the halfedge from j to k
+  std::uint32_t ki;     ///< the halfedge from k to i
+  std::uint32_t f;      ///< the face ipk, which is ijk without p
+  std::uint32_t g;      ///< the face pjk
+  std::uint32_t vertex; ///< p
+
+  /// returns the edges and faces, from which the metric reads.
+  Border_star edges_and_faces() const { return {ip / 2, pj / 2, jk / 2, ki / 2, pk / 2, f, g}; }
+};
+
+/*!
+\brief records the insertion of a vertex on a border edge.
+
+Before it, only `ip`, `jk`, `ki`, `f` and the parameter are known, and what is new is `Gluing::none`.
+*/
+struct Insertion_on_border : Star_on_border {
+  /// Weight of j; that of i is one minus it.
+  double parameter;
+};
+
+/*!
+\brief records the removal of a vertex from the border.
+*/
+struct Removal_from_border : Star_on_border {};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_MOVES_H

@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_SESSION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_SESSION_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <optional>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief decides many predicates on a triangulation in one floating point environment.
+
+While it lives, the rounding mode may differ from the default: code of others is to be called through
+`suspended()`.
+\tparam Triangulation an instance of `Intrinsic_triangulation`
+*/
+template <class Triangulation>
+class Predicate_session {
+  using Mesh = typename Triangulation::Mesh;
+
+public:
+  /// Halfedge of the mesh.
+  using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
+  /// Edge of the mesh.
+  using edge_descriptor = typename Triangulation::edge_descriptor;
+
+  /// opens a session on `t`, which must outlive it.
+  explicit Predicate_session(const Triangulation& t) : t_(t) {}
+
+  /// see `Intrinsic_triangulation::is_locally_delaunay()`
+  bool is_locally_delaunay(halfedge_descriptor h) const {
+    return combinatorial_flip_status(h) != Move_status::done ||
+           t_.metric().is_locally_delaunay(t_.diamond(h));
+  }
+  /// see `Intrinsic_triangulation::delaunay_sign()`
+  Sign delaunay_sign(halfedge_descriptor h) const {
+    return t_.metric().sign(t_.diamond(h), Delaunay_expression());
+  }
+  /// see `Intrinsic_triangulation::flip_status()`
+  Move_status flip_status(halfedge_descriptor h) const {
+    const Move_status s = combinatorial_flip_status(h);
+    if (s != Move_status::done) return s;
+    const Diamond d = t_.diamond(h);
+    const bool convex = t_.metric().sign(d, Convexity_at_source_expression()) == POSITIVE &&
+                        t_.metric().sign(d, Convexity_at_target_expression()) == POSITIVE;
+    return convex ? Move_status::done : Move_status::not_convex;
+  }
+  /*!
+  \brief returns the cotangent weight of an edge: half the sum of the cotangents of the angles
+  opposite it (Eq. 4 of the course), one of them on the border.
+
+  With exact traits it is zero exactly where the opposite angles sum to pi, and never negative
+  on a locally Delaunay edge. Dimensionless.
+  \pre the faces at the edge have an area
+  */
+  double cotangent_weight(edge_descriptor e) const {
+    const auto null = boost::graph_traits<Mesh>::null_face();
+    halfedge_descriptor h = halfedge(e, t_.mesh());
+    if (face(h, t_.mesh()) == null) h = opposite(h, t_.mesh());
+    if (face(opposite(h, t_.mesh()), t_.mesh()) != null)
+      return t_.metric().cotangent_weight(t_.diamond(h));
+    const halfedge_descriptor jk = next(h, t_.mesh()), ki = next(jk, t_.mesh());
+    const auto number = [this](halfedge_descriptor g) { return t_.numbers().halfedge(g) / 2; };
+    return t_.metric().cotangent_weight(number(h), number(jk), number(ki),
+                                        t_.index(face(h, t_.mesh())));
+  }
+  /// calls a function in the default floating point environment.
+  template <class Function>
+  auto suspended(Function f) const {
+    const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+    return f();
+  }
+
+private:
+  Move_status combinatorial_flip_status(halfedge_descriptor h) const {
+    const auto null = boost::graph_traits<Mesh>::null_face();
+    const auto f = face(h, t_.mesh()), g = face(opposite(h, t_.mesh()), t_.mesh());
+    if (f == null || g == null) return Move_status::border;
+    return f == g ? Move_status::same_face : Move_status::done;
+  }
+
+  const Triangulation& t_;
+  [[no_unique_address]] typename Triangulation::Metric::Scope scope_;
+};
+
+/*!
+\brief decides many predicates and makes many moves in one floating point environment.
+\tparam Triangulation an instance of `Intrinsic_triangulation`
+*/
+template <class Triangulation>
+class Move_session : public Predicate_session<Triangulation> {
+  using Base = Predicate_session<Triangulation>;
+  using Mesh = typename Triangulation::Mesh;
+  using Graph_traits = boost::graph_traits<Mesh>;
+  using Mover = internal::Mover<Triangulation>;
+
+public:
+  /// Vertex of the mesh.
+  using vertex_descriptor = typename Triangulation::vertex_descriptor;
+  /// Halfedge of the mesh.
+  using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
+  /// What became of an insertion.
+  using Insertion = typename Triangulation::Insertion;
+
+  /// opens a session on `t`, which must outlive it.
+  explicit Move_session(Triangulation& t) : Base(t), t_(t) {}
+
+  /// see `Intrinsic_triangulation::flip_edge()`
+  Move_status flip_edge(halfedge_descriptor h) {
+    const Move_status s = this->flip_status(h);
+    return s == Move_status::done ? Mover(t_).flip(h) : s;
+  }
+  /// flips an edge that is known not to be locally Delaunay, which implies that it can be
+  /// flipped. \pre `!is_locally_delaunay(h)`
+  Move_status flip_non_delaunay_edge(halfedge_descriptor h) { return Mover(t_).flip(h); }
+  /// see `Intrinsic_triangulation::insert_vertex()`
+  Insertion insert_vertex(halfedge_descriptor h, const std::array<double, 3>& weights) {
+    const std::optional<Place> p = place(h, weights);
+    return p ? Mover(t_).insert(p->h, p->weights) : Insertion{Move_status::weights};
+  }
+  /// see `Intrinsic_triangulation::split_edge()`
+  Insertion split_edge(halfedge_descriptor h, double parameter) {
+    if (face(h, t_.mesh()) == Graph_traits::null_face())
+      return insert_vertex(opposite(h, t_.mesh()), {parameter, 1 - parameter, 0});
+    return insert_vertex(h, {1 - parameter, parameter, 0});
+  }
+  /// see `Intrinsic_triangulation::remove_vertex()`
+  Move_status remove_vertex(vertex_descriptor v) {
+    if (!t_.is_inserted(v)) return Move_status::not_inserted;
+    return internal::remove_vertex(t_, *this, v);
+  }
+  /// see `Intrinsic_triangulation::reposition_vertex()`
+  Insertion reposition_vertex(vertex_descriptor v, halfedge_descriptor h,
+                              const std::array<double, 3>& weights) {
+    if (!t_.is_inserted(v)) return {Move_status::not_inserted};
+    const std::optional<Place> p = place(h, weights);
+    if (!p) return {Move_status::weights};
+    Mover mover(t_);
+    const Insertion n = mover.insert(p->h, p->weights);
+    if (n.status != Move_status::done) return n;
+    const Move_status s = remove_vertex(v);
+    if (s == Move_status::done) return n;
+    mover.undo_insertion(p->h, p->weights);
+    return {s};
+  }
+  /*!
+  \brief flips the edge from a vertex with a straight angle, which leaves a face of zero area there;
+  to be followed by `remove_degree_three_vertex()`.
+  \pre the diamond is a triangle with the source of `h` on a side
+  */
+  Move_status flip_to_zero_area(halfedge_descriptor h) { return Mover(t_).flip(h, true); }
+  /*!
+  \brief removes an inserted vertex that has three edges.
+  \param h the side opposite the vertex of one of its faces, which will be the remaining face
+  \return `done`, or `not_removable` and nothing has changed
+  */
+  Move_status remove_degree_three_vertex(halfedge_descriptor h) {
+    return Mover(t_).remove_from_face(h);
+  }
+  /*!
+  \brief removes an inserted vertex of the border that has three edges.
+  \param h the halfedge to the vertex along the border that has a face
+  \return `done`, or `not_removable` and nothing has changed
+  */
+  Move_status remove_border_vertex(halfedge_descriptor h) {
+    return Mover(t_).remove_from_border(h);
+  }
+  /*!
+  \brief replaces what rounding has made of the length of an edge and of the areas of its faces.
+
+  For inexact arithmetic: a caller who knows them better, as from a layout of many faces at once, keeps
+  errors from growing.
+  \param h the edge
+  \param values its squared length and the quadruple areas of its left and right face, in scaled units
+  */
+  void correct_values(halfedge_descriptor h,
+                      const typename Triangulation::Metric::Flipped&
+                          values) requires(!Triangulation::Metric::is_exact) {
+    t_.metric_.store_flip(t_.diamond(h), values);
+  }
+
+private:
+  // where a vertex is inserted; on the edge of the halfedge if the last weight is zero
+  struct Place {
+    halfedge_descriptor h;
+    std::array<double, 3> weights;
+  };
+
+  std::optional<Place> place(halfedge_descriptor h, const std::array<double, 3>& weights) const {
+    const std::optional<std::array<double, 3>> w = representable_weights(weights);
+    if (!w || face(h, t_.mesh()) == Graph_traits::null_face()) return std::nullopt;
+    Place p{h, *w};
+    while (p.weights[2] != 0 && (p.weights[0] == 0 || p.weights[1] == 0))
+      p = {next(p.h, t_.mesh()), {p.weights[1], p.weights[2], p.weights[0]}};
+    return p;
+  }
+
+  Triangulation& t_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_SESSION_H
