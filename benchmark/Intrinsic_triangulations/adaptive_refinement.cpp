@@ -151,7 +151,7 @@ std::vector<Sample> samples(Solution& s) {
     const std::uint32_t h = s.t.numbers().halfedge(halfedge(f, s.t.mesh()));
     const IT::Surface_point centroid{h, {1. / 3, 1. / 3, 1. / 3}};
     const auto l = IT::locate_on_input(s.t, {h, centroid.weights});
-    result.push_back({l.point, value(s, centroid), s.t.area(f)});
+    result.push_back({*l, value(s, centroid), s.t.area(f)});
   }
   return result;
 }
@@ -159,7 +159,7 @@ std::vector<Sample> samples(Solution& s) {
 double error(const Solution& s, const std::vector<Sample>& samples) {
   double sum = 0, all = 0;
   for (const Sample& x : samples) {
-    const auto p = IT::locate_on_intrinsic(s.t, s.t.correspondence(), x.on_input);
+    const auto p = IT::locate_on_intrinsic(s.t, x.on_input);
     if (!p) throw std::runtime_error("a point is not found");
     const double d = value(s, *p) - x.value;
     sum += x.area * d * d;

@@ -41,7 +41,8 @@ struct Placed {
     IT::Intrinsic_input input = m.input();
     input.may_renumber = false;
     const Triangulation t(std::move(input));
-    surface = Input(t);
+    surface = t.input();
+    surface.keep_values(t.metric());
     for (Point& p : points)
       for (double& x : p) x = std::ldexp(x, t.metric().scale_exponent());
   }
@@ -228,7 +229,8 @@ TEST(Trace_geodesic, Follows_straight_lines_on_flat_tori) {
                               IT::Mollification::none);
     input.may_renumber = false;
     const Triangulation t(std::move(input));
-    const Input s(t);
+    Input s(t.input());
+    s.keep_values(t.metric());
     const double unit = std::ldexp(1.0, t.metric().scale_exponent());
     // corners of the faces of cell (i, j), by halfedge
     std::vector<std::array<double, 2>> corner(s.number_of_halfedges());
@@ -367,7 +369,8 @@ TEST(Trace_geodesic, Ends_on_every_surface_of_the_gallery) {
     IT::Intrinsic_input input(IT::Gluing_map(g.gluing), gallery::squared_lengths(g),
                               IT::Mollification::none);
     const Triangulation t(std::move(input));
-    const Input s(t);
+    Input s(t.input());
+    s.keep_values(t.metric());
     for (int i = 0; i < 200; ++i) {
       std::vector<Geodesic_crossing> crossings;
       const Surface_point p = random.point(s);

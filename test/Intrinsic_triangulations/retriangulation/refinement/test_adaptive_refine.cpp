@@ -195,8 +195,9 @@ Measured adaptive_torsion(std::size_t cap, double& effectivity) {
       t,
       [&u](Rounded& s) {
         u = solve_torsion(s);
-        return IT::residual_indicators(s, {}, u, Vector::Ones(u.size()), IT::Error_norm::energy,
-                                       IT::Border_condition::values);
+        return IT::residual_indicators(
+            s, {}, u, Vector::Ones(u.size()), IT::Error_norm::energy,
+            IT::parameters::border_condition(IT::Border_condition::values));
       },
       IT::parameters::minimum_angle(20).maximum_vertices(cap));
   EXPECT_EQ(result.status, Status::cap);

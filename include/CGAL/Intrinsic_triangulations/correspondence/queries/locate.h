@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_location.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 /*!
 \file
@@ -131,6 +133,36 @@ std::optional<Surface_point> locate_on_intrinsic(const Triangulation& t, const S
   internal::expect_correspondence<Triangulation>();
   const std::optional<internal::Mapped_point> q = internal::map_to_intrinsic(t, p);
   return q ? std::optional(q->point) : std::nullopt;
+}
+
+/*!
+\brief finds the place on the user's mesh of a place on the intrinsic triangulation.
+\tparam Mesh the type of the user's mesh
+\param t the triangulation
+\param p the place, on `t.mesh()`
+\param mesh the mesh that `t` was built from
+\return see the overload without mesh
+\throws Invalid_input if the place is in a polygon, or the mesh is another one
+*/
+template <class Triangulation, class Mesh>
+std::optional<Face_location<Mesh>>
+locate_on_input(const Triangulation& t, const Face_location<typename Triangulation::Mesh>& p,
+                const Mesh& mesh) {
+  const std::optional<Surface_point> q = locate_on_input(t, surface_point(t, p));
+  return q ? std::optional(face_location(t, *q, mesh)) : std::nullopt;
+}
+
+/*!
+\brief finds the place on the intrinsic triangulation of a place on the user's mesh.
+
+See `locate_on_input()`, which it undoes.
+*/
+template <class Triangulation, class Mesh>
+std::optional<Face_location<typename Triangulation::Mesh>>
+locate_on_intrinsic(const Triangulation& t, const Face_location<std::type_identity_t<Mesh>>& p,
+                    const Mesh& mesh) {
+  const std::optional<Surface_point> q = locate_on_intrinsic(t, surface_point(t, p, mesh));
+  return q ? std::optional(face_location(t, *q)) : std::nullopt;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

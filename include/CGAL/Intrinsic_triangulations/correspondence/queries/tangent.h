@@ -101,8 +101,7 @@ std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tan
   const double length = std::hypot(r[0], r[1]), angle = std::atan2(r[1], r[0]);
   const auto walk = internal::walk_on_input(t, face.side[corner], angle);
   if (!walk.is_blocked()) return internal::at_start(walk, length);
-  return internal::at_start(internal::walk_on_input(t, face.side[corner], 0), length,
-                            angle);
+  return internal::at_start(internal::walk_on_input(t, face.side[corner], 0), length, angle);
 }
 
 /*!

@@ -8,8 +8,12 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/trace_by_curves.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/trace_signpost.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <cstdint>
+#include <vector>
 
 /*!
 \file
@@ -53,6 +57,39 @@ Edge_path trace_input_edge(const Triangulation& t, std::uint32_t x) {
     return internal::trace_input_edge_by_curves(t, t.correspondence(), x);
   else
     return internal::trace_input_edge_by_signposts(t, t.correspondence(), x);
+}
+
+/*!
+\brief traces an edge of the user's mesh over the intrinsic triangulation.
+\param t the triangulation
+\param e the edge
+\param mesh the mesh that `t` was built from; its faces may be polygons
+\return its way, from the source of `halfedge(e, mesh)`
+\throws Invalid_input if the mesh is another one
+\complexity see the overload without mesh
+*/
+template <class Triangulation, class Mesh>
+Edge_path trace_input_edge(const Triangulation& t,
+                           typename boost::graph_traits<Mesh>::edge_descriptor e,
+                           const Mesh& mesh) {
+  return trace_input_edge(
+      t, internal::Named_mesh_elements<Mesh>(t.input(), mesh).halfedge_on_input(halfedge(e, mesh)));
+}
+
+/*!
+\brief returns the points of a path in space, in the type of points of the user's mesh.
+\param t the triangulation
+\param path what `trace_edge()` or `trace_input_edge()` returned
+\param mesh the mesh that `t` was built from; its faces may be polygons
+\throws Invalid_input if the mesh is another one
+\complexity linear
+*/
+template <class Triangulation, class Mesh>
+auto polyline(const Triangulation& t, const Edge_path& path, const Mesh& mesh) {
+  const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
+  std::vector<decltype(named.point({}))> points;
+  for (const Path_point& p : path.points) points.push_back(named.point(p.on_input));
+  return points;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -7,10 +7,12 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -99,6 +101,27 @@ Geodesic trace_geodesic_on_input(const Triangulation& t, const Surface_point& st
                                  const NP& np = parameters::default_values()) {
   return internal::trace_scaled(t.correspondence().input(), t.metric().scale_exponent(), start,
                                 direction, length, np);
+}
+
+/*!
+\brief traces a geodesic over the user's mesh.
+
+See `trace_geodesic()`; points are those of the input, and `face_location(t, point, mesh)` is the place of one.
+\param t the triangulation
+\param start a place on the mesh, in a triangle
+\param direction in the frame of `halfedge(start.first, mesh)`
+\param length the length to go, in the units of the mesh
+\param mesh the mesh that `t` was built from
+\param np as there
+\throws Invalid_input if the start is in a polygon, or the mesh is another one
+*/
+template <class Triangulation, class Mesh, NamedParameters NP = parameters::Parameters<>>
+  requires(!NamedParameters<Mesh>)
+Geodesic trace_geodesic(const Triangulation& t,
+                        const Face_location<std::type_identity_t<Mesh>>& start,
+                        const Planar_vector<double>& direction, double length, const Mesh& mesh,
+                        const NP& np = parameters::default_values()) {
+  return trace_geodesic_on_input(t, surface_point(t, start, mesh), direction, length, np);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
