@@ -23,13 +23,15 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 // What is not observed is inherited from the model that observes nothing.
 struct Flip_recorder : IT::No_correspondence {
   template <class Triangulation>
-  bool before_flip(const Triangulation&, std::uint32_t) {
+  bool before(const Triangulation&, const IT::Flip&) {
     return true; // false refuses the flip
   }
   template <class Triangulation>
-  void after_flip(const Triangulation&, std::uint32_t halfedge) {
-    edges.push_back(halfedge / 2); // halfedges 2e and 2e + 1 are those of edge e
+  void after(const Triangulation&, const IT::Flip& flip) {
+    edges.push_back(flip.ij / 2); // halfedges 2e and 2e + 1 are those of edge e
   }
+  using IT::No_correspondence::after;
+  using IT::No_correspondence::before;
   std::vector<std::uint32_t> edges;
 };
 

@@ -12,18 +12,17 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 int main(int argc, char* argv[]) {
   //! [certify]
-  const IT::Intrinsic_input input(IT::read_triangle_soup(argc > 1 ? argv[1] : "data/part.off"));
   using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
                                                     IT::Integer_coordinates>;
-  Triangulation t(input);
+  Triangulation t(IT::read_triangle_soup(argc > 1 ? argv[1] : "data/part.off"));
   IT::flip_to_delaunay(t);
-  const IT::Delaunay_certificate doubles = IT::certify_delaunay(t, input);
+  const IT::Delaunay_certificate doubles = IT::certify_delaunay(t);
   //! [certify]
   std::cout << "doubles: " << doubles.non_delaunay_edges << " edges are not Delaunay, "
             << doubles.ties << " are ties, " << doubles.inverted_faces << " faces are inverted\n";
 
   //! [integer only]
-  IT::Integer_only_triangulation<> exact(t, input); // goes on from where doubles stopped
+  IT::Integer_only_triangulation<> exact(t); // goes on from where doubles stopped
   const auto result = IT::flip_to_delaunay(exact);
   const bool is_delaunay = IT::certify_delaunay(exact).is_delaunay();
   //! [integer only]

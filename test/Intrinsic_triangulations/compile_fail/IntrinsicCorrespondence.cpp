@@ -7,11 +7,9 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <cstdint>
-
 struct Hears_too_late {
   template <class Triangulation>
-  void after_flip(const Triangulation&, std::uint32_t) {}
+  void after(const Triangulation&, const CGAL::Intrinsic_triangulations::Flip&) {}
 };
 
 template <class Triangulation, class Correspondence>

@@ -167,7 +167,7 @@ std::array<Gmpq, 4> from_positions(const Planar& p, Halfedge h) {
 }
 
 std::array<Gmpq, 4> from_history(const Exact& t, Halfedge h) {
-  IT::History_zero_test test(t.metric().input(), t.metric().history(), {side(t, h)});
+  IT::History_zero_test test(t.input().metric(), t.metric().history(), {side(t, h)});
   const auto face = test.exact_faces()[0];
   std::array<Gmpq, 4> result;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -226,7 +226,7 @@ void expect_stored_contains_history(const Exact& t) {
     std::vector<IT::Flip_history::Side> sides{side(t, h)};
     const bool is_inner = face(opposite(h, t.mesh()), t.mesh()) != null;
     if (is_inner) sides.push_back(side(t, opposite(h, t.mesh())));
-    const auto faces = evaluation.enclosures(t.metric().input(), t.metric().history(), sides, 512);
+    const auto faces = evaluation.enclosures(t.input().metric(), t.metric().history(), sides, 512);
     const IT::Indexed_face f = indexed_face(t, h);
     for (const auto& x : faces) // the same from both sides
       EXPECT_TRUE(t.metric().squared_length(f.edges[0]).do_overlap(x.squared_lengths[0]));

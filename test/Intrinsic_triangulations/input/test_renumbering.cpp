@@ -47,16 +47,28 @@ TEST(Renumbering, keeps_the_complex_and_leads_back_to_the_numbers_before) {
     IT::Gluing_map m = before;
     const Points old_points = random_points(m.number_of_vertices(), 3);
     Points points = old_points;
-    const IT::Renumbering back = IT::renumber(m, points);
-    ASSERT_TRUE(is_permutation_of_numbers(back.input_face, before.number_of_faces()));
-    ASSERT_TRUE(is_permutation_of_numbers(back.input_vertex, before.number_of_vertices()));
+    const IT::Input_names back = IT::renumber(m, points);
+    ASSERT_TRUE(is_permutation_of_numbers(back.faces.users(), before.number_of_faces()));
+    ASSERT_TRUE(is_permutation_of_numbers(back.vertices.users(), before.number_of_vertices()));
+    for (std::uint32_t e = 0; e < m.number_of_edges(); ++e) {
+      EXPECT_EQ(back.edges.here(back.edges.user(e)), e);
+      std::set<std::uint32_t> ends, old_ends;
+      for (std::uint32_t h = 2 * e; h < 2 * e + 2; ++h) {
+        ends.insert(back.vertices.user(m.source(IT::Gluing_map::Halfedge{h}).index));
+        old_ends.insert(
+            before.source(IT::Gluing_map::Halfedge{2 * back.edges.user(e) + h % 2}).index);
+      }
+      EXPECT_EQ(ends, old_ends);
+    }
+    for (std::uint32_t f = 0; f < m.number_of_faces(); ++f)
+      EXPECT_EQ(back.faces.here(back.faces.user(f)), f);
     EXPECT_EQ(IT::delta_complex_defect(m).value_or("none"), "none");
     for (std::uint32_t v = 0; v < points.size(); ++v)
-      EXPECT_EQ(points[v], old_points[back.input_vertex[v]]);
+      EXPECT_EQ(points[v], old_points[back.vertices.user(v)]);
     const IT::Gluing a = IT::gluing_from_map(before), b = IT::gluing_from_map(m);
-    const auto old = [&](std::uint32_t h) { return 3 * back.input_face[h / 3] + h % 3; };
+    const auto old = [&](std::uint32_t h) { return 3 * back.faces.user(h / 3) + h % 3; };
     for (std::uint32_t h = 0; h < b.origin.size(); ++h) {
-      EXPECT_EQ(back.input_vertex[b.origin[h]], a.origin[old(h)]);
+      EXPECT_EQ(back.vertices.user(b.origin[h]), a.origin[old(h)]);
       EXPECT_EQ(b.glue[h] == IT::Gluing::none ? IT::Gluing::none : old(b.glue[h]), a.glue[old(h)]);
     }
   }
@@ -65,10 +77,10 @@ TEST(Renumbering, keeps_the_complex_and_leads_back_to_the_numbers_before) {
 TEST(Renumbering, isolated_vertices_stay_isolated) {
   IT::Gluing_map m(gallery::two_fans_and_an_isolated_vertex().gluing);
   Points points = gallery::two_fans_and_an_isolated_vertex().points;
-  const IT::Renumbering back = IT::renumber(m, points);
+  const IT::Input_names back = IT::renumber(m, points);
   for (std::uint32_t v = 0; v < m.number_of_vertices(); ++v)
     EXPECT_EQ(m.halfedge(IT::Gluing_map::Vertex{v}).index == IT::Gluing::none,
-              back.input_vertex[v] == 4);
+              back.vertices.user(v) == 4);
 }
 
 TEST(Renumbering, small_meshes_are_never_badly_ordered) {
@@ -85,10 +97,10 @@ TEST(Renumbering, large_mesh_ordered_along_random_points_is_bad_and_along_its_ow
     grid[m.source(m.halfedge(IT::Gluing_map::Face{2 * cell})).index] = {
         static_cast<double>(cell % n), static_cast<double>(cell / n), 0};
   Points noise = random_points(m.number_of_vertices(), 11);
-  const IT::Renumbering back = IT::renumber(m, noise);
+  const IT::Input_names back = IT::renumber(m, noise);
   EXPECT_TRUE(IT::is_badly_ordered(m));
   Points points;
-  for (const std::uint32_t v : back.input_vertex) points.push_back(grid[v]);
+  for (const std::uint32_t v : back.vertices.users()) points.push_back(grid[v]);
   IT::renumber(m, points);
   EXPECT_FALSE(IT::is_badly_ordered(m));
   EXPECT_TRUE(IT::is_valid_delta_complex(m));

@@ -7,7 +7,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/enum.h>
@@ -37,19 +39,21 @@ struct Metric {
   Metric& operator=(Metric&&) = default;
   Metric(const Metric&) = delete;
   Metric& operator=(const Metric&) = delete;
-  Metric(const IT::Gluing_map&, const std::shared_ptr<const IT::Input_metric>&) {}
+  explicit Metric(const std::shared_ptr<const IT::Input>&) {}
 
-  bool is_locally_delaunay(const IT::Diamond&) { return true; }
+  bool is_locally_delaunay(const IT::Diamond&) const { return true; }
   template <class Expression>
-  CGAL::Sign sign(const IT::Diamond&, const Expression&) {
+  CGAL::Sign sign(const IT::Diamond&, const Expression&) const {
     return CGAL::POSITIVE;
   }
   struct Flipped {};
   std::optional<Flipped> compute_flip(const IT::Diamond&) const { return Flipped(); }
   std::optional<Flipped> compute_flip_to_zero_area(const IT::Diamond&) const { return Flipped(); }
   void store_flip(const IT::Diamond&, const Flipped&) {}
-  double cotangent_weight(const IT::Diamond&) { return 0; }
-  double cotangent_weight(std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t) { return 0; }
+  double cotangent_weight(const IT::Diamond&) const { return 0; }
+  double cotangent_weight(std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t) const {
+    return 0;
+  }
   bool is_degenerate(std::uint32_t) const { return false; }
   bool is_zero_length(std::uint32_t) const { return false; }
   double squared_length(std::uint32_t) const { return 1; }
@@ -75,43 +79,43 @@ struct Correspondence {
   template <class Triangulation>
   void start(const Triangulation&) {}
   template <class Triangulation>
-  bool before_flip(const Triangulation&, std::uint32_t) {
+  bool before(const Triangulation&, const IT::Flip&) {
     return announce();
   }
   template <class Triangulation>
-  void after_flip(const Triangulation&, std::uint32_t) {
+  void after(const Triangulation&, const IT::Flip&) {
     ++done;
   }
   template <class Triangulation>
-  bool before_insert_in_face(const Triangulation&, std::uint32_t, const std::array<double, 3>&) {
+  bool before(const Triangulation&, const IT::Insertion_in_face&) {
     return announce();
   }
   template <class Triangulation>
-  void after_insert_in_face(const Triangulation&, std::uint32_t) {
+  void after(const Triangulation&, const IT::Insertion_in_face&) {
     ++done;
   }
   template <class Triangulation>
-  bool before_insert_in_border_edge(const Triangulation&, std::uint32_t, double) {
+  bool before(const Triangulation&, const IT::Insertion_on_border&) {
     return announce();
   }
   template <class Triangulation>
-  void after_insert_in_border_edge(const Triangulation&, std::uint32_t) {
+  void after(const Triangulation&, const IT::Insertion_on_border&) {
     ++done;
   }
   template <class Triangulation>
-  bool before_remove(const Triangulation&, std::uint32_t) {
+  bool before(const Triangulation&, const IT::Removal_from_face&) {
     return announce();
   }
   template <class Triangulation>
-  void after_remove(const Triangulation&, std::uint32_t) {
+  void after(const Triangulation&, const IT::Removal_from_face&) {
     ++done;
   }
   template <class Triangulation>
-  bool before_remove_from_border(const Triangulation&, std::uint32_t) {
+  bool before(const Triangulation&, const IT::Removal_from_border&) {
     return announce();
   }
   template <class Triangulation>
-  void after_remove_from_border(const Triangulation&, std::uint32_t) {
+  void after(const Triangulation&, const IT::Removal_from_border&) {
     ++done;
   }
   int announced = 0, done = 0;
@@ -126,7 +130,6 @@ private:
 /// Has no metric at all: it is Delaunay when every edge was flipped once.
 class Triangulation {
 public:
-  enum class Status { done };
   using Mesh = IT::Gluing_map;
   struct Metric {
     static constexpr bool is_exact = true;
@@ -134,23 +137,30 @@ public:
   using halfedge_descriptor = Mesh::Halfedge;
   using edge_descriptor = Mesh::Edge;
 
-  class Session {
+  class Const_session {
   public:
-    explicit Session(Triangulation& t) : t_(t) {}
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
+    explicit Const_session(const Triangulation& t) : t_(t) {}
+    Const_session(const Const_session&) = delete;
+    Const_session& operator=(const Const_session&) = delete;
     bool is_locally_delaunay(halfedge_descriptor h) const { return t_.flipped_[h.index / 2] != 0; }
     CGAL::Sign delaunay_sign(halfedge_descriptor h) const {
       return is_locally_delaunay(h) ? CGAL::ZERO : CGAL::NEGATIVE;
     }
-    Status flip_status(halfedge_descriptor) const { return Status::done; }
-    Status flip_non_delaunay_edge(halfedge_descriptor h) {
-      t_.flipped_[h.index / 2] = 1;
-      return Status::done;
-    }
     template <class Function>
     auto suspended(Function f) const {
       return f();
+    }
+
+  private:
+    const Triangulation& t_;
+  };
+
+  class Session : public Const_session {
+  public:
+    explicit Session(Triangulation& t) : Const_session(t), t_(t) {}
+    IT::Move_status flip_non_delaunay_edge(halfedge_descriptor h) {
+      t_.flipped_[h.index / 2] = 1;
+      return IT::Move_status::done;
     }
 
   private:

@@ -152,7 +152,7 @@ void with_exact_values(const T& t, Halfedge<T> h, const Function& f) {
     const auto& [version, first] = t.metric().version(face);
     return {version, first == d.ij ? 0U : first == next_edge ? 2U : 1U};
   };
-  IT::History_zero_test test(t.metric().input(), t.metric().history(), side(d.f, d.jk),
+  IT::History_zero_test test(t.input().metric(), t.metric().history(), side(d.f, d.jk),
                              side(d.g, d.im));
   f(test.exact_values());
 }

@@ -39,7 +39,8 @@ struct Planar {
     IT::Intrinsic_input input = mesh.input();
     input.may_renumber = false;
     const Triangulation t(std::move(input));
-    surface = Input(t);
+    surface = t.input();
+    surface.keep_values(t.metric());
     unit = std::ldexp(1.0, t.metric().scale_exponent());
   }
   const Point& corner(std::uint32_t h) const { return mesh.points[surface.source(h)]; }

@@ -229,7 +229,7 @@ TEST(Trace_geodesic, Follows_straight_lines_on_flat_tori) {
                               IT::Mollification::none);
     input.may_renumber = false;
     const Triangulation t(std::move(input));
-    Input s(t.input());
+    Input s = t.input();
     s.keep_values(t.metric());
     const double unit = std::ldexp(1.0, t.metric().scale_exponent());
     // corners of the faces of cell (i, j), by halfedge
@@ -369,7 +369,7 @@ TEST(Trace_geodesic, Ends_on_every_surface_of_the_gallery) {
     IT::Intrinsic_input input(IT::Gluing_map(g.gluing), gallery::squared_lengths(g),
                               IT::Mollification::none);
     const Triangulation t(std::move(input));
-    Input s(t.input());
+    Input s = t.input();
     s.keep_values(t.metric());
     for (int i = 0; i < 200; ++i) {
       std::vector<Geodesic_crossing> crossings;

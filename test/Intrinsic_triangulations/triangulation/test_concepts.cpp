@@ -99,11 +99,11 @@ static_assert(!IT::IntrinsicTriangulation<IT::Gluing_map>);
 struct Correspondence_that_hears_nothing {};
 struct Correspondence_that_hears_too_late {
   template <class Triangulation>
-  void after_flip(const Triangulation&, std::uint32_t) {}
+  void after(const Triangulation&, const IT::Flip&) {}
 };
 struct Correspondence_that_cannot_refuse : archetypes::Correspondence {
   template <class Triangulation>
-  void before_remove(const Triangulation&, std::uint32_t) {}
+  void before(const Triangulation&, const IT::Removal_from_face&) {}
 };
 
 static_assert(IT::IntrinsicCorrespondence<archetypes::Correspondence, archetypes::Triangulation>);

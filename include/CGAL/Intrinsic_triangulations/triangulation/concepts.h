@@ -209,7 +209,6 @@ concept IntrinsicTriangulation =
   { t.index(e) } -> std::convertible_to<std::uint32_t>;
   { c.is_locally_delaunay(h) } -> std::same_as<bool>;
   { c.delaunay_sign(h) } -> std::same_as<Sign>;
-  { c.flip_status(h) } -> std::same_as<Move_status>;
   { s.is_locally_delaunay(h) } -> std::same_as<bool>;
   { s.flip_non_delaunay_edge(h) } -> std::same_as<Move_status>;
   {

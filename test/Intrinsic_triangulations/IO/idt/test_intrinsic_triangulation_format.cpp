@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <random>
 #include <sstream>
 #include <string>
@@ -135,22 +136,26 @@ TEST(Intrinsic_triangulation_format, report_and_scale_come_back) {
   const Exact back = from_text<Exact>(text(t));
   EXPECT_EQ(back.report().mollification.kind, IT::Mollification::squared_lengths);
   EXPECT_EQ(back.report().mollification.delta, t.report().mollification.delta);
-  EXPECT_EQ(back.metric().input().delta(), t.metric().input().delta());
+  EXPECT_EQ(back.input().metric().delta(), t.input().metric().delta());
   EXPECT_LT(back.metric().scale_exponent(), -90);
   for (const auto e : edges(t.mesh())) EXPECT_EQ(back.squared_length(e), t.squared_length(e));
 }
 
 TEST(Intrinsic_triangulation_format, renumbered_triangulation_keeps_the_way_back_to_the_input) {
   IT::Intrinsic_input input = terrain(3, false);
-  const IT::Renumbering renumbering = IT::renumber(input.mesh, input.points);
+  const IT::Input_names names = IT::renumber(input.mesh, input.points);
   const Double built(input);
   IT::Input_report report;
   report.renumbered = true;
-  const Double t(input.mesh, built.metric(), renumbering, report);
+  auto renumbered = std::make_shared<IT::Input>(input.mesh, built.input().metric(), names);
+  renumbered->set_report(report);
+  const Double t(input.mesh, built.metric(), renumbered);
   const Double back = from_text<Double>(text(t));
   EXPECT_TRUE(back.report().renumbered);
-  EXPECT_EQ(back.renumbering().input_vertex, renumbering.input_vertex);
-  EXPECT_EQ(back.renumbering().input_face, renumbering.input_face);
+  EXPECT_EQ(back.input().names().vertices.users(), names.vertices.users());
+  EXPECT_EQ(back.input().names().faces.users(), names.faces.users());
+  for (const auto e : edges(back.mesh())) // the file does not hold them
+    EXPECT_EQ(back.input().names().edges.user(back.index(e)), IT::Gluing::none);
   EXPECT_EQ(text(back), text(t));
 }
 
@@ -333,7 +338,7 @@ end
 TEST(Intrinsic_triangulation_format, version_1_is_read) {
   Exact exact = from_text<Exact>(exact_of_version_1);
   Double inexact = from_text<Double>(double_of_version_1);
-  EXPECT_EQ(exact.number_of_input_vertices(), 6U);
+  EXPECT_EQ(exact.input().number_of_vertices(), 6U);
   EXPECT_EQ(exact.metric().history().number_of_flips(), 1U);
   EXPECT_EQ(text(from_text<Exact>(text(exact))), text(exact));
   EXPECT_EQ(text(from_text<Double>(text(inexact))), text(inexact));

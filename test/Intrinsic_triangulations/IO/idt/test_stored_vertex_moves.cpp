@@ -131,7 +131,7 @@ void expect_same(const T& t, const T& back) {
   ASSERT_EQ(back.mesh().number_of_vertices(), vertex.size());
   ASSERT_EQ(back.mesh().number_of_edges(), edge_.size());
   ASSERT_EQ(back.mesh().number_of_faces(), face_.size());
-  EXPECT_EQ(back.number_of_input_vertices(), t.number_of_input_vertices());
+  EXPECT_EQ(back.input().number_of_vertices(), t.input().number_of_vertices());
   for (const auto v : vertices(t.mesh())) {
     const IT::Gluing_map::Vertex w{vertex.at(v.index)};
     EXPECT_EQ(back.is_inserted(w), t.is_inserted(v));

@@ -19,7 +19,7 @@ using subdivision_oracle::Exact;
 IT::Input surface(const gallery::Surface& s) {
   IT::Intrinsic_input i(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
   i.may_renumber = false;
-  return IT::Input(Exact(std::move(i)));
+  return Exact(std::move(i)).input();
 }
 
 TEST(Vertex_fans, Give_every_halfedge_a_slot_of_its_own) {

@@ -227,10 +227,10 @@ TEST(unfold_corners, lets_a_zero_test_tell_a_straight_angle_from_one_that_is_ben
     std::size_t zeros = 0, others = 0;
     IT::Zero_test zero_test;
     for (const auto& [l, r] : walk.inner_edges()) {
-      const auto answer = zero_test(t.metric().input(), t.metric().history(), l, r,
+      const auto answer = zero_test(t.input().metric(), t.metric().history(), l, r,
                                     IT::Convexity_at_source_expression());
       EXPECT_NE(answer, IT::Zero_answer::probably_zero);
-      const auto oracle = IT::History_zero_test(t.metric().input(), t.metric().history(), l,
+      const auto oracle = IT::History_zero_test(t.input().metric(), t.metric().history(), l,
                                                 r)(IT::Convexity_at_source_expression());
       EXPECT_EQ(answer, oracle);
       ++(answer == IT::Zero_answer::zero ? zeros : others);

@@ -28,13 +28,13 @@ TEST(Certify_delaunay, finds_what_exact_traits_find_after_flips_in_doubles) {
   for (const meshes::Mesh& m : {meshes::potato(3, 1), meshes::rough_grid(12, 2)}) {
     Rounded rounded(m.input());
     Exact exact(m.input());
-    EXPECT_GT(IT::certify_delaunay(rounded, m.input()).non_delaunay_edges, 0U);
+    EXPECT_GT(IT::certify_delaunay(rounded).non_delaunay_edges, 0U);
     IT::flip_to_delaunay(rounded);
     IT::flip_to_delaunay(exact);
-    const IT::Delaunay_certificate c = IT::certify_delaunay(rounded, m.input());
+    const IT::Delaunay_certificate c = IT::certify_delaunay(rounded);
     EXPECT_TRUE(c.is_delaunay()); // no tie is near: the filter decides all
     EXPECT_EQ(c.statistics.filter_failures, 0U);
-    EXPECT_EQ(c.ties, IT::certify_delaunay(exact, m.input()).ties);
+    EXPECT_EQ(c.ties, IT::certify_delaunay(exact).ties);
   }
 }
 
@@ -42,7 +42,7 @@ TEST(Certify_delaunay, finds_what_exact_traits_find_after_flips_in_doubles) {
 TEST(Certify_delaunay, counts_ties_of_a_box) {
   Exact t(meshes::box(3, 2, 2).input());
   IT::flip_to_delaunay(t);
-  const IT::Delaunay_certificate c = IT::certify_delaunay(t, meshes::box(3, 2, 2).input());
+  const IT::Delaunay_certificate c = IT::certify_delaunay(t);
   EXPECT_TRUE(c.is_delaunay());
   EXPECT_EQ(c.ties, 2U * (3 * 2 + 2 * 2 + 2 * 3)); // a diagonal for each unit square
   EXPECT_EQ(c.statistics.filter_failures, c.statistics.certified_zero);
@@ -58,7 +58,7 @@ TEST(Certify_delaunay, finds_the_one_edge_that_was_flipped_too_much) {
     if (session.flip_edge(h) != IT::Move_status::done) continue;
     ++flipped;
     // the diamond is strictly Delaunay one way, so it is not the other
-    const IT::Delaunay_certificate c = IT::certify_delaunay(t, m.input());
+    const IT::Delaunay_certificate c = IT::certify_delaunay(t);
     EXPECT_EQ(c.inverted_faces, 0U);
     EXPECT_GE(c.non_delaunay_edges, 1U);
     session.flip_edge(h);
@@ -82,14 +82,14 @@ TEST(Certify_delaunay, finds_the_face_that_a_flip_of_a_reflex_diamond_turns_over
   meshes::Mesh m{{{0, 0, 0}, {1, 0, 0}, {3, 2, 0}, {3, -2, 0}}, {{0, 1, 2}, {1, 0, 3}}};
   using Reckless = IT::Intrinsic_triangulation<Map, Reckless_traits, IT::Integer_coordinates>;
   Reckless t(m.input());
-  EXPECT_EQ(IT::certify_delaunay(t, m.input()).inverted_faces, 0U);
+  EXPECT_EQ(IT::certify_delaunay(t).inverted_faces, 0U);
   for (const Map::Halfedge h : halfedges(t.mesh()))
     if (t.mesh().face(h).index != IT::Gluing::none &&
         t.mesh().face(Map::opposite(h)).index != IT::Gluing::none) {
       Reckless::Session(t).flip_non_delaunay_edge(h);
       break;
     }
-  const IT::Delaunay_certificate c = IT::certify_delaunay(t, m.input());
+  const IT::Delaunay_certificate c = IT::certify_delaunay(t);
   EXPECT_EQ(c.inverted_faces, 1U);
   EXPECT_FALSE(c.is_delaunay());
 }
@@ -120,7 +120,7 @@ TEST(Certify_delaunay, is_not_given_to_edges_that_wind_about_vertices) {
         continue;
       Reckless::Session(t).flip_non_delaunay_edge(h);
     }
-    IT::Integer_only_triangulation<> exact(t, m.input());
+    IT::Integer_only_triangulation<> exact(t);
     EXPECT_EQ(IT::flip_to_delaunay(exact).status, IT::Status::done);
     const IT::Delaunay_certificate c = IT::certify_delaunay(exact);
     bent += c.bent_edges > 0;
@@ -140,8 +140,8 @@ TEST(Certify_delaunay, certifies_refined_triangulations) {
   IT::delaunay_refine(exact);
   IT::delaunay_refine(rounded);
   EXPECT_GT(num_vertices(exact.mesh()), m.points.size());
-  EXPECT_TRUE(IT::certify_delaunay(exact, m.input()).is_delaunay());
-  EXPECT_TRUE(IT::certify_delaunay(rounded, m.input()).is_delaunay());
+  EXPECT_TRUE(IT::certify_delaunay(exact).is_delaunay());
+  EXPECT_TRUE(IT::certify_delaunay(rounded).is_delaunay());
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_DELAUNAY_FLIPPER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -79,7 +80,7 @@ private:
     const Halfedge o = opposite(h, t_.mesh());
     const Halfedge outer[4] = {next(h, t_.mesh()), next(next(h, t_.mesh()), t_.mesh()),
                                next(o, t_.mesh()), next(next(o, t_.mesh()), t_.mesh())};
-    if (session_.flip_non_delaunay_edge(h) != decltype(session_.flip_status(h))::done) {
+    if (session_.flip_non_delaunay_edge(h) != Move_status::done) {
       observer.refused(h);
       return true;
     }
