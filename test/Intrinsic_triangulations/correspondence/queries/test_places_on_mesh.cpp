@@ -46,7 +46,10 @@ Mesh user_mesh(const meshes::Mesh& m) {
   using Point = typename boost::property_traits<std::remove_cv_t<decltype(map)>>::value_type;
   for (const auto& p : m.points) {
     v.push_back(add_vertex(result));
-    put(get(CGAL::vertex_point, result), v.back(), Point(p[0], p[1], p[2]));
+    if constexpr (requires { result.set_point(v.back(), Point()); })
+      result.set_point(v.back(), Point(p[0], p[1], p[2]));
+    else
+      put(get(CGAL::vertex_point, result), v.back(), Point(p[0], p[1], p[2]));
   }
   for (const auto& f : m.triangles)
     CGAL::Euler::add_face(std::vector{v[f[0]], v[f[1]], v[f[2]]}, result);

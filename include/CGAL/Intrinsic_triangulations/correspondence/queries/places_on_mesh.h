@@ -91,7 +91,7 @@ public:
   // in the type that the mesh has for points
   auto point(const Surface_point& p) const {
     const auto map = Mesh_adaptor<Mesh>::point_map(mesh_);
-    using Point = std::remove_cvref_t<
+    using User_point = std::remove_cvref_t<
         typename boost::property_traits<std::remove_cv_t<decltype(map)>>::value_type>;
     std::array<double, 3> x{0, 0, 0};
     std::uint32_t h = p.halfedge;
@@ -100,7 +100,7 @@ public:
       const std::array<double, 3> corner = Mesh_adaptor<Mesh>::coordinates(get(map, v));
       for (std::size_t c = 0; c < 3; ++c) x[c] += p.weights[k] * corner[c];
     }
-    return Point(x[0], x[1], x[2]);
+    return User_point(x[0], x[1], x[2]);
   }
 
 private:
