@@ -33,12 +33,14 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
+/// \cond
 namespace tags {
 #define CGAL_INTRINSIC_TRIANGULATIONS_TAG(name)                                                    \
   struct name {};
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_TAG)
 #undef CGAL_INTRINSIC_TRIANGULATIONS_TAG
 } // namespace tags
+/// \endcond
 
 template <class Tag, class T>
 struct Parameter {
@@ -70,15 +72,15 @@ public:
   /// chains what was given.
   constexpr explicit Parameters(const P&... p) : P(p)... {}
 
+  /// \cond
 #define CGAL_INTRINSIC_TRIANGULATIONS_MEMBER(name)                                                 \
   template <class T>                                                                               \
   constexpr auto name(const T& value) const {                                                      \
     return with<internal::tags::name>(value);                                                      \
   }
-  /// \cond
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_MEMBER)
-  /// \endcond
 #undef CGAL_INTRINSIC_TRIANGULATIONS_MEMBER
+  /// \endcond
 
 private:
   template <class Tag, class T>
@@ -92,15 +94,15 @@ private:
 /// returns the chain in which nothing is given: all parameters have their defaults.
 inline Parameters<> default_values() { return Parameters<>(); }
 
+/// \cond
 #define CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION(name)                                               \
   template <class T>                                                                               \
   constexpr auto name(const T& value) {                                                            \
     return Parameters<>().name(value);                                                             \
   }
-/// \cond
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION)
-/// \endcond
 #undef CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION
+/// \endcond
 
 } // namespace parameters
 

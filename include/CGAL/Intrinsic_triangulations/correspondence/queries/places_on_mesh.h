@@ -55,8 +55,8 @@ public:
     if (number_.vertex_capacity(mesh) != input.number_of_vertices())
       throw Invalid_input(
           Element_kind::none, 0,
-          "the mesh is not the one that the triangulation was built from, or elements "
-          "were removed from it; pass that mesh, after collecting its garbage");
+          "the mesh is not the one that the triangulation was built from, or has removed "
+          "elements; collect its garbage before the triangulation is built");
   }
 
   // The halfedge of the input at the user's halfedge of a triangle.

@@ -11,13 +11,14 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 /*!
