@@ -102,21 +102,9 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, d
   }
 }
 
-/*!
-\brief traces a geodesic from a point.
-\tparam Complex a model of `NumberedComplex`: `Input`, `Intrinsic_view`
-\param complex the surface
-\param start the start
-\param direction its direction there: a vector in the frame of `start.halfedge`, which runs along the
-  x-axis with its face above; the norm does not matter
-\param length the length to go, in the units of `complex`
-\param crossings the edges that are crossed are appended to it; one that goes through a vertex crosses
-  the edge that it leaves the face at with parameter 0 or 1
-\param options see `Trace_options`
-\pre the direction is not zero
-\return the end
-\complexity linear in the number of crossings, and in the degrees of the vertices that are hit
-*/
+// Traces a geodesic from a point, in a direction in the frame of `start.halfedge`, over a model of `NumberedComplex` in
+// its units. The edges that are crossed are appended to `crossings`; one that goes through a vertex crosses the edge that
+// it leaves the face at with parameter 0 or 1.
 template <class Complex>
 Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
                             const Planar_vector<double>& direction, double length,
@@ -126,18 +114,7 @@ Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
   return finish_walk(complex, walk, length, options, crossings);
 }
 
-/*!
-\brief traces a geodesic from a vertex.
-\tparam Complex a model of `NumberedComplex`
-\param complex the surface
-\param start a halfedge that starts at the vertex, and the angle from it to the geodesic,
-  counterclockwise, as it is on the surface: the angles about the vertex are not scaled
-\param length the length to go, in the units of `complex`
-\param crossings the edges that are crossed are appended to it
-\param options see `Trace_options`
-\return the end
-\complexity linear in the number of crossings, and in the degrees of the vertices that are hit
-*/
+// The same from a vertex: the angle from a halfedge that starts there is that on the surface, not scaled.
 template <class Complex>
 Geodesic_end trace_geodesic(const Complex& complex, const Corner_direction& start, double length,
                             std::vector<Geodesic_crossing>& crossings,

@@ -294,15 +294,8 @@ private:
   Corner_coordinates corners_;
 };
 
-/*!
-\brief finds the point of the input at a point of an intrinsic face.
-\param t the triangulation, whose metric may get more precise
-\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
-\param h a halfedge of the face
-\param weights barycentric coordinates: of its source, its target, the third corner
-\return the point and the region of the face in which it lies
-\complexity that of following a number of curves logarithmic in the number of crossings of the face
-*/
+// Finds the point of the input at a point of an intrinsic face, and the region of the face in which it lies.
+// Complexity: that of following a number of curves logarithmic in the number of crossings of the face.
 template <class Triangulation, class Coordinates>
 Located locate_by_curves(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                          const std::array<double, 3>& weights) {

@@ -44,20 +44,8 @@ Geodesic_to_target follow_signpost(const View& view, const Signposts& signposts,
       signposts.target(view.target(h)), std::sqrt(view.squared_length(h / 2)), strip);
 }
 
-/*!
-Traces an intrinsic halfedge over the input (§3.4.1).
-
-If it cannot be traced from its source, it is traced from its target.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
-\param t the triangulation
-\param signposts its signposts
-\param h a halfedge, by its number
-\param crossings the input edges that it crosses are appended to it, in order
-\param strip space for the trace
-\return whether it was traced to its end, whether that is certain, and the input halfedge that it runs
-  along, in the same direction, if there is one
-\complexity linear in the number of crossings
-*/
+// Traces an intrinsic halfedge over the input (§3.4.1), from its target if that fails from its source. Appends the input
+// edges that it crosses to `crossings`; `strip` is space for the trace.
 template <class Triangulation, class Signposts>
 Geodesic_to_target trace_signpost(const Triangulation& t, const Signposts& signposts,
                                   std::uint32_t h, std::vector<Geodesic_crossing>& crossings,
