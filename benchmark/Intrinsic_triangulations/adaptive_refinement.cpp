@@ -8,9 +8,8 @@
 
 #include "benchmark_support.h"
 
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_intrinsic.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/point_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
@@ -111,9 +110,9 @@ Solution adaptive(const Surface_mesh& mesh, const Problem& p, double tolerance) 
         s.u = p.solve(t);
         return p.estimate(t, s.u);
       },
-      {.tolerance = tolerance, .minimum_angle = minimum_angle, .maximum_vertices = 1000000});
+      IT::parameters::tolerance(tolerance).minimum_angle(minimum_angle).maximum_vertices(1000000));
   s.milliseconds = watch.milliseconds();
-  if (result.status != IT::Adaptive_refinement_status::done)
+  if (result.status != IT::Status::done)
     throw std::runtime_error("adaptive refinement does not reach its tolerance");
   return s;
 }
@@ -121,7 +120,8 @@ Solution adaptive(const Surface_mesh& mesh, const Problem& p, double tolerance) 
 Solution uniform(const Surface_mesh& mesh, const Problem& p, double radius) {
   const Processor_watch watch;
   Solution s{Triangulation(mesh), {}};
-  IT::delaunay_refine(s.t, {.minimum_angle = minimum_angle, .maximum_circumradius = radius});
+  IT::delaunay_refine(s.t,
+                      IT::parameters::minimum_angle(minimum_angle).maximum_circumradius(radius));
   s.u = p.solve(s.t);
   s.milliseconds = watch.milliseconds();
   return s;
@@ -149,8 +149,8 @@ std::vector<Sample> samples(Solution& s) {
   for (const auto f : faces(s.t.mesh())) {
     const std::uint32_t h = s.t.numbers().halfedge(halfedge(f, s.t.mesh()));
     const IT::Surface_point centroid{h, {1. / 3, 1. / 3, 1. / 3}};
-    const IT::Located l = IT::locate_on_input(s.t, s.t.correspondence(), h, centroid.weights);
-    result.push_back({l.point, value(s, centroid), s.t.area(f)});
+    const auto l = IT::locate_on_input(s.t, {h, centroid.weights});
+    result.push_back({*l, value(s, centroid), s.t.area(f)});
   }
   return result;
 }
@@ -158,7 +158,7 @@ std::vector<Sample> samples(Solution& s) {
 double error(const Solution& s, const std::vector<Sample>& samples) {
   double sum = 0, all = 0;
   for (const Sample& x : samples) {
-    const auto p = IT::locate_on_intrinsic(s.t, s.t.correspondence(), x.on_input);
+    const auto p = IT::locate_on_intrinsic(s.t, x.on_input);
     if (!p) throw std::runtime_error("a point is not found");
     const double d = value(s, *p) - x.value;
     sum += x.area * d * d;

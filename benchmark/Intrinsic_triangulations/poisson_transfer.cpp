@@ -8,7 +8,7 @@
 #include "benchmark_support.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/extract_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/transfer.h>
@@ -188,9 +188,9 @@ std::map<std::string, double> trial(const Soup& soup) {
   errors["direct"] = error(soup, solve_poisson(t, soup));
   errors["best"] = error(soup, best(soup, IT::galerkin_mass_matrix(t)));
   IT::flip_to_delaunay(t);
-  const IT::Common_subdivision s = IT::extract_subdivision(t, t.correspondence());
+  const IT::Common_subdivision s = IT::common_subdivision(t);
   const Eigen::VectorXd f = solve_poisson(t, soup);
-  errors["copied"] = error(soup, IT::copy_to_input(s.number_of_input_vertices, f));
+  errors["copied"] = error(soup, IT::copy_to_input(t, f));
   errors["l2"] = error(soup, IT::L2_transfer(t, s)(f));
   return errors;
 }

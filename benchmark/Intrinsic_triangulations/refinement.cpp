@@ -19,6 +19,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,18 +38,27 @@ struct Refined {
   std::size_t unsatisfied = 0;
 };
 
+struct Criteria {
+  double minimum_angle = 25;
+  double maximum_circumradius = std::numeric_limits<double>::infinity();
+  std::optional<std::uint64_t> maximum_insertions = std::nullopt;
+};
+
 // Building and refining, as the yardstick builds as well.
 template <class Triangulation>
-Refined run_refinement(const Surface_mesh& mesh, const IT::Refinement_options& options) {
+Refined run_refinement(const Surface_mesh& mesh, const Criteria& criteria) {
   const Stopwatch watch;
   Triangulation t(mesh);
-  const auto result = IT::delaunay_refine(t, options);
+  const auto result =
+      IT::delaunay_refine(t, IT::parameters::minimum_angle(criteria.minimum_angle)
+                                 .maximum_circumradius(criteria.maximum_circumradius)
+                                 .maximum_insertions(criteria.maximum_insertions));
   return {watch.milliseconds(), result.counts.inserted_vertices(), result.unsatisfied.size()};
 }
 
 struct Contender {
   std::string name;
-  Refined (*run)(const Surface_mesh&, const IT::Refinement_options&);
+  Refined (*run)(const Surface_mesh&, const Criteria&);
 };
 const std::vector<Contender> contenders = {{"double", run_refinement<Lengths_only>},
                                            {"double_integer", run_refinement<With_integers>}};
@@ -133,10 +143,9 @@ nlohmann::json measure_linearity(const std::string& directory, double maximum) {
   for (double vertices = 62500; vertices <= maximum; vertices *= 2) {
     // inserted vertices at distances of the radius and more: about 0.7 of them per squared radius
     const double radius = std::sqrt(0.7 * area / vertices);
-    const IT::Refinement_options options{.minimum_angle = 25,
-                                         .maximum_circumradius = radius,
-                                         .maximum_insertions =
-                                             10 * static_cast<std::uint64_t>(vertices)};
+    const Criteria options{.minimum_angle = 25,
+                           .maximum_circumradius = radius,
+                           .maximum_insertions = 10 * static_cast<std::uint64_t>(vertices)};
     Refined r = run_refinement<Lengths_only>(mesh, options);
     for (int i = 1; i < 3; ++i)
       r.milliseconds =

@@ -174,6 +174,8 @@ public:
   double squared_length(edge_descriptor e) const {
     return std::ldexp(metric_.approximate_squared_length(index(e)), -2 * metric_.scale_exponent());
   }
+  /// returns the length of an edge as a double, in the units of the input.
+  double length(edge_descriptor e) const { return std::sqrt(squared_length(e)); }
   /// returns the area of a face as a double, in the units of the input.
   double area(face_descriptor f) const {
     return std::ldexp(metric_.approximate_quadruple_area(index(f)),

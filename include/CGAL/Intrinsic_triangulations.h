@@ -13,6 +13,7 @@ What most programs need of the package. To be included besides: operators, which
 (`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
 */
 
+#include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
@@ -22,10 +23,12 @@ What most programs need of the package. To be included besides: operators, which
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_intrinsic.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_transfer.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/weighted_vertices.h>
 #include <CGAL/Intrinsic_triangulations/input/scale_metric.h>

@@ -31,7 +31,7 @@ All that asks where things are on the other triangulation is written over this c
 | \itf{edge_crossings} | also `number_of_edges` |
 | \itf{trace_edge} | `input`, `normal_coordinate`; the list of crossings, where there is one |
 | \itf{common_subdivision}, \itf{locate_on_input}, \itf{locate_on_intrinsic} | all |
-| \itf{vector_to_intrinsic}, \itf{vector_to_input} | `input`, `fans`, `normal_coordinate`, `roundabout` |
+| \itf{tangent_to_input}, \itf{tangent_to_intrinsic} | `input`, `fans`, `normal_coordinate`, `roundabout` |
 | \itc{Face_vector_transfer} | `input` |
 
 \cgalHeading{Invariants}

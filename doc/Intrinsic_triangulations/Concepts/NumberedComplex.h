@@ -28,7 +28,6 @@ are doubles in scaled units.
 | \itc{Geodesic_face}, \itc{Geodesic_walk}, \itf{trace_geodesic} | `next`, `is_border`, `face`, `squared_length`, `quadruple_area` |
 | \itf{trace_to_target} | also `source` |
 | \itf{locate_circumcenter} | as `trace_geodesic()` |
-| \itf{dijkstra_ball} | `is_border`, `target`, `outgoing_halfedge`, `next`, `squared_length` |
 | \itc{Constrained_segments} | `is_border`, `source`, `target`, `squared_length` |
 | \itc{Tangent_frames} | also `number_of_halfedges`, which `Input` has |
 

@@ -1,51 +1,48 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flips a mesh to Delaunay, inserts a vertex, and writes the common subdivision with the input.
-// Usage: common_subdivision [MESH.off [OUT.ply]]
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
+// Flips a mesh to Delaunay, inserts a vertex, and writes the common subdivision with the input, with a function on it:
+// three statements. Usage: common_subdivision [MESH.off [OUT.vtp]]
 
 #include <CGAL/Intrinsic_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/operators/interpolation_matrices.h>
+#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <array>
-#include <fstream>
+#include <filesystem>
 #include <iostream>
-#include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
-                                                  IT::Integer_coordinates>;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 int main(int argc, char** argv) {
   Mesh mesh;
-  std::ifstream in(argc > 1 ? argv[1] : "data/part.off");
-  if (!in || !CGAL::IO::read_OFF(in, mesh)) {
-    std::cerr << "the mesh cannot be read; give an OFF file\n";
-    return 1;
-  }
-  //! [subdivision]
-  Triangulation t(mesh);
+  if (!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/part.off", mesh)) return 1;
+  const std::filesystem::path file =
+      argc > 2 ? argv[2] : std::filesystem::temp_directory_path() / "common_subdivision.vtp";
+  IT::Corresponding_triangulation t(mesh);
   IT::flip_to_delaunay(t);
   const auto inserted = t.insert_vertex(*halfedges(t.mesh()).begin(), {0.25, 0.25, 0.5});
-  const IT::Common_subdivision s = IT::common_subdivision(t);
-  //! [subdivision]
-  if (inserted.status != IT::Move_status::done) return 1;
+  const Eigen::VectorXd area = IT::lumped_mass_matrix(t).diagonal(); // of the cells of vertices
 
-  std::vector<std::array<double, 3>> points;
-  for (const Mesh::Vertex_index v : mesh.vertices()) {
-    const Kernel::Point_3& p = mesh.point(v);
-    points.push_back({p.x(), p.y(), p.z()});
-  }
+  //! [subdivision]
+  const IT::Common_subdivision s = IT::common_subdivision(t);
+  const Eigen::VectorXd values = IT::interpolation_from_intrinsic(s) * area;
+  IT::write_common_subdivision(
+      file, s, IT::positions(s, mesh),
+      std::array{IT::Vertex_field{"area", {values.data(), values.data() + values.size()}}});
+  //! [subdivision]
+
   std::cout << s.number_of_vertices() << " vertices, " << s.number_of_edges() << " edges, "
             << s.number_of_faces() << " faces, " << s.crossings.size() << " crossings\n";
   const auto euler = static_cast<long>(s.number_of_vertices() + s.number_of_faces()) -
                      static_cast<long>(s.number_of_edges());
   std::cout << "Euler characteristic " << euler << '\n';
-  if (argc > 2) IT::write_common_subdivision(argv[2], s, IT::positions(s, points));
+  const bool is_written = std::filesystem::file_size(file) > s.number_of_faces();
+  if (argc <= 2) std::filesystem::remove(file);
+  return inserted.status == IT::Move_status::done && is_written ? 0 : 1;
 }

@@ -38,7 +38,8 @@ int main() {
   };
   const IT::Scaled_metric scaled = IT::scale_by_norm_in_space(mesh, norm);
   IT::Intrinsic_triangulation<> t(scaled.input);
-  const auto result = IT::delaunay_refine(t, {.minimum_angle = 25, .maximum_circumradius = 0.125});
+  const auto result =
+      IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_circumradius(0.125));
   //! [scale]
   double area = 0;
   for (const auto f : faces(t.mesh())) area += t.area(f);
@@ -46,5 +47,5 @@ int main() {
             << result.counts.inserted_vertices() << " vertices inserted, "
             << result.unsatisfied.size() << " faces are left below the bounds\nleast angle in the "
             << "new metric: " << IT::measure_quality(t).minimum_angle << " degrees\n";
-  return result.status == IT::Refinement_status::done && area > 1 ? 0 : 1;
+  return result.status == IT::Status::done && area > 1 ? 0 : 1;
 }

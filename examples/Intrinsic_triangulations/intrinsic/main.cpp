@@ -90,7 +90,7 @@ void add_refine(CLI::App& app, Options& options, Command& chosen) {
       "refine", "insert vertices until all faces are well shaped, keeping the Delaunay property");
   add_common_options(command, options);
   add_correspondence_options(command, options);
-  IT::Refinement_options& r = options.refinement;
+  program::Refinement_criteria& r = options.refinement;
   command.add_option("--min-angle", r.minimum_angle, "least angle in degrees; default 30")
       ->check(program::between(0, 59));
   command.add_option("--max-circumradius", r.maximum_circumradius, "largest circumradius of faces")

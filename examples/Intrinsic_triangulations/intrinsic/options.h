@@ -7,11 +7,24 @@
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace program {
+
+/// What faces are refined to.
+struct Refinement_criteria {
+  double minimum_angle = 30;
+  double maximum_circumradius = std::numeric_limits<double>::infinity();
+  double maximum_edge_length = std::numeric_limits<double>::infinity();
+  std::optional<std::uint64_t> maximum_insertions = std::nullopt;
+  CGAL::Intrinsic_triangulations::Refinement_order order =
+      CGAL::Intrinsic_triangulations::Refinement_order::first_come;
+};
 
 /// What the command line asks for.
 struct Options {
@@ -29,7 +42,7 @@ struct Options {
   double odt_length = 0; ///< target of `odt_optimize()` after refinement; 0: it is not called
   bool no_flip = false;
   bool refines = false;
-  CGAL::Intrinsic_triangulations::Refinement_options refinement{.minimum_angle = 30};
+  Refinement_criteria refinement;
   std::vector<std::string> study; ///< what follows the command `study`
   bool is_arithmetic_given = false;
   bool is_mollification_given = false;

@@ -50,10 +50,10 @@ template <class Triangulation>
 void optimize(Triangulation& t, const Options& options, Json& json, Progress& progress) {
   Stopwatch watch;
   Odt_progress visitor{&progress};
-  const auto result = IT::odt_optimize(t, {.target_length = options.odt_length},
-                                       CGAL::parameters::visitor(std::ref(visitor)));
+  const auto result = IT::odt_optimize(
+      t, IT::parameters::maximum_edge_length(options.odt_length).visitor(std::ref(visitor)));
   json["seconds"]["odt"] = watch.lap();
-  json["odt"] = {{"status", result.status == IT::Odt_status::converged ? "converged" : "cap"},
+  json["odt"] = {{"status", result.status == IT::Status::done ? "converged" : "cap"},
                  {"target_length", options.odt_length},
                  {"iterations", result.iterations},
                  {"splits", result.splits},
@@ -94,13 +94,19 @@ void refine(Triangulation& t, const Options& options, Json& json, Progress& prog
   Stopwatch watch;
   Refinement_progress visitor;
   visitor.line = &progress;
+  const Refinement_criteria& criteria = options.refinement;
   const auto result =
-      IT::delaunay_refine(t, options.refinement, CGAL::parameters::visitor(std::ref(visitor)));
+      IT::delaunay_refine(t, IT::parameters::minimum_angle(criteria.minimum_angle)
+                                 .maximum_circumradius(criteria.maximum_circumradius)
+                                 .maximum_edge_length(criteria.maximum_edge_length)
+                                 .maximum_insertions(criteria.maximum_insertions)
+                                 .order(criteria.order)
+                                 .visitor(std::ref(visitor)));
   json["seconds"]["refine"] = watch.lap();
   const IT::Refinement_counts& counts = result.counts;
   std::array<std::size_t, 4> reasons{};
   for (const auto& u : result.unsatisfied) ++reasons[static_cast<std::size_t>(u.reason)];
-  json["refine"] = {{"status", result.status == IT::Refinement_status::done ? "done" : "cap"},
+  json["refine"] = {{"status", result.status == IT::Status::done ? "done" : "cap"},
                     {"asked_angle_deg", options.refinement.minimum_angle},
                     {"insertions", counts.inserted_vertices()},
                     {"circumcenters", counts.circumcenters},

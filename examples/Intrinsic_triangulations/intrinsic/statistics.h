@@ -182,7 +182,7 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   if (flip)
     result = IT::flip_to_delaunay(t, edges(t.mesh()), CGAL::parameters::visitor(std::ref(visitor)));
   const double delaunay_seconds = watch.lap();
-  if (result.status == IT::Flip_to_delaunay_status::cap)
+  if (result.status == IT::Status::cap)
     throw std::runtime_error(options.input + ": flipping did not end after " +
                              std::to_string(result.flips) +
                              " flips in double arithmetic; use --arithmetic exact");

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flips a mesh with bad triangles to its intrinsic Delaunay triangulation and compares Laplacians.
+// Flips a mesh with bad triangles to its intrinsic Delaunay triangulation and compares Laplacians, which are one
+// statement each.
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>

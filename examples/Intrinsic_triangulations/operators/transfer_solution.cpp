@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/extract_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/transfer.h>
@@ -21,8 +21,7 @@
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
-                                                  IT::Integer_coordinates>;
+using Triangulation = IT::Corresponding_triangulation;
 
 int main(int argc, char* argv[]) {
   const std::string file = argc > 1 ? argv[1] : "data/part.off";
@@ -43,9 +42,8 @@ int main(int argc, char* argv[]) {
   const Eigen::VectorXd heat = Eigen::SimplicialLDLT(implicit_step).solve(start);
 
   //! [transfer]
-  const IT::Common_subdivision subdivision =
-      IT::extract_subdivision(triangulation, triangulation.correspondence());
-  const Eigen::VectorXd copied = IT::copy_to_input(subdivision.number_of_input_vertices, heat);
+  const IT::Common_subdivision subdivision = IT::common_subdivision(triangulation);
+  const Eigen::VectorXd copied = IT::copy_to_input(triangulation, heat);
   const IT::L2_transfer transfer(triangulation,
                                  subdivision); // factored for any number of functions
   const Eigen::VectorXd nearest = transfer(heat);

@@ -45,7 +45,8 @@ int main(int argc, char* argv[]) {
     const Eigen::VectorXd density = Eigen::VectorXd::Constant(u.size(), -1 / area);
     return IT::residual_indicators(now, {.diffusion = 1}, u, density, IT::Error_norm::L2);
   };
-  const auto green = IT::adaptive_refine(t, estimate, {.tolerance = 5e-3 * std::sqrt(area)});
+  const auto green =
+      IT::adaptive_refine(t, estimate, IT::parameters::tolerance(5e-3 * std::sqrt(area)));
   //! [adaptive]
   print("Green's function", green);
 
@@ -58,8 +59,7 @@ int main(int argc, char* argv[]) {
         return IT::residual_indicators(now, {.diffusion = time, .reaction = 1}, heat,
                                        Eigen::VectorXd::Zero(heat.size()), IT::Error_norm::L2);
       },
-      {.tolerance = 1 / std::sqrt(area)}); // the heat kernel is an inverse area
+      IT::parameters::tolerance(1 / std::sqrt(area))); // the heat kernel is an inverse area
   print("heat kernel", result);
-  return green.status != IT::Adaptive_refinement_status::done ||
-         result.status != IT::Adaptive_refinement_status::done;
+  return green.status != IT::Status::done || result.status != IT::Status::done;
 }

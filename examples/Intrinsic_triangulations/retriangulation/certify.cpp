@@ -19,8 +19,7 @@ int main(int argc, char* argv[]) {
   const IT::Delaunay_certificate doubles = IT::certify_delaunay(t);
   //! [certify]
   std::cout << "doubles: " << doubles.non_delaunay_edges << " edges are not Delaunay, "
-            << doubles.cocircular_edges << " are ties, " << doubles.inverted_faces
-            << " faces are inverted\n";
+            << doubles.ties << " are ties, " << doubles.inverted_faces << " faces are inverted\n";
 
   //! [integer only]
   IT::Integer_only_triangulation<> exact(t); // goes on from where doubles stopped

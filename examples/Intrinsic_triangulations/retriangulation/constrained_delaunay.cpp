@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Keeps sharp edges while flipping to Delaunay, shows progress and may be cancelled.
+// Keeps sharp edges of a mesh while flipping to Delaunay, in two statements, shows progress and may be cancelled.
 
 #include <CGAL/Intrinsic_triangulations.h>
 
@@ -10,10 +10,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <boost/property_map/function_property_map.hpp>
-
+#include <cstddef>
+#include <functional>
 #include <iostream>
-#include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -32,32 +31,19 @@ int main() {
   if (!CGAL::IO::read_polygon_mesh("data/part.off", mesh)) return 1;
   auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
   CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 60, is_sharp);
-  using Triangulation = IT::Intrinsic_triangulation<>;
-  Triangulation triangulation(mesh);
-
-  //! [map]
-  // before any flip every edge is the one of the mesh between its vertices, unless it cuts a polygon
-  const auto in_mesh = [&](Triangulation::vertex_descriptor v) {
-    return Mesh::Vertex_index(triangulation.input_vertex(v));
-  };
-  std::vector<char> is_constrained(num_edges(triangulation.mesh()));
-  for (const auto e : edges(triangulation.mesh())) {
-    const Mesh::Halfedge_index h = mesh.halfedge(in_mesh(source(e, triangulation.mesh())),
-                                                 in_mesh(target(e, triangulation.mesh())));
-    is_constrained[triangulation.index(e)] = h != Mesh::null_halfedge() && is_sharp[mesh.edge(h)];
-  }
-  const auto constrained = boost::make_function_property_map<Triangulation::edge_descriptor, bool>(
-      [&](Triangulation::edge_descriptor e) {
-        return is_constrained[triangulation.index(e)] != 0;
-      });
-  //! [map]
-
-  //! [constrained]
   Progress progress;
-  const IT::Flip_to_delaunay_result result = IT::flip_to_delaunay(
-      triangulation,
-      CGAL::parameters::edge_is_constrained_map(constrained).visitor(std::ref(progress)));
   //! [constrained]
-  std::cout << result.flips << " flips\n";
-  return result.status == IT::Flip_to_delaunay_status::done ? 0 : 1;
+  IT::Corresponding_triangulation t(mesh);
+  const IT::Flip_to_delaunay_result result = IT::flip_to_delaunay(
+      t, IT::parameters::edge_is_constrained_map(IT::constrained_input_edges(t, mesh, is_sharp))
+             .visitor(std::ref(progress)));
+  //! [constrained]
+  std::size_t kept = 0, sharp = 0; // where the mesh has a sharp edge the triangulation has one
+  for (const auto e : edges(mesh)) {
+    if (!get(is_sharp, e)) continue;
+    ++sharp;
+    if (IT::trace_input_edge(t, e, mesh).along != IT::Gluing::none) ++kept;
+  }
+  std::cout << result.flips << " flips; " << kept << " sharp edges of " << sharp << " kept\n";
+  return result.status == IT::Status::done && kept == sharp && sharp > 0 ? 0 : 1;
 }

@@ -6,72 +6,47 @@
 
 #include <CGAL/Intrinsic_triangulations.h>
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iostream>
-#include <unordered_set>
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
-                                                  IT::Integer_coordinates>;
-using Edge = Triangulation::edge_descriptor;
-
-//! [map]
-// an edge map that grows with the triangulation
-struct Features {
-  using key_type = Edge;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::read_write_property_map_tag;
-  friend bool get(const Features& f, Edge e) { return f.edges->contains(e.index); }
-  friend void put(const Features& f, Edge e, bool is_feature) {
-    is_feature ? (void)f.edges->insert(e.index) : (void)f.edges->erase(e.index);
-  }
-  std::unordered_set<std::uint32_t>* edges;
-};
-//! [map]
-
-// whether the faces at an edge meet at more than 40 degrees; before any flip
-bool is_sharp(const Triangulation& t, const Mesh& mesh, Edge e) {
-  const auto h = halfedge(e, t.mesh()), o = opposite(h, t.mesh());
-  const auto point = [&](auto v) { return mesh.point(Mesh::Vertex_index(t.input_vertex(v))); };
-  const Point i = point(source(h, t.mesh())), j = point(target(h, t.mesh()));
-  const Point k = point(target(next(h, t.mesh()), t.mesh()));
-  const Point m = point(target(next(o, t.mesh()), t.mesh()));
-  return CGAL::approximate_angle(CGAL::normal(i, j, k), CGAL::normal(j, i, m)) > 40;
-}
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 int main(int argc, char* argv[]) {
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/part.off", mesh)) return 1;
-  Triangulation t(mesh);
-  std::unordered_set<std::uint32_t> features;
-  for (const Edge e : edges(t.mesh()))
-    if (!CGAL::is_border(e, t.mesh()) && is_sharp(t, mesh, e)) features.insert(e.index);
-  const auto length = [&] {
+  auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 40, is_sharp);
+
+  IT::Corresponding_triangulation t(mesh);
+  //! [map]
+  const auto features =
+      IT::constrained_input_edges(t, mesh, is_sharp); // grows with the triangulation
+  //! [map]
+  const auto measure = [&](std::size_t& count) {
     double sum = 0;
-    for (const std::uint32_t e : features) sum += std::sqrt(t.squared_length(Edge{e}));
+    for (const auto e : edges(t.mesh()))
+      if (get(features, e)) ++count, sum += std::sqrt(t.squared_length(e));
     return sum;
   };
-  const std::size_t count = features.size();
-  const double before = length();
+  std::size_t count = 0, parts = 0;
+  const double before = measure(count);
   //! [refine]
-  const auto result = IT::delaunay_refine(
-      t, {.minimum_angle = 25}, CGAL::parameters::edge_is_constrained_map(Features{&features}));
+  const auto result =
+      IT::delaunay_refine(t, IT::parameters::minimum_angle(25).edge_is_constrained_map(features));
   //! [refine]
-  bool kept = std::abs(length() - before) < 1e-9 * before; // and still on edges of the input:
-  for (const std::uint32_t e : features) kept &= t.correspondence().normal_coordinate(e) < 0;
+  const double after = measure(parts);
+  bool kept = std::abs(after - before) < 1e-9 * before; // and still on edges of the input:
+  for (const auto e : edges(t.mesh()))
+    kept &= !get(features, e) || IT::trace_edge(t, e).along != IT::Gluing::none;
   std::cout << result.counts.inserted_vertices() << " vertices inserted\n"
-            << count << " feature edges, now " << features.size() << ", of length " << before
-            << ", now " << length() << '\n';
-  return kept && result.status == IT::Refinement_status::done ? 0 : 1;
+            << count << " feature edges, now " << parts << ", of length " << before << ", now "
+            << after << '\n';
+  return kept && count > 0 && result.status == IT::Status::done ? 0 : 1;
 }

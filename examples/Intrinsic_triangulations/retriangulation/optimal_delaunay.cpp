@@ -41,10 +41,10 @@ int main(int argc, char** argv) {
   Triangulation t(mesh);
   const double before = variation_of_areas(t);
   //! [odt]
-  const auto result = IT::odt_optimize(t, {.target_length = 5});
+  const auto result = IT::odt_optimize(t, IT::parameters::maximum_edge_length(5));
   //! [odt]
   std::cout << result.splits << " edges split, " << result.moves << " moves; areas varied by "
             << before << " of the mean, now by " << variation_of_areas(t) << "\nenergy "
             << result.energy_before << ", now " << result.energy_after << '\n';
-  return result.status == IT::Odt_status::converged ? 0 : 1;
+  return result.status == IT::Status::done ? 0 : 1;
 }

@@ -46,11 +46,11 @@ int main(int argc, char* argv[]) {
   Progress progress(std::chrono::duration<double>(argc > 1 ? std::atof(argv[1]) : 0.5));
   //! [cancel]
   // edges of 0.01 mm on a part of 12 cm: some hundred million vertices
-  const auto result = IT::delaunay_refine(t, {.minimum_angle = 25, .maximum_edge_length = 0.01},
-                                          CGAL::parameters::visitor(std::ref(progress)));
+  const auto result = IT::delaunay_refine(
+      t, IT::parameters::minimum_angle(25).maximum_edge_length(0.01).visitor(std::ref(progress)));
   //! [cancel]
   std::cerr << '\n';
-  const bool cancelled = result.status == IT::Refinement_status::cancelled;
+  const bool cancelled = result.status == IT::Status::cancelled;
   std::cout << (cancelled ? "cancelled" : "not cancelled") << " with "
             << result.counts.inserted_vertices() << " vertices inserted, "
             << result.unsatisfied.size() << " faces yet to refine\n";

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Refines a mesh to a least angle of 30 degrees, and reports the shapes of its faces before and after.
+// Refines a mesh to a least angle of 30 degrees, in one statement, and reports the shapes of its faces before and after.
 // Usage: refine [MESH.off]
 
 #include <CGAL/Simple_cartesian.h>
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
   IT::Intrinsic_triangulation<> t(mesh);
   const IT::Quality before = IT::measure_quality(t);
   //! [refine]
-  const auto result = IT::delaunay_refine(t, {.minimum_angle = 30});
+  const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(30));
   //! [refine]
   const IT::Quality after = IT::measure_quality(t);
   std::cout << result.counts.inserted_vertices() << " vertices inserted, "
@@ -36,5 +36,5 @@ int main(int argc, char** argv) {
             << before.minimum_angle << ", now " << after.minimum_angle
             << " degrees\ngreatest aspect ratio " << before.maximum_aspect_ratio << ", now "
             << after.maximum_aspect_ratio << '\n';
-  return result.status == IT::Refinement_status::done ? 0 : 1;
+  return result.status == IT::Status::done ? 0 : 1;
 }

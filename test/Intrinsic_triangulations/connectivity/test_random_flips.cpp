@@ -90,7 +90,7 @@ TEST(Random_flips, conserve_the_metric_and_lead_back_to_the_same_delaunay_tessel
       t.flip_edge(edges[random() % edges.size()]);
     const auto result = IT::flip_to_delaunay(t);
 
-    EXPECT_EQ(result.status, IT::Flip_to_delaunay_status::done);
+    EXPECT_EQ(result.status, IT::Status::done);
     EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
     EXPECT_EQ(t.metric().statistics().probable_zero, 0U);
     const Bounds after = bounds(t);

@@ -95,11 +95,11 @@ TEST(Stress_families, exact_flips_make_all_standard_meshes_Delaunay_with_or_with
   for (const std::string& spec : stress::standard_specs()) {
     const stress::Mesh m = stress::make(spec);
     Exact t = triangulation(m);
-    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done) << spec;
+    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done) << spec;
     EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U) << spec;
     EXPECT_EQ(t.metric().statistics().probable_zero, 0U) << spec;
     IT::Integer_only_triangulation<> integers(meshes::Mesh{m.points, m.faces}.input());
-    EXPECT_EQ(IT::flip_to_delaunay(integers).status, IT::Flip_to_delaunay_status::done) << spec;
+    EXPECT_EQ(IT::flip_to_delaunay(integers).status, IT::Status::done) << spec;
     EXPECT_EQ(properties::connectivity(integers), properties::connectivity(t)) << spec;
   }
 }

@@ -20,9 +20,10 @@ bool check_everything() {
   mesh.add_face(a, c, d);
   IT::Intrinsic_triangulation<Mesh, IT::Exact_euclidean_traits, IT::Integer_coordinates> t(mesh);
   const IT::Flip_to_delaunay_result flipped = IT::flip_to_delaunay(t);
-  const auto refined = IT::delaunay_refine(t, {.minimum_angle = 25, .maximum_edge_length = 1});
+  const auto refined =
+      IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_edge_length(1));
   const IT::Common_subdivision s = IT::common_subdivision(t);
-  return flipped.flips == 1 && refined.status == IT::Refinement_status::done &&
+  return flipped.flips == 1 && refined.status == IT::Status::done &&
          refined.counts.inserted_vertices() > 0 && IT::is_delaunay(t) &&
          IT::measure_quality(t).minimum_angle >= 25 &&
          s.number_of_vertices() + s.number_of_faces() == s.number_of_edges() + 1;

@@ -102,7 +102,7 @@ TEST(Intrinsic_input, isolated_vertices_and_several_components_are_kept) {
   for (const auto& [a, b, c] : other.triangles) m.triangles.push_back({a + n, b + n, c + n});
   Exact t(m.input());
   EXPECT_EQ(num_vertices(t.mesh()), m.points.size());
-  EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done);
+  EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
   EXPECT_EQ(properties::euler_characteristic(t), 2 + 2 + 1);
 }
 
@@ -110,7 +110,7 @@ TEST(Intrinsic_input, two_faces_on_the_same_three_vertices_are_a_sphere) {
   const meshes::Mesh m{{{0, 0, 0}, {9, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 0, 2}}};
   Exact t(m.input());
   const auto r = IT::flip_to_delaunay(t);
-  EXPECT_EQ(r.status, IT::Flip_to_delaunay_status::done);
+  EXPECT_EQ(r.status, IT::Status::done);
   EXPECT_EQ(properties::euler_characteristic(t), 2);
   EXPECT_NEAR(properties::total_area(t), 9, 1e-12);
 }

@@ -214,8 +214,9 @@ template <class T>
 void expect_delaunay_of_stretched_points() {
   const meshes::Mesh m = meshes::random_planar(300, 1U << 20, 3); // random: no ties
   T expected(stretched(m).input()),
-      t(IT::scale_by_norm_in_space(m.input(), stretch_in_space,
-                                   {Triangle_inequality::repair, 1e-12})
+      t(IT::scale_by_norm_in_space(
+            m.input(), stretch_in_space,
+            IT::parameters::triangle_inequality(Triangle_inequality::repair).margin(1e-12))
             .input);
   EXPECT_GT(IT::flip_to_delaunay(expected).flips, 100U);
   IT::flip_to_delaunay(t);
@@ -292,7 +293,8 @@ TEST(Scale_metric, of_a_triangulation_takes_faces_without_area) {
   meshes::Mesh m = meshes::with_cap(meshes::box(2, 1, 1), 3);
   for (Vector& p : m.points) p = {p[0] / 3, p[1] / 7, p[2]}; // a cap up to rounding
   const Exact t(m.input());
-  const IT::Metric_scaling_options repair{Triangle_inequality::repair, 1e-12};
+  const auto repair =
+      IT::parameters::triangle_inequality(Triangle_inequality::repair).margin(1e-12);
   // heights of the cap are near the root of rounding errors and of the margin
   expect_near(IT::scale_by_norm(t, euclidean, repair).input.squared_lengths, squared_lengths(m),
               1e-11);
@@ -308,8 +310,8 @@ meshes::Mesh steep_mesh() {
 const auto steep = [](Gluing_map::Vertex v) { return v.index == 1 || v.index == 2 ? 4.0 : 0.0; };
 
 TEST(Scale_metric, check_lists_faces_that_violate_the_triangle_inequality) {
-  const IT::Scaled_metric s =
-      IT::scale_conformally(steep_mesh().input(), steep, {Triangle_inequality::check});
+  const IT::Scaled_metric s = IT::scale_conformally(
+      steep_mesh().input(), steep, IT::parameters::triangle_inequality(Triangle_inequality::check));
   EXPECT_FALSE(s.is_metric);
   EXPECT_EQ(s.violating_faces, (std::vector<std::uint32_t>{1}));
   EXPECT_EQ(s.changed_edges, 0U);
@@ -324,8 +326,9 @@ TEST(Scale_metric, refuse_names_the_face_its_vertices_and_lengths) {
 
 TEST(Scale_metric, repair_shortens_the_side_that_is_too_long_and_reports_it) {
   for (const double margin : {1e-5, 0.5}) {
-    const IT::Scaled_metric s =
-        IT::scale_conformally(steep_mesh().input(), steep, {Triangle_inequality::repair, margin});
+    const IT::Scaled_metric s = IT::scale_conformally(
+        steep_mesh().input(), steep,
+        IT::parameters::triangle_inequality(Triangle_inequality::repair).margin(margin));
     EXPECT_TRUE(s.is_metric);
     EXPECT_EQ(s.violating_faces, (std::vector<std::uint32_t>{1}));
     EXPECT_EQ(s.changed_edges, 1U);
@@ -333,7 +336,7 @@ TEST(Scale_metric, repair_shortens_the_side_that_is_too_long_and_reports_it) {
     EXPECT_NEAR(s.largest_relative_change, 1 - repaired / std::exp(4.0), 1e-14);
     Exact t(s.input);
     EXPECT_EQ(t.report().degenerate_faces, 0U);
-    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done);
+    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
     EXPECT_TRUE(IT::is_delaunay(t));
   }
 }
@@ -342,12 +345,13 @@ TEST(Scale_metric, repair_of_wild_factors_gives_a_metric_that_becomes_delaunay) 
   for (const double amplitude : {1.0, 8.0, 60.0}) {
     const meshes::Mesh m = meshes::rough_grid(12, 1);
     const auto u = [&](Gluing_map::Vertex v) { return amplitude * smooth(m.points[v.index]); };
-    const IT::Scaled_metric s = IT::scale_conformally(m.input(), u, {Triangle_inequality::repair});
+    const IT::Scaled_metric s = IT::scale_conformally(
+        m.input(), u, IT::parameters::triangle_inequality(Triangle_inequality::repair));
     EXPECT_GT(s.violating_faces.size(), 0U);
     EXPECT_GE(2 * s.changed_edges, s.violating_faces.size()); // an edge is in two faces
     Exact t(s.input);
     EXPECT_EQ(t.report().degenerate_faces, 0U);
-    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done);
+    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
     EXPECT_TRUE(IT::is_delaunay(t));
   }
 }
@@ -361,8 +365,9 @@ TEST(Scale_metric, names_vertices_and_faces_with_values_that_make_no_sense) {
         -std::numeric_limits<double>::infinity()}) {
     expect_invalid(
         [&] {
-          IT::scale_conformally(m.input(), [bad](auto v) { return v.index == 5 ? bad : 0.0; },
-                                {Triangle_inequality::check});
+          IT::scale_conformally(
+              m.input(), [bad](auto v) { return v.index == 5 ? bad : 0.0; },
+              IT::parameters::triangle_inequality(Triangle_inequality::check));
         },
         Element_kind::vertex, 5, {"vertex 5"});
     for (const double length : {bad, 0.0, -1.0})
@@ -371,7 +376,7 @@ TEST(Scale_metric, names_vertices_and_faces_with_values_that_make_no_sense) {
             IT::scale_by_norm(
                 m.input(),
                 [&](auto f, const auto& v) { return f.index == 7 ? length : euclidean(f, v); },
-                {Triangle_inequality::check});
+                IT::parameters::triangle_inequality(Triangle_inequality::check));
           },
           Element_kind::face, 7, {"face 7", "positive"});
   }
@@ -438,7 +443,7 @@ TEST(Scale_metric, keeps_edges_of_length_zero_without_asking_for_their_norm) {
   const std::vector<double> before = squared_lengths(m);
   const auto twice = [](auto) { return std::log(2.0); };
   // the two other sides of a face with a side of length zero are equal but for rounding
-  const IT::Metric_scaling_options repair{Triangle_inequality::repair};
+  const auto repair = IT::parameters::triangle_inequality(Triangle_inequality::repair);
   for (const IT::Scaled_metric& s : {IT::scale_by_norm(m.input(), norm, repair),
                                      IT::scale_by_norm_in_space(m.input(), norm, repair),
                                      IT::scale_conformally(m.input(), twice, repair)})

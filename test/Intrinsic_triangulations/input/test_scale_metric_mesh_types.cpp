@@ -59,7 +59,7 @@ TYPED_TEST(Scale_metric_of, this_type_of_mesh_is_the_same_as_of_a_gluing_with_po
   const auto point = [&m](Gluing_map::Vertex v) { return m.points[v.index]; };
   const Tensor_norm g = Tensor_norm::from_stretches({1, 3}, 1.25, 1);
   const auto spatial = [](auto, const Vector& v) { return length({1.5 * v[0], v[1], v[2]}); };
-  const IT::Metric_scaling_options repair{Triangle_inequality::repair, 1e-3};
+  const auto repair = IT::parameters::triangle_inequality(Triangle_inequality::repair).margin(1e-3);
   const auto conformal = IT::scale_conformally(
       m.input(), [&](auto v) { return smooth(point(v)); }, repair);
   const auto planar = IT::scale_by_norm(

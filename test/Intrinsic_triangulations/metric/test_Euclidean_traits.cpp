@@ -45,7 +45,7 @@ template <class FT>
 void expect_agreement(const meshes::Mesh& m) {
   Triangulation<FT> t(m.input());
   Exact expected(m.input());
-  EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done);
+  EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
   IT::flip_to_delaunay(expected);
   EXPECT_TRUE(IT::is_delaunay(t));
   properties::expect_same_tessellation(properties::tessellation(t),

@@ -37,7 +37,7 @@ template <class Tolerance>
 std::uint64_t flips_of(const meshes::Mesh& m) {
   Triangulation<Tolerance> t(m.input());
   const IT::Flip_to_delaunay_result r = IT::flip_to_delaunay(t);
-  EXPECT_EQ(r.status, IT::Flip_to_delaunay_status::done);
+  EXPECT_EQ(r.status, IT::Status::done);
   EXPECT_TRUE(IT::is_delaunay(t));
   EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 1 - r.flips);
   return r.flips;

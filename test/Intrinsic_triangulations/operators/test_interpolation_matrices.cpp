@@ -85,7 +85,7 @@ TEST(Subdivision_mass_matrix,
   T t(mesh.input());
   const Matrix before = IT::galerkin_mass_matrix(t);
   IT::flip_to_delaunay(t);
-  const IT::Common_subdivision s = IT::extract_subdivision(t, t.correspondence());
+  const IT::Common_subdivision s = IT::common_subdivision(t);
   const Matrix m = IT::subdivision_mass_matrix(t, s);
   EXPECT_LE(Matrix(galerkin(IT::interpolation_from_input(s), m) - before).norm(),
             tolerance * before.norm());

@@ -62,7 +62,8 @@ TEST(Residual_indicators, of_a_hat_function_on_a_hexagon) {
     // length of the edge is 4/3 / side, of which a face has half at two spokes, and all at the rim.
     const double jumps = 4. / 3 / side;
     const auto check = [&](Error_norm n, Border_condition b, double squared) {
-      for (const double eta : IT::residual_indicators(t, {.diffusion = a}, u, f, n, b))
+      for (const double eta : IT::residual_indicators(t, {.diffusion = a}, u, f, n,
+                                                      IT::parameters::border_condition(b)))
         EXPECT_NEAR(eta, std::sqrt(squared), rounding * eta);
     };
     check(Error_norm::energy, Border_condition::natural, side / a * a * a * 2 * jumps);
@@ -111,8 +112,8 @@ TEST(Residual_indicators, of_a_linear_function_on_a_flat_patch_are_fluxes_throug
   for (std::uint32_t v = 0; v < s.points.size(); ++v)
     u[v] = 3 * s.points[v][0] - 2 * s.points[v][1];
   const Vector f = Vector::Zero(u.size());
-  const auto inner =
-      IT::residual_indicators(t, {}, u, f, Error_norm::energy, Border_condition::values);
+  const auto inner = IT::residual_indicators(
+      t, {}, u, f, Error_norm::energy, IT::parameters::border_condition(Border_condition::values));
   EXPECT_LE(*std::max_element(inner.begin(), inner.end()),
             1e-10); // slivers: angles of some degrees
   const auto all = IT::residual_indicators(t, {}, u, f, Error_norm::energy);

@@ -44,7 +44,7 @@ TEST(L2_transfer, is_at_least_as_near_as_copying_and_as_any_other_function) {
       return IT::L2_distance(c.triangulation, c.subdivision, f, h);
     };
     const double least = distance(g), slack = tolerance * norm(c.input_mass, g);
-    EXPECT_LE(least, distance(IT::copy_to_input(c.subdivision.number_of_input_vertices, f)) + slack)
+    EXPECT_LE(least, distance(IT::copy_to_input(c.triangulation, f)) + slack)
         << c.name;
     for (const unsigned seed : {3U, 4U}) {
       const Eigen::VectorXd d = random_vector(g.size(), seed) / 100;
@@ -79,7 +79,7 @@ TEST(L2_transfer, is_exact_for_functions_that_are_linear_on_both_triangulations)
                                   ? c.values([](double x, double y) { return 3 + x - 2 * y; })
                                   : Eigen::VectorXd(7 * Eigen::VectorXd::Ones(c.input_mass.rows()));
     const double error = tolerance * f.cwiseAbs().maxCoeff();
-    const Eigen::VectorXd on_intrinsic = IT::copy_to_intrinsic(c.subdivision, f);
+    const Eigen::VectorXd on_intrinsic = IT::copy_to_intrinsic(c.triangulation, f);
     const IT::L2_transfer back(c.triangulation, c.subdivision),
         there(c.triangulation, c.subdivision, Transfer_direction::to_intrinsic);
     EXPECT_LE((back(on_intrinsic) - f).cwiseAbs().maxCoeff(), error) << c.name;
@@ -96,11 +96,11 @@ TEST(L2_transfer, loses_nothing_on_a_refinement_of_the_input) {
     const auto h = static_cast<std::uint32_t>(random() % t.mesh().number_of_halfedges());
     t.insert_vertex({h}, {0.25, 0.25, 0.5});
   }
-  const IT::Common_subdivision s = IT::extract_subdivision(t, t.correspondence());
+  const IT::Common_subdivision s = IT::common_subdivision(t);
   ASSERT_GT(s.vertices.size(), s.number_of_input_vertices);
   const Eigen::VectorXd f = random_vector(s.number_of_input_vertices, 9);
   const IT::L2_transfer back(t, s), there(t, s, Transfer_direction::to_intrinsic);
-  EXPECT_LE((there(f) - IT::copy_to_intrinsic(s, f)).cwiseAbs().maxCoeff(), tolerance);
+  EXPECT_LE((there(f) - IT::copy_to_intrinsic(t, f)).cwiseAbs().maxCoeff(), tolerance);
   EXPECT_LE((back(there(f)) - f).cwiseAbs().maxCoeff(), tolerance);
 }
 

@@ -5,9 +5,9 @@
 #define TEST_INTRINSIC_TRIANGULATIONS_SUBDIVISION_ORACLE_H
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
 
 #include "meshes.h"
 

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/extract_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
@@ -51,7 +51,7 @@ struct Case {
       triangulation.insert_vertex(h, {1 - (a + b) / 2, a / 2, b / 2});
     }
     if (flips == 0) IT::flip_to_delaunay(triangulation);
-    subdivision = IT::extract_subdivision(triangulation, triangulation.correspondence());
+    subdivision = IT::common_subdivision(triangulation);
   }
 
   bool is_planar() const {

@@ -22,10 +22,10 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Corner_direction;
 using IT::Geodesic_crossing;
-using IT::Geodesic_end;
 using IT::Input;
+using IT::Status;
 using IT::Surface_point;
-using IT::Trace_status;
+using IT::internal::Geodesic_end;
 using Point = std::array<double, 3>;
 using Vector = IT::Planar_vector<double>;
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
@@ -134,10 +134,10 @@ void expect_straight_lines(const meshes::Mesh& mesh, unsigned seed, double lengt
     const Vector d = random.direction();
     std::vector<Geodesic_crossing> crossings;
     const double asked = length * s.unit(mesh) * random();
-    const Geodesic_end end = IT::trace_geodesic(s.surface, start, d, asked, crossings);
-    ASSERT_NE(end.status, Trace_status::face_limit) << seed << ' ' << i;
+    const Geodesic_end end = IT::internal::trace_geodesic(s.surface, start, d, asked, crossings);
+    ASSERT_NE(end.status, Status::cap) << seed << ' ' << i;
     expect_point_of_a_face(end.point);
-    if (end.status == Trace_status::complete) {
+    if (end.status == Status::done) {
       ASSERT_EQ(end.length, asked);
     }
     const Point u = s.in_space(start.halfedge, d), from = s.position(start);
@@ -177,12 +177,13 @@ TEST(Trace_geodesic, Goes_there_and_back) {
   for (int i = 0; i < 500; ++i) {
     const Surface_point start = random.point(s.surface);
     std::vector<Geodesic_crossing> there, back;
-    const Geodesic_end e = IT::trace_geodesic(s.surface, start, random.direction(), 2, there);
-    ASSERT_EQ(e.status, Trace_status::complete);
+    const Geodesic_end e =
+        IT::internal::trace_geodesic(s.surface, start, random.direction(), 2, there);
+    ASSERT_EQ(e.status, Status::done);
     ASSERT_NEAR(polyline_length(s, start, there, e.point), 2, 1e-12);
-    const Geodesic_end r =
-        IT::trace_geodesic(s.surface, e.point, {-e.direction[0], -e.direction[1]}, 2, back);
-    ASSERT_EQ(r.status, Trace_status::complete);
+    const Geodesic_end r = IT::internal::trace_geodesic(
+        s.surface, e.point, {-e.direction[0], -e.direction[1]}, 2, back);
+    ASSERT_EQ(r.status, Status::done);
     EXPECT_LE(distance(s.position(start), s.position(r.point)), 8 * (e.error + r.error));
     ASSERT_EQ(there.size(), back.size());
     for (std::size_t k = 0; k < there.size(); ++k)
@@ -214,8 +215,9 @@ TEST(Trace_geodesic, Unfolds_the_belt_of_a_cube) {
     const Point ex = s.in_space(start.halfedge, {1, 0}), ey = s.in_space(start.halfedge, {0, 1});
     const Vector d{u[0] * ex[0] + u[2] * ex[2], u[0] * ey[0] + u[2] * ey[2]};
     std::vector<Geodesic_crossing> crossings;
-    const Geodesic_end e = IT::trace_geodesic(s.surface, start, d, length * unit, crossings);
-    EXPECT_EQ(e.status, Trace_status::complete);
+    const Geodesic_end e =
+        IT::internal::trace_geodesic(s.surface, start, d, length * unit, crossings);
+    EXPECT_EQ(e.status, Status::done);
     EXPECT_LE(distance(belt(x + along, to), s.position(e.point)), 8 * e.error + 1e-14);
   }
 }
@@ -248,8 +250,8 @@ TEST(Trace_geodesic, Follows_straight_lines_on_flat_tori) {
       const double angle = 2 * pi * random(), length = 30 * random();
       std::vector<Geodesic_crossing> crossings;
       const Geodesic_end e =
-          IT::trace_geodesic(s, Corner_direction{h, angle}, length * unit, crossings);
-      ASSERT_EQ(e.status, Trace_status::complete);
+          IT::internal::trace_geodesic(s, Corner_direction{h, angle}, length * unit, crossings);
+      ASSERT_EQ(e.status, Status::done);
       const double base = std::atan2(corner[n1][1] - corner[h][1], corner[n1][0] - corner[h][0]);
       std::array<double, 2> to{corner[h][0] + length * std::cos(base + angle),
                                corner[h][1] + length * std::sin(base + angle)};
@@ -272,17 +274,17 @@ TEST(Trace_geodesic, Leaves_a_cone_vertex_with_equal_angles_on_both_sides) {
     // along an edge, then on along the one across the vertex, four times around
     std::vector<Geodesic_crossing> crossings;
     const Geodesic_end e =
-        IT::trace_geodesic(s.surface, Corner_direction{h, 0}, 3.5 * side, crossings);
-    ASSERT_EQ(e.status, Trace_status::complete);
+        IT::internal::trace_geodesic(s.surface, Corner_direction{h, 0}, 3.5 * side, crossings);
+    ASSERT_EQ(e.status, Status::done);
     const Point a = s.corner(h), b = s.corner(h ^ 1U), p = s.position(e.point);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(p[k], 0.5 * (a[k] - b[k]), 1e-14);
     // to a vertex along a height of a face: straightest is the height of the face opposite
     const std::uint32_t apex = s.surface.next(s.surface.next(h));
     const double height = side * std::sqrt(0.75);
     crossings.clear();
-    const Geodesic_end f = IT::trace_geodesic(s.surface, Surface_point{h, {0.5, 0.5, 0}},
-                                              Vector{0, 1}, 2 * height, crossings);
-    ASSERT_EQ(f.status, Trace_status::complete);
+    const Geodesic_end f = IT::internal::trace_geodesic(s.surface, Surface_point{h, {0.5, 0.5, 0}},
+                                                        Vector{0, 1}, 2 * height, crossings);
+    ASSERT_EQ(f.status, Status::done);
     const Point q = s.position(f.point), v = s.corner(apex);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(q[k], -0.5 * (a[k] + b[k]), 1e-14);
     EXPECT_NEAR(distance(q, v), height, 1e-14);
@@ -301,28 +303,29 @@ TEST(Trace_geodesic, Stops_at_the_border_and_at_border_vertices) {
   std::vector<Geodesic_crossing> crossings;
   const auto trace = [&](std::uint32_t h, double angle, double length) {
     crossings.clear();
-    return IT::trace_geodesic(s.surface, Corner_direction{h, angle}, length * unit, crossings);
+    return IT::internal::trace_geodesic(s.surface, Corner_direction{h, angle}, length * unit,
+                                        crossings);
   };
   Geodesic_end e = trace(halfedge(4, 5), 0.25, 10); // from the middle to the right side
-  EXPECT_EQ(e.status, Trace_status::border);
+  EXPECT_EQ(e.status, Status::border);
   EXPECT_NEAR(s.position(e.point)[0], 2 * unit, 1e-15);
   EXPECT_NEAR(s.position(e.point)[1], (1 + std::tan(0.25)) * unit, 1e-15);
   EXPECT_NEAR(e.length, unit / std::cos(0.25), 1e-15);
   e = trace(halfedge(4, 8), 0, 10); // to a corner
-  EXPECT_EQ(e.status, Trace_status::border);
+  EXPECT_EQ(e.status, Status::border);
   EXPECT_LE(distance(s.position(e.point), s.points[8]), 1e-15);
   e = trace(halfedge(0, 1), 0, 10); // along the border: to the next border vertex
-  EXPECT_EQ(e.status, Trace_status::border);
+  EXPECT_EQ(e.status, Status::border);
   EXPECT_LE(distance(s.position(e.point), s.points[1]), 1e-15);
   e = trace(halfedge(0, 1), 0, 1); // just to it
-  EXPECT_EQ(e.status, Trace_status::complete);
+  EXPECT_EQ(e.status, Status::done);
   e = trace(halfedge(0, 1), 2, 1); // out of the corner, which has an angle of pi / 2
-  EXPECT_EQ(e.status, Trace_status::border);
+  EXPECT_EQ(e.status, Status::border);
   EXPECT_EQ(e.length, 0);
   e = trace(halfedge(0, 1), pi / 2, 0.5);
-  EXPECT_EQ(e.status, Trace_status::complete);
+  EXPECT_EQ(e.status, Status::done);
   e = trace(halfedge(1, 0), -1, 0.5); // from a border halfedge clockwise
-  EXPECT_EQ(e.status, Trace_status::complete);
+  EXPECT_EQ(e.status, Status::done);
   EXPECT_NEAR(s.position(e.point)[0], (1 - 0.5 * std::cos(1.0)) * unit, 1e-15);
   EXPECT_NEAR(s.position(e.point)[1], 0.5 * std::sin(1.0) * unit, 1e-15);
 }
@@ -338,9 +341,9 @@ TEST(Trace_geodesic, Is_not_upset_by_vertices_that_it_nearly_hits) {
         // along a row of vertices from the middle of an edge, a little beside it
         const Surface_point p{h, {0.5 - offset, 0.5, offset}};
         std::vector<Geodesic_crossing> crossings;
-        const Geodesic_end e =
-            IT::trace_geodesic(s.surface, p, Vector{1, sign * offset}, 3.25 * unit, crossings);
-        ASSERT_NE(e.status, Trace_status::face_limit);
+        const Geodesic_end e = IT::internal::trace_geodesic(s.surface, p, Vector{1, sign * offset},
+                                                            3.25 * unit, crossings);
+        ASSERT_NE(e.status, Status::cap);
         const Point u = s.in_space(h, {1, sign * offset}), a = s.position(p),
                     b = s.position(e.point);
         for (std::size_t k = 0; k < 3; ++k)
@@ -353,9 +356,9 @@ TEST(Trace_geodesic, Is_not_upset_by_vertices_that_it_nearly_hits) {
 TEST(Trace_geodesic, Gives_up_after_as_many_faces_as_allowed) {
   const Placed s(meshes::box(1, 1, 1));
   std::vector<Geodesic_crossing> crossings;
-  const Geodesic_end e = IT::trace_geodesic(s.surface, Surface_point{0, {0.5, 0.25, 0.25}},
-                                            Vector{1, 0.3}, 1e9, crossings, {100, true});
-  EXPECT_EQ(e.status, Trace_status::face_limit);
+  const Geodesic_end e = IT::internal::trace_geodesic(
+      s.surface, Surface_point{0, {0.5, 0.25, 0.25}}, Vector{1, 0.3}, 1e9, crossings, {100, true});
+  EXPECT_EQ(e.status, Status::cap);
   EXPECT_EQ(crossings.size(), 99U);
   EXPECT_NEAR(polyline_length(s, {0, {0.5, 0.25, 0.25}}, crossings, e.point), e.length, 1e-11);
 }
@@ -371,12 +374,12 @@ TEST(Trace_geodesic, Ends_on_every_surface_of_the_gallery) {
     for (int i = 0; i < 200; ++i) {
       std::vector<Geodesic_crossing> crossings;
       const Surface_point p = random.point(s);
-      const Geodesic_end e = IT::trace_geodesic(s, p, random.direction(), 20, crossings);
-      EXPECT_NE(e.status, Trace_status::face_limit) << g.name;
+      const Geodesic_end e = IT::internal::trace_geodesic(s, p, random.direction(), 20, crossings);
+      EXPECT_NE(e.status, Status::cap) << g.name;
       expect_point_of_a_face(e.point);
-      const Geodesic_end v =
-          IT::trace_geodesic(s, Corner_direction{p.halfedge, 100 * random() - 50}, 20, crossings);
-      EXPECT_NE(v.status, Trace_status::face_limit) << g.name;
+      const Geodesic_end v = IT::internal::trace_geodesic(
+          s, Corner_direction{p.halfedge, 100 * random() - 50}, 20, crossings);
+      EXPECT_NE(v.status, Status::cap) << g.name;
       expect_point_of_a_face(v.point);
     }
   }

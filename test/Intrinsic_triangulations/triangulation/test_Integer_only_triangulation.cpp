@@ -169,7 +169,7 @@ TEST(Integer_only_triangulation, takes_over_where_another_arithmetic_stopped) {
     IT::flip_to_delaunay(rounded, CGAL::parameters::maximum_number(10U));
     IT::Integer_only_triangulation<> t(rounded);
     EXPECT_EQ(state(t), state(rounded));
-    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done);
+    EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
     EXPECT_TRUE(IT::is_delaunay(t));
   }
 }
@@ -217,7 +217,7 @@ TEST(Integer_only_triangulation, names_a_face_with_a_side_without_length) {
   }
   input.mollification = IT::Mollification::automatic;
   IT::Integer_only_triangulation<> t(input);
-  EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Flip_to_delaunay_status::done);
+  EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
 }
 
 // What was flipped before it was written is its own input when it is read, whose lengths are not exact.

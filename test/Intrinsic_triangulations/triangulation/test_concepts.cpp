@@ -120,7 +120,7 @@ TEST(Concepts, flip_to_delaunay_asks_no_more_of_a_triangulation_than_its_concept
   EXPECT_FALSE(IT::is_delaunay(t));
   EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 27U);
   const IT::Flip_to_delaunay_result r = IT::flip_to_delaunay(t);
-  EXPECT_EQ(r.status, IT::Flip_to_delaunay_status::done);
+  EXPECT_EQ(r.status, IT::Status::done);
   EXPECT_EQ(r.flips, 27U);
   EXPECT_TRUE(IT::is_delaunay(t));
 }

@@ -56,7 +56,7 @@ Timed_flips<Triangulation> fastest_flips(const IT::Intrinsic_input& input) {
 
 /// notes how flipping ended and what it did.
 inline void note_flips(Json& findings, const IT::Flip_to_delaunay_result& result) {
-  findings["status"] = result.status == IT::Flip_to_delaunay_status::done ? "done" : "cap";
+  findings["status"] = result.status == IT::Status::done ? "done" : "cap";
   findings["flips"] = result.flips;
   findings["checks"] = result.checks;
   findings["refused_flips"] = result.refused_flips;
@@ -81,7 +81,7 @@ inline void note_result(Json& findings, const IT::Delaunay_certificate& certific
   findings["inverted_faces"] = certificate.inverted_faces;
   findings["bent_edges"] = certificate.bent_edges;
   findings["non_delaunay_edges"] = certificate.non_delaunay_edges;
-  findings["cocircular_edges"] = certificate.cocircular_edges;
+  findings["cocircular_edges"] = certificate.ties;
 }
 
 /// decides what a result is from its integer coordinates and the input, which no flip has touched.

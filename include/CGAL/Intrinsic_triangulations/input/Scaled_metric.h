@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALED_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_inequality.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/input/shorten_edges.h>
@@ -28,17 +29,6 @@ enum class Triangle_inequality {
 };
 
 /*!
-\brief says how a metric is scaled.
-*/
-struct Metric_scaling_options {
-  /// What is done about faces that violate the triangle inequality.
-  Triangle_inequality triangle_inequality = Triangle_inequality::refuse;
-  /// For `repair`: the margin of `shorten_edges()`, by which sides are shorter than the other two
-  /// together, as a fraction of the shorter of those. Above 0, at most 1.
-  double margin = 1e-5;
-};
-
-/*!
 \brief holds a new metric, and reports what had to be done about it.
 */
 struct Scaled_metric {
@@ -56,6 +46,20 @@ struct Scaled_metric {
 };
 
 namespace internal {
+
+// How a metric is scaled: see `scale_conformally()`.
+struct Metric_scaling_options {
+  Triangle_inequality triangle_inequality = Triangle_inequality::refuse;
+  double margin = 1e-5;
+};
+
+template <class NP>
+Metric_scaling_options metric_scaling_options(const NP& np) {
+  expect_names<tags::triangle_inequality, tags::margin>(np);
+  const Metric_scaling_options d;
+  return {value_or<tags::triangle_inequality>(np, d.triangle_inequality),
+          value_or<tags::margin>(np, d.margin)};
+}
 
 inline std::string text_of_length(double x) {
   char text[32];

@@ -175,16 +175,21 @@ Polygonal faces are triangulated first, as `Intrinsic_input` does.
   `mesh.mesh()` for an `Intrinsic_triangulation`, of `Gluing_map` for an `Intrinsic_input`) to numbers
 \param mesh the surface
 \param u the logarithmic factors
-\param options what is done about the triangle inequality
+\param np optional named parameters:
+  - `triangle_inequality(x)`: what is done about faces that violate it, a `Triangle_inequality`. Default:
+    `refuse`.
+  - `margin(x)`: for `repair`, that of `shorten_edges()`, by which sides are shorter than the other two
+    together, as a fraction of the shorter of those; above 0, at most 1. Default: 1e-5.
 \return the new metric and a report
 \throws Invalid_input naming a vertex with a factor that is not finite, an edge whose new squared
-  length is no normal `double`, or a face that violates the triangle inequality if the options say so
+  length is no normal `double`, or a face that violates the triangle inequality if it is refused
 \complexity linear, and that of `shorten_edges()`
 */
-template <class Mesh, class Factors>
+template <class Mesh, class Factors, NamedParameters NP = parameters::Parameters<>>
 Scaled_metric scale_conformally(const Mesh& mesh, const Factors& u,
-                                const Metric_scaling_options& options = {}) {
-  return internal::scale_conformally(internal::read_metric(mesh), u, options);
+                                const NP& np = parameters::default_values()) {
+  return internal::scale_conformally(internal::read_metric(mesh), u,
+                                     internal::metric_scaling_options(np));
 }
 
 /*!
@@ -204,22 +209,23 @@ makes norms from tensors and from stretches.
   homogeneous in the vector; descriptors as for `scale_conformally()`
 \param mesh the surface
 \param norm the norms
-\param options what is done about the triangle inequality
+\param np optional named parameters, see `scale_conformally()`
 \return the new metric and a report
 \throws Invalid_input naming a face with a norm that is not positive or not finite, a face that is no
   triangle, or as `scale_conformally()`
 \complexity linear, and that of `shorten_edges()`
 */
-template <class Mesh, class Norm>
+template <class Mesh, class Norm, NamedParameters NP = parameters::Parameters<>>
 Scaled_metric scale_by_norm(const Mesh& mesh, const Norm& norm,
-                            const Metric_scaling_options& options = {}) {
+                            const NP& np = parameters::default_values()) {
   auto source = internal::read_triangles(mesh);
   const bool embedded = !source.points.empty();
   const auto sides = [&source, embedded](std::uint32_t f) {
     return embedded ? planar_sides(internal::sides_of_face_in_space(source, f))
                     : internal::planar_sides_of_face(source, f);
   };
-  return internal::scale_by_norm(std::move(source), sides, norm, options);
+  return internal::scale_by_norm(std::move(source), sides, norm,
+                                 internal::metric_scaling_options(np));
 }
 
 /*!
@@ -232,15 +238,15 @@ faces and comes from an inner product gives the lengths of the mesh transformed 
 \tparam Norm a functor: `norm(face_descriptor, std::array<double, 3>)` is a length
 \param mesh the surface
 \param norm the norms
-\param options what is done about the triangle inequality
+\param np optional named parameters, see `scale_conformally()`
 \return the new metric and a report
 \throws Invalid_input if `mesh` has no points, and as `scale_by_norm()`
 \complexity as `scale_by_norm()`
 */
-template <class Mesh, class Norm>
+template <class Mesh, class Norm, NamedParameters NP = parameters::Parameters<>>
   requires(!internal::Has_intrinsic_metric<Mesh>)
 Scaled_metric scale_by_norm_in_space(const Mesh& mesh, const Norm& norm,
-                                     const Metric_scaling_options& options = {}) {
+                                     const NP& np = parameters::default_values()) {
   auto source = internal::read_triangles(mesh);
   if (source.points.empty() && source.map.number_of_edges() > 0)
     throw Invalid_input(Element_kind::none, 0,
@@ -248,7 +254,8 @@ Scaled_metric scale_by_norm_in_space(const Mesh& mesh, const Norm& norm,
   const auto sides = [&source](std::uint32_t f) {
     return internal::sides_of_face_in_space(source, f);
   };
-  return internal::scale_by_norm(std::move(source), sides, norm, options);
+  return internal::scale_by_norm(std::move(source), sides, norm,
+                                 internal::metric_scaling_options(np));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_RESIDUAL_INDICATORS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_RESIDUAL_INDICATORS_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
 
@@ -157,17 +158,21 @@ A posteriori error estimates for elliptic problems with Dirac delta source terms
 \param u the solution, at the vertices in the numbering of the input
 \param f the right side, likewise
 \param norm the norm of the error
-\param border what is asked for on the border
+\param np optional named parameters:
+  - `border_condition(x)`: what is asked for on the border, a `Border_condition`. Default: `natural`.
 \return eta_T, at the numbers of faces; zero at numbers that no face has
 \throws std::invalid_argument if a coefficient or the size of a vector makes no sense
 \throws Invalid_input if a face has no area
 \complexity linear
 */
-template <class Triangulation>
+template <class Triangulation, NamedParameters NP = parameters::Parameters<>>
 std::vector<double> residual_indicators(const Triangulation& t, const Reaction_diffusion& equation,
                                         const Eigen::VectorXd& u, const Eigen::VectorXd& f,
                                         Error_norm norm,
-                                        Border_condition border = Border_condition::natural) {
+                                        const NP& np = parameters::default_values()) {
+  internal::expect_names<internal::tags::border_condition>(np);
+  const auto border =
+      internal::value_or<internal::tags::border_condition>(np, Border_condition::natural);
   internal::check(equation);
   const int size = checked_matrix_size(t);
   if (u.size() != size || f.size() != size)

@@ -30,23 +30,6 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-/// returns barycentric coordinates of corner `c` of a subdivision in the intrinsic face of `base`.
-template <class View>
-std::array<double, 3> corner_in_face(const View& view, const Common_subdivision& s,
-                                     std::uint32_t base, std::size_t c) {
-  const std::uint32_t h = s.intrinsic_halfedge[c];
-  double along = 0;
-  if (s.corner[c] >= s.vertices.size()) {
-    const double p = s.crossings[s.corner[c] - s.vertices.size()].on_intrinsic.parameter;
-    along = h % 2 == 0 ? p : 1 - p;
-  }
-  const std::size_t k = h == base ? 0 : h == view.next(base) ? 1 : 2;
-  std::array<double, 3> weights{0, 0, 0};
-  weights[k] = 1 - along;
-  weights[(k + 1) % 3] = along;
-  return weights;
-}
-
 // of the triangle of three points, as a fraction of the face: a determinant
 inline double area_fraction(const std::array<double, 3>& p, const std::array<double, 3>& q,
                             const std::array<double, 3>& r) {

@@ -4,7 +4,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_TRANSFER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_TRANSFER_H
 
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/weighted_vertices.h>
 #include <CGAL/Intrinsic_triangulations/operators/interpolation_matrices.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
 
@@ -37,31 +39,38 @@ enum class Transfer_direction {
 \brief copies values at vertices from the intrinsic triangulation to the input.
 
 Needs no correspondence: no vertex of the input was removed, and both numbers are equal.
-\param number_of_input_vertices number of vertices of the input
+\param t the triangulation
 \param f values at the vertices of the intrinsic triangulation, a function per column
 */
-template <class Derived>
-typename Derived::PlainObject copy_to_input(std::uint32_t number_of_input_vertices,
+template <class Triangulation, class Derived>
+typename Derived::PlainObject copy_to_input(const Triangulation& t,
                                             const Eigen::MatrixBase<Derived>& f) {
-  return f.topRows(number_of_input_vertices);
+  return f.topRows(t.input().number_of_vertices());
 }
 
 /*!
 \brief copies values at vertices from the input to the intrinsic triangulation; inserted vertices take
 the value that the function has there.
-\param s the common subdivision
+\param t the triangulation, with a correspondence if vertices were inserted
 \param g values at the vertices of the input, a function per column
+\return values at the vertices; zero at numbers that no vertex has
 \complexity linear
 */
-template <class Derived>
-typename Derived::PlainObject copy_to_intrinsic(const Common_subdivision& s,
+template <class Triangulation, class Derived>
+typename Derived::PlainObject copy_to_intrinsic(const Triangulation& t,
                                                 const Eigen::MatrixBase<Derived>& g) {
+  internal::expect_correspondence<Triangulation>();
   typename Derived::PlainObject f =
-      Derived::PlainObject::Zero(s.number_of_intrinsic_vertices, g.cols());
-  const std::vector<std::uint32_t> number = internal::operator_numbers(s);
-  for (const Common_subdivision::Vertex& v : s.vertices)
-    for (std::size_t i = 0; i < v.on_input.size; ++i)
-      f.row(number[v.intrinsic]) += v.on_input.weights[i] * g.row(v.on_input.vertices[i]);
+      Derived::PlainObject::Zero(t.numbers().vertex_capacity(t.mesh()), g.cols());
+  for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh())) {
+    const std::uint32_t row = t.input_vertex(v);
+    if (!t.is_inserted(v)) {
+      f.row(row) = g.row(row);
+      continue;
+    }
+    const Weighted_vertices w = weighted_vertices(t, t.correspondence().location(t.index(v)));
+    for (std::size_t i = 0; i < w.size; ++i) f.row(row) += w.weights[i] * g.row(w.vertices[i]);
+  }
   return f;
 }
 

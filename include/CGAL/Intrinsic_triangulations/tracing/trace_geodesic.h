@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRACING_TRACE_GEODESIC_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_TRACE_GEODESIC_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -27,16 +28,11 @@ side) is taken to hit the vertex. On a flat vertex that changes nothing beyond r
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// How the tracing of a geodesic ended.
-enum class Trace_status : std::uint8_t {
-  complete,  ///< the length was reached
-  border,    ///< the border was reached before
-  face_limit ///< the number of faces allowed was reached before
-};
+namespace internal {
 
 /// Where a geodesic ended, and how.
 struct Geodesic_end {
-  Trace_status status; ///< whether the length was reached
+  Status status;       ///< whether the length was reached
   Surface_point point; ///< the end
   Planar_vector<double>
       direction; ///< unit vector along the geodesic, in the frame of `point.halfedge`
@@ -53,8 +49,6 @@ struct Trace_options {
   bool snaps_to_vertices = true;
 };
 
-namespace internal {
-
 // Whether the exit leads through a vertex up to rounding; `corner` becomes that corner of the face.
 template <class Complex>
 bool hits_vertex(const Geodesic_walk<Complex>& walk, typename Geodesic_walk<Complex>::Exit& e,
@@ -70,7 +64,7 @@ bool hits_vertex(const Geodesic_walk<Complex>& walk, typename Geodesic_walk<Comp
 }
 
 template <class Complex>
-Geodesic_end end_of(const Geodesic_walk<Complex>& walk, Trace_status status, const Surface_point& p,
+Geodesic_end end_of(const Geodesic_walk<Complex>& walk, Status status, const Surface_point& p,
                     double length) {
   return {status, p, walk.direction(), length, walk.position_error()};
 }
@@ -81,7 +75,7 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, d
                          const Trace_options& options, std::vector<Geodesic_crossing>& crossings) {
   length = std::max(0.0, length);
   if (walk.is_blocked())
-    return end_of(walk, length > 0 ? Trace_status::border : Trace_status::complete,
+    return end_of(walk, length > 0 ? Status::border : Status::done,
                   {walk.face().side[0], walk.weights()}, 0);
   for (std::size_t faces = 1;; ++faces) {
     typename Geodesic_walk<Complex>::Exit e = walk.exit();
@@ -89,10 +83,10 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, d
     if (remaining <= e.distance) {
       const Surface_point p = walk.point(e, remaining);
       walk.advance({e.side, e.source_weight, e.target_weight, remaining, e.slope});
-      return end_of(walk, Trace_status::complete, p, length);
+      return end_of(walk, Status::done, p, length);
     }
     if (faces >= options.maximum_faces)
-      return end_of(walk, Trace_status::face_limit, walk.point(e, 0), walk.travelled());
+      return end_of(walk, Status::cap, walk.point(e, 0), walk.travelled());
     walk.advance(e);
     unsigned corner = 0;
     const bool is_at_vertex = options.snaps_to_vertices && hits_vertex(walk, e, corner);
@@ -100,7 +94,7 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, d
     const Surface_point p = walk.point(e, e.distance);
     if (is_at_vertex ? !walk.pass_vertex(corner) : complex.is_border(out ^ 1U)) {
       const bool is_rounding = length - walk.travelled() <= walk.position_error();
-      return end_of(walk, is_rounding ? Trace_status::complete : Trace_status::border, p,
+      return end_of(walk, is_rounding ? Status::done : Status::border, p,
                     is_rounding ? length : walk.travelled());
     }
     crossings.push_back({out, e.target_weight});
@@ -108,51 +102,28 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, d
   }
 }
 
-} // namespace internal
-
-/*!
-\brief traces a geodesic from a point.
-\tparam Complex a model of `NumberedComplex`: `Input`, `Intrinsic_view`
-\param complex the surface
-\param start the start
-\param direction its direction there: a vector in the frame of `start.halfedge`, which runs along the
-  x-axis with its face above; the norm does not matter
-\param length the length to go, in the units of `complex`
-\param crossings the edges that are crossed are appended to it; one that goes through a vertex crosses
-  the edge that it leaves the face at with parameter 0 or 1
-\param options see `Trace_options`
-\pre the direction is not zero
-\return the end
-\complexity linear in the number of crossings, and in the degrees of the vertices that are hit
-*/
+// Traces a geodesic from a point, in a direction in the frame of `start.halfedge`, over a model of `NumberedComplex` in
+// its units. The edges that are crossed are appended to `crossings`; one that goes through a vertex crosses the edge that
+// it leaves the face at with parameter 0 or 1.
 template <class Complex>
 Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
                             const Planar_vector<double>& direction, double length,
                             std::vector<Geodesic_crossing>& crossings,
                             const Trace_options& options = {}) {
   Geodesic_walk<Complex> walk(complex, start, direction);
-  return internal::finish_walk(complex, walk, length, options, crossings);
+  return finish_walk(complex, walk, length, options, crossings);
 }
 
-/*!
-\brief traces a geodesic from a vertex.
-\tparam Complex a model of `NumberedComplex`
-\param complex the surface
-\param start a halfedge that starts at the vertex, and the angle from it to the geodesic,
-  counterclockwise, as it is on the surface: the angles about the vertex are not scaled
-\param length the length to go, in the units of `complex`
-\param crossings the edges that are crossed are appended to it
-\param options see `Trace_options`
-\return the end
-\complexity linear in the number of crossings, and in the degrees of the vertices that are hit
-*/
+// The same from a vertex: the angle from a halfedge that starts there is that on the surface, not scaled.
 template <class Complex>
 Geodesic_end trace_geodesic(const Complex& complex, const Corner_direction& start, double length,
                             std::vector<Geodesic_crossing>& crossings,
                             const Trace_options& options = {}) {
   Geodesic_walk<Complex> walk(complex, start);
-  return internal::finish_walk(complex, walk, length, options, crossings);
+  return finish_walk(complex, walk, length, options, crossings);
 }
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

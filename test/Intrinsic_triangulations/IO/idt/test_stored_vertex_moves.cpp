@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <random>
 #include <sstream>
@@ -251,11 +252,11 @@ std::vector<meshes::Mesh> refined_meshes() {
 
 template <class T>
 IT::Refinement_counts refine(T& t, double angle, double circumradius) {
-  IT::Refinement_options options;
-  options.minimum_angle = angle;
-  if (circumradius > 0) options.maximum_circumradius = circumradius;
-  const auto result = IT::delaunay_refine(t, options);
-  EXPECT_EQ(result.status, IT::Refinement_status::done);
+  constexpr double any = std::numeric_limits<double>::infinity();
+  const auto result =
+      IT::delaunay_refine(t, IT::parameters::minimum_angle(angle).maximum_circumradius(
+                                 circumradius > 0 ? circumradius : any));
+  EXPECT_EQ(result.status, IT::Status::done);
   return result.counts;
 }
 

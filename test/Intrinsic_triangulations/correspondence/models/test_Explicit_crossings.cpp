@@ -5,7 +5,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/extract_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "gallery.h"
@@ -210,11 +210,11 @@ void expect_traces(const T& t, const std::vector<Point>& points, const std::stri
     const double length = std::sqrt(t.squared_length(e));
     double sum = 0;
     Point last = placed.vertex(view.source(2 * i));
-    for (const IT::Traced_crossing& x : trace_edge(t, t.correspondence(), i)) {
-      const Point p = placed.position({x.entered, {1 - x.on_input, x.on_input, 0}});
+    for (const IT::Path_point& x : trace_edge(t, e).points) {
+      const Point p = placed.position(x.on_input);
       sum += distance(last, p);
       last = p;
-      EXPECT_NEAR(sum, x.on_intrinsic * length, 1e-8 * mean) << name << ' ' << i;
+      EXPECT_NEAR(sum, x.parameter * length, 1e-8 * mean) << name << ' ' << i;
     }
     sum += distance(last, placed.vertex(view.target(2 * i)));
     EXPECT_NEAR(sum, length, 1e-8 * mean) << name << ' ' << i;
@@ -247,7 +247,7 @@ double area_of(const T& t) {
 /// The subdivision has the Euler characteristic and the area of the surface.
 template <class T>
 void expect_subdivision(const T& t, const std::vector<Point>& points, const std::string& name) {
-  const IT::Common_subdivision s = IT::extract_subdivision(t, t.correspondence());
+  const IT::Common_subdivision s = IT::common_subdivision(t);
   const auto chi = [](std::size_t v, std::size_t e, std::size_t f) {
     return static_cast<std::ptrdiff_t>(v) - static_cast<std::ptrdiff_t>(e) +
            static_cast<std::ptrdiff_t>(f);
@@ -300,8 +300,8 @@ TEST(Explicit_crossings, Give_the_common_subdivision_that_integer_coordinates_gi
     Mover move_t(t, 3);
     Mover move_u(u, 3);
     for (int i = 0; i < 60; ++i) move_t.step(), move_u.step();
-    const IT::Common_subdivision a = IT::extract_subdivision(t, t.correspondence());
-    const IT::Common_subdivision b = IT::extract_subdivision(u, u.correspondence());
+    const IT::Common_subdivision a = IT::common_subdivision(t);
+    const IT::Common_subdivision b = IT::common_subdivision(u);
     EXPECT_EQ(a.corner, b.corner) << name;
     EXPECT_EQ(a.face_begin, b.face_begin) << name;
     EXPECT_EQ(a.input_face, b.input_face) << name;
@@ -324,7 +324,7 @@ TEST(Explicit_crossings, Are_right_on_complexes_that_are_not_simplicial) {
         expect_same(t, u, s.name + " seed " + std::to_string(seed) + " move " + std::to_string(i));
         if (HasFatalFailure()) return;
       }
-      const IT::Common_subdivision c = IT::extract_subdivision(t, t.correspondence());
+      const IT::Common_subdivision c = IT::common_subdivision(t);
       EXPECT_EQ(static_cast<std::ptrdiff_t>(c.number_of_vertices() + c.number_of_faces()) -
                     static_cast<std::ptrdiff_t>(c.number_of_edges()),
                 s.euler_characteristic())
@@ -395,15 +395,15 @@ TEST(Explicit_crossings, Trace_edges_as_integer_coordinates_do) {
   flip_to_delaunay(t);
   flip_to_delaunay(u);
   std::size_t count = 0;
-  for (std::uint32_t e = 0; e < t.correspondence().number_of_edges(); ++e) {
-    const auto a = trace_edge(t, t.correspondence(), e), b = trace_edge(u, u.correspondence(), e);
+  for (const auto e : edges(t.mesh())) {
+    const auto a = trace_edge(t, e).points, b = trace_edge(u, e).points;
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
-      EXPECT_EQ(a[i].entered, b[i].entered);
-      EXPECT_EQ(a[i].on_input, b[i].on_input);
-      EXPECT_EQ(a[i].on_intrinsic, b[i].on_intrinsic);
+      EXPECT_EQ(a[i].on_input.halfedge, b[i].on_input.halfedge);
+      EXPECT_EQ(a[i].on_input.weights, b[i].on_input.weights);
+      EXPECT_EQ(a[i].parameter, b[i].parameter);
     }
-    count += a.size();
+    count += a.size() - 2;
   }
   EXPECT_GT(count, 50U);
 }

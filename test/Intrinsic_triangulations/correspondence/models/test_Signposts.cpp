@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Edge_traces.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "gallery.h"
@@ -116,14 +117,14 @@ void expect_round_trips(const Placed<T>& s, int count, double tolerance) {
     double a = uniform(), b = uniform();
     if (a + b > 1) a = 1 - a, b = 1 - b;
     const Surface_point p{input.halfedge_of_face(f), {1 - a - b, a, b}};
-    const IT::Signpost_location there = IT::find_on_intrinsic(s.t, s.signposts(), p);
-    ASSERT_TRUE(there.is_found);
-    const IT::Signpost_location back = IT::find_on_input(s.t, s.signposts(), there.point);
-    ASSERT_TRUE(back.is_found);
-    ASSERT_LE(distance(s.position(p), s.position(back.point)), tolerance) << i;
-    if (back.point.halfedge / 2 != p.halfedge / 2 || input.face(back.point.halfedge) != f) continue;
-    const Vector v{0.6, 0.8}, w = back.transfer(there.transfer(v));
-    if (back.point.halfedge == p.halfedge) {
+    const Vector v{0.6, 0.8};
+    const auto there = IT::tangent_to_intrinsic(s.t, {p, v});
+    ASSERT_TRUE(there);
+    const auto back = IT::tangent_to_input(s.t, *there);
+    ASSERT_TRUE(back);
+    ASSERT_LE(distance(s.position(p), s.position(back->point)), tolerance) << i;
+    const Vector w = back->vector;
+    if (back->point.halfedge == p.halfedge) {
       EXPECT_NEAR(w[0], v[0], 10 * tolerance);
       EXPECT_NEAR(w[1], v[1], 10 * tolerance);
     }
@@ -333,8 +334,8 @@ TEST(Tangent_frames, Scale_angles_once_to_the_circle_or_on_the_border_to_a_half_
     EXPECT_NEAR(frames.fan(frames.fan_of(h)).angle, 4 * std::numbers::pi / 3, 1e-15);
     EXPECT_NEAR(std::remainder(frames.polar_angle(h), std::numbers::pi / 2), 0, 1e-15);
     for (const Vector v : {Vector{1, 2}, {-3, 1}, {0.5, -1}, {-1, -1}}) {
-      const IT::Polar_vector p = s.signposts().polar(h, v);
-      const Vector w = s.signposts().planar(h, p);
+      const IT::Polar_vector p = IT::polar_vector(s.signposts().fan(h), s.signposts().angle(h), v);
+      const Vector w = IT::planar_vector(s.signposts().fan(h), s.signposts().angle(h), p);
       EXPECT_NEAR(p.length, std::hypot(v[0], v[1]), 1e-15);
       // directions are those of a cone of less than 2 pi
       const double turn = (std::atan2(w[1], w[0]) - std::atan2(v[1], v[0])) * 1.5;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 
 #include "meshes.h"
 #include "subdivision_oracle.h"
@@ -31,7 +31,7 @@ double greatest_error(Plane<T>& p, Mover<T>& mover, int count, bool on_side) {
     const std::uint32_t h = mover.halfedge(false);
     const std::array<double, 3> w = *IT::representable_weights(mover.weights(on_side));
     const auto expected = p.at(h, w);
-    const IT::Surface_point q = IT::locate_on_input(p.t, p.t.correspondence(), h, w).point;
+    const IT::Surface_point q = *IT::locate_on_input(p.t, {h, w});
     EXPECT_FALSE(s.is_border(q.halfedge));
     double sum = 0;
     std::array<double, 2> x{0, 0};

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_intrinsic.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 
 #include "meshes.h"
 #include "subdivision_oracle.h"
@@ -48,10 +48,9 @@ void expect_round_trips(T& t, const meshes::Mesh& mesh, double tolerance, const 
         p.weights[(k + 1) % 3] += p.weights[k];
         p.weights[k] = 0;
       }
-      const std::optional<IT::Surface_point> q = IT::locate_on_intrinsic(t, t.correspondence(), p);
+      const std::optional<IT::Surface_point> q = IT::locate_on_intrinsic(t, p);
       ASSERT_TRUE(q) << name;
-      const IT::Surface_point r =
-          IT::locate_on_input(t, t.correspondence(), q->halfedge, q->weights).point;
+      const IT::Surface_point r = *IT::locate_on_input(t, *q);
       const Point a = position(s, p, mesh), b = position(s, r, mesh);
       EXPECT_LE(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), tolerance)
           << name << " face " << f;
@@ -113,7 +112,7 @@ TEST(Locate_on_intrinsic, Finds_corners_and_points_on_sides_where_nothing_was_fl
   for (std::uint32_t f = 0; f < s.mesh().number_of_faces(); ++f)
     for (const std::array<double, 3> w : {std::array{1., 0., 0.}, std::array{0., 0.25, 0.75}}) {
       const IT::Surface_point p{s.halfedge_of_face(f), w};
-      const auto q = IT::locate_on_intrinsic(t, t.correspondence(), p);
+      const auto q = IT::locate_on_intrinsic(t, p);
       ASSERT_TRUE(q);
       // input and intrinsic triangulation have the same numbers
       const Point a = position(s, p, mesh), b = position(s, *q, mesh);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/extract_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
 
 #include "gallery.h"
 #include "meshes.h"
@@ -130,7 +130,7 @@ std::vector<std::pair<std::string, meshes::Mesh>> in_space() {
 TEST(Extract_subdivision, Of_the_input_with_itself_is_the_input) {
   for (const auto& [name, mesh] : in_space()) {
     const Exact t(subdivision_oracle::input(mesh));
-    const Common_subdivision s = IT::extract_subdivision(t, t.correspondence());
+    const Common_subdivision s = IT::common_subdivision(t);
     EXPECT_EQ(s.number_of_vertices(), mesh.points.size()) << name;
     EXPECT_EQ(s.number_of_faces(), mesh.triangles.size()) << name;
     EXPECT_EQ(s.input_face, s.intrinsic_face) << name;
@@ -145,7 +145,7 @@ TEST(Extract_subdivision, Measures_what_both_triangulations_measure) {
     Mover<Exact> mover(t, 1);
     for (int i = 0; i < 60; ++i) t.flip_edge({mover.halfedge(false)});
     for (int i = 0; i < 60; ++i) mover.move(true);
-    const Common_subdivision s = IT::extract_subdivision(t, t.correspondence());
+    const Common_subdivision s = IT::common_subdivision(t);
     expect_subdivision(t, s, name);
     // coordinates are up to 40, and 1e-8 is far above what a strip of some tens of faces loses
     expect_measures(t, s, mesh.points, 1e-8, name);
@@ -158,7 +158,7 @@ TEST(Extract_subdivision, Measures_what_both_measure_after_flips_to_delaunay_in_
     IT::flip_to_delaunay(t);
     Mover<Rounded> mover(t, 2);
     for (int i = 0; i < 20; ++i) t.insert_vertex({mover.halfedge(true)}, mover.weights(i % 2 == 0));
-    const Common_subdivision s = IT::extract_subdivision(t, t.correspondence());
+    const Common_subdivision s = IT::common_subdivision(t);
     expect_subdivision(t, s, name);
     expect_measures(t, s, mesh.points, 1e-7, name);
   }
@@ -172,7 +172,7 @@ TEST(Extract_subdivision, Keeps_the_topology_on_the_gallery) {
     Mover<Exact> mover(t, 3);
     for (int i = 0; i < 30; ++i) {
       mover.move(true);
-      if (i % 3 == 0) expect_subdivision(t, IT::extract_subdivision(t, t.correspondence()), g.name);
+      if (i % 3 == 0) expect_subdivision(t, IT::common_subdivision(t), g.name);
     }
   }
 }
@@ -189,7 +189,7 @@ TEST(Extract_subdivision, Lies_in_the_faces_that_its_labels_name_in_the_plane) {
           [&](IT::Gluing_map::Vertex v, std::uint32_t h, const auto& w) {
             return p.reposition(v, h, w);
           });
-    const Common_subdivision s = IT::extract_subdivision(p.t, p.t.correspondence());
+    const Common_subdivision s = IT::common_subdivision(p.t);
     expect_subdivision(p.t, s, name);
     std::vector<Point> intrinsic;
     for (const auto& q : p.position)

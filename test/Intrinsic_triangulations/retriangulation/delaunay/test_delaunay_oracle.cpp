@@ -31,7 +31,7 @@ constexpr double tolerance = 1e-11;
 void expect_same(const meshes::Mesh& mesh, const oracle::Answer& expected) {
   Exact t(mesh.input());
   const auto result = IT::flip_to_delaunay(t);
-  EXPECT_EQ(result.status, IT::Flip_to_delaunay_status::done);
+  EXPECT_EQ(result.status, IT::Status::done);
   const auto report = IT::check_delaunay(t);
   EXPECT_EQ(report.non_delaunay_edges, 0U);
   EXPECT_EQ(report.cocircular_edges.size(), expected.ties);

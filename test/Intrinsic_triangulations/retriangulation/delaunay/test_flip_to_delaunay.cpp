@@ -27,7 +27,7 @@ namespace {
 
 using Exact = IT::Intrinsic_triangulation<>;
 using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
-using IT::Flip_to_delaunay_status;
+using IT::Status;
 using Edge = Exact::edge_descriptor;
 
 // Values are midpoints of intervals of relative width about 1e-14 after few flips; weights of thin
@@ -37,7 +37,7 @@ constexpr double tolerance = 1e-10;
 Exact delaunay(const meshes::Mesh& m, IT::Mollification mollification = IT::Mollification::none) {
   Exact t(m.input(mollification));
   const auto r = IT::flip_to_delaunay(t);
-  EXPECT_EQ(r.status, Flip_to_delaunay_status::done);
+  EXPECT_EQ(r.status, Status::done);
   EXPECT_EQ(r.refused_flips, 0U);
   EXPECT_TRUE(IT::is_delaunay(t));
   EXPECT_EQ(t.metric().statistics().probable_zero, 0U);
@@ -205,7 +205,7 @@ TEST(Flip_to_delaunay, flips_caps_away_without_mollification) {
 TEST(Flip_to_delaunay, ends_where_degenerate_faces_must_stay) {
   Exact t(meshes::with_needle(meshes::box(1, 1, 1), 3, 0).input(IT::Mollification::none));
   EXPECT_EQ(t.report().degenerate_faces, 2U);
-  EXPECT_EQ(IT::flip_to_delaunay(t).status, Flip_to_delaunay_status::done);
+  EXPECT_EQ(IT::flip_to_delaunay(t).status, Status::done);
   EXPECT_TRUE(IT::is_delaunay(t));
 }
 
@@ -243,7 +243,7 @@ TEST(Flip_to_delaunay, never_flips_constrained_edges) {
       }
     const auto r = IT::flip_to_delaunay(
         t, CGAL::parameters::edge_is_constrained_map(Constraints{&constrained}));
-    EXPECT_EQ(r.status, Flip_to_delaunay_status::done);
+    EXPECT_EQ(r.status, Status::done);
     for (const Edge e : edges(t.mesh()))
       if (constrained.count(e.index) != 0) {
         const std::pair now{source(e, t.mesh()).index, target(e, t.mesh()).index};
@@ -271,7 +271,7 @@ TEST(Flip_to_delaunay, visitor_sees_progress_and_may_cancel) {
   Exact t(m.input());
   Visitor patient;
   const auto r = IT::flip_to_delaunay(t, CGAL::parameters::visitor(std::ref(patient)));
-  EXPECT_EQ(r.status, Flip_to_delaunay_status::done);
+  EXPECT_EQ(r.status, Status::done);
   ASSERT_GE(patient.checks.size(), 2U);
   EXPECT_TRUE(std::is_sorted(patient.checks.begin(), patient.checks.end()));
   EXPECT_LE(patient.checks.back(), r.checks);
@@ -280,7 +280,7 @@ TEST(Flip_to_delaunay, visitor_sees_progress_and_may_cancel) {
   Visitor impatient;
   impatient.stop_after = 1;
   const auto s = IT::flip_to_delaunay(u, CGAL::parameters::visitor(std::ref(impatient)));
-  EXPECT_EQ(s.status, Flip_to_delaunay_status::cancelled);
+  EXPECT_EQ(s.status, Status::cancelled);
   EXPECT_EQ(impatient.checks.size(), 1U);
   EXPECT_FALSE(IT::is_delaunay(u));
   // what is there is a triangulation, and can be gone on with
@@ -294,14 +294,14 @@ void expect_cap_is_kept() {
   const meshes::Mesh m = meshes::sheared_grid(5, 5, 4);
   T t(m.input());
   const auto r = IT::flip_to_delaunay(t, CGAL::parameters::maximum_number(3));
-  EXPECT_EQ(r.status, Flip_to_delaunay_status::cap);
+  EXPECT_EQ(r.status, Status::cap);
   EXPECT_EQ(r.flips, 3U);
   EXPECT_FALSE(IT::is_delaunay(t));
   T u(m.input());
   const auto all = IT::flip_to_delaunay(u);
   T v(m.input());
-  EXPECT_EQ(IT::flip_to_delaunay(v, CGAL::parameters::maximum_number(all.flips)).status,
-            Flip_to_delaunay_status::done);
+  EXPECT_EQ(IT::flip_to_delaunay(v, IT::parameters::maximum_number(all.flips)).status,
+            Status::done);
 }
 
 TEST(Flip_to_delaunay, stops_at_the_cap_on_flips_and_says_so) {

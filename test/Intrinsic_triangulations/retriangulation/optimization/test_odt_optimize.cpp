@@ -30,7 +30,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using constrained_edges::Constraints;
 using constrained_edges::Edge_map;
 using constrained_edges::total_length;
-using IT::Odt_status;
+using IT::Status;
 using subdivision_oracle::Exact;
 using subdivision_oracle::input;
 using subdivision_oracle::Rounded;
@@ -151,7 +151,7 @@ TYPED_TEST(Odt_optimize, Moves_a_vertex_to_the_center_of_a_regular_hexagon) {
   const auto n = t.insert_vertex(halfedge(*faces(t.mesh()).begin(), t.mesh()), {0.3, 0.2, 0.5});
   ASSERT_EQ(n.status, IT::Move_status::done);
   const auto result = IT::odt_optimize(t);
-  EXPECT_EQ(result.status, Odt_status::converged);
+  EXPECT_EQ(result.status, Status::done);
   int n_edges = 0; // those that were removed are counted by num_edges()
   for (const auto e : edges(t.mesh())) {
     ++n_edges;
@@ -183,9 +183,10 @@ TYPED_TEST(Odt_optimize, Lowers_the_energy_and_keeps_the_surface) {
     const auto euler = properties::euler_characteristic(t);
     const double target = 0.8 * std::sqrt(area / static_cast<double>(num_faces(t.mesh())));
     Energies<TypeParam> energies{&t};
-    const auto result = IT::odt_optimize(t, {.target_length = target, .convergence = 1e-2},
-                                         CGAL::parameters::visitor(std::ref(energies)));
-    EXPECT_EQ(result.status, Odt_status::converged);
+    const auto result = IT::odt_optimize(
+        t,
+        IT::parameters::maximum_edge_length(target).convergence(1e-2).visitor(std::ref(energies)));
+    EXPECT_EQ(result.status, Status::done);
     EXPECT_EQ(result.refused, 0U);
     EXPECT_GT(result.splits, 0U);
     EXPECT_GT(result.moves, 0U);
@@ -218,9 +219,10 @@ TYPED_TEST(Odt_optimize, Keeps_constrained_edges_and_the_border) {
     put(border, e, CGAL::is_border(e, t.mesh()));
   }
   const double length = total_length(t, constrained), rim = total_length(t, border);
-  const auto result = IT::odt_optimize(t, {.target_length = 0.6, .convergence = 1e-2},
-                                       CGAL::parameters::edge_is_constrained_map(constrained));
-  EXPECT_EQ(result.status, Odt_status::converged);
+  const auto result = IT::odt_optimize(
+      t, IT::parameters::maximum_edge_length(0.6).convergence(1e-2).edge_is_constrained_map(
+             constrained));
+  EXPECT_EQ(result.status, Status::done);
   EXPECT_GT(result.moves, 0U);
   EXPECT_NEAR(total_length(t, constrained), length, 1e-12 * length);
   for (const auto e : edges(t.mesh())) put(border, e, CGAL::is_border(e, t.mesh()));
@@ -253,9 +255,9 @@ TEST(Odt, Makes_areas_more_even_than_refinement_and_uses_its_vertices_better) {
   const meshes::Mesh m = meshes::potato(2, 5);
   Rounded refined(input(m)), optimal(input(m));
   const double target = 0.1;
-  IT::delaunay_refine(refined, {.minimum_angle = 25, .maximum_edge_length = target});
-  const auto result = IT::odt_optimize(optimal, {.target_length = target});
-  EXPECT_EQ(result.status, Odt_status::converged);
+  IT::delaunay_refine(refined, IT::parameters::minimum_angle(25).maximum_edge_length(target));
+  const auto result = IT::odt_optimize(optimal, IT::parameters::maximum_edge_length(target));
+  EXPECT_EQ(result.status, Status::done);
   EXPECT_LT(variation_of_areas(optimal), 0.8 * variation_of_areas(refined));
   // the energy of an even triangulation goes with one by the number of its vertices
   EXPECT_LT(IT::odt_energy(optimal) * static_cast<double>(number_of_vertices(optimal)),
@@ -264,11 +266,11 @@ TEST(Odt, Makes_areas_more_even_than_refinement_and_uses_its_vertices_better) {
 
 TEST(Odt, Improves_what_was_refined_before_without_adding_vertices) {
   Rounded t(input(meshes::potato(2, 5)));
-  IT::delaunay_refine(t, {.minimum_angle = 25, .maximum_edge_length = 0.15});
+  IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_edge_length(0.15));
   const std::size_t n = number_of_vertices(t);
   const double before = variation_of_areas(t);
   const auto result = IT::odt_optimize(t);
-  EXPECT_EQ(result.status, Odt_status::converged);
+  EXPECT_EQ(result.status, Status::done);
   EXPECT_EQ(number_of_vertices(t), n);
   EXPECT_LT(variation_of_areas(t), 0.8 * before);
   EXPECT_LT(result.energy_after, result.energy_before);
@@ -283,34 +285,37 @@ TEST(Odt, Stops_at_its_caps_and_when_asked_to) {
   const meshes::Mesh m = meshes::potato(1, 5);
   {
     Rounded t(input(m));
-    const auto result = IT::odt_optimize(t, {.target_length = 0.05, .maximum_insertions = 10});
-    EXPECT_EQ(result.status, Odt_status::cap);
+    const auto result =
+        IT::odt_optimize(t, IT::parameters::maximum_edge_length(0.05).maximum_insertions(10));
+    EXPECT_EQ(result.status, Status::cap);
     EXPECT_EQ(result.splits, 10U);
     EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
   }
   {
     Rounded t(input(m));
-    const auto result = IT::odt_optimize(t, {.target_length = 0.1, .maximum_iterations = 1});
-    EXPECT_EQ(result.status, Odt_status::cap);
+    const auto result =
+        IT::odt_optimize(t, IT::parameters::maximum_edge_length(0.1).number_of_iterations(1));
+    EXPECT_EQ(result.status, Status::cap);
     EXPECT_EQ(result.iterations, 1U);
   }
   {
     Rounded t(input(m));
     Stop stop;
     const auto result =
-        IT::odt_optimize(t, {.target_length = 0.1}, CGAL::parameters::visitor(std::ref(stop)));
-    EXPECT_EQ(result.status, Odt_status::cancelled);
+        IT::odt_optimize(t, IT::parameters::maximum_edge_length(0.1).visitor(std::ref(stop)));
+    EXPECT_EQ(result.status, Status::cancelled);
     EXPECT_EQ(stop.calls, 2);
   }
   Rounded t(input(m));
-  EXPECT_THROW(IT::odt_optimize(t, {.target_length = 0}), std::invalid_argument);
-  EXPECT_THROW(IT::odt_optimize(t, {.target_length = std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(IT::odt_optimize(t, IT::parameters::maximum_edge_length(0)), std::invalid_argument);
+  EXPECT_THROW(IT::odt_optimize(t, IT::parameters::maximum_edge_length(std::nan(""))),
+               std::invalid_argument);
 }
 
 TEST(Odt, Does_nothing_without_vertices_to_move) {
   Rounded t(input(meshes::potato(1, 5)));
   const auto result = IT::odt_optimize(t);
-  EXPECT_EQ(result.status, Odt_status::converged);
+  EXPECT_EQ(result.status, Status::done);
   EXPECT_EQ(result.moves + result.splits, 0U);
 }
 

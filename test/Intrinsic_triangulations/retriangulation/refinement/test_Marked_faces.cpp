@@ -85,8 +85,8 @@ TEST(Marked_faces, are_gone_after_refinement_of_every_delta_complex) {
     IT::delaunay_refine(t);
     const std::size_t before = num_vertices(t.mesh());
     IT::Marked_faces<Triangulation> marked(t, {t.index(*faces(t.mesh()).begin())});
-    const auto result = IT::delaunay_refine(t, {}, CGAL::parameters::visitor(std::ref(marked)));
-    EXPECT_EQ(result.status, IT::Refinement_status::done);
+    const auto result = IT::delaunay_refine(t, IT::parameters::visitor(std::ref(marked)));
+    EXPECT_EQ(result.status, IT::Status::done);
     EXPECT_GT(num_vertices(t.mesh()), before);
     for (const auto f : faces(t.mesh())) EXPECT_FALSE(marked.is_bad(t, f));
   }
@@ -99,7 +99,7 @@ TEST(Marked_faces, ask_for_little_more_than_a_vertex_each) {
   for (const auto f : faces(t.mesh())) all.push_back(t.index(f));
   const std::size_t before = num_vertices(t.mesh());
   IT::Marked_faces<Triangulation> marked(t, all);
-  IT::delaunay_refine(t, {}, CGAL::parameters::visitor(std::ref(marked)));
+  IT::delaunay_refine(t, IT::parameters::visitor(std::ref(marked)));
   const std::size_t inserted = num_vertices(t.mesh()) - before;
   // an insertion destroys at least the face itself
   EXPECT_LE(inserted, all.size() + all.size() / 4);

@@ -28,7 +28,7 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Status = IT::Adaptive_refinement_status;
+using Status = IT::Status;
 using subdivision_oracle::defect;
 using subdivision_oracle::Exact;
 using subdivision_oracle::input;
@@ -62,13 +62,14 @@ TYPED_TEST(Adaptive_refine, Reaches_the_tolerance_where_it_is_asked_to_and_keeps
   TypeParam t(input(meshes::sphere(2)));
   const double before = area(t);
   std::size_t calls = 0;
-  const auto result = IT::adaptive_refine(t,
-                                          [&](TypeParam& s) {
-                                            EXPECT_EQ(&s, &t);
-                                            ++calls;
-                                            return areas_at_first_vertex(s);
-                                          },
-                                          {.tolerance = 1e-6});
+  const auto result = IT::adaptive_refine(
+      t,
+      [&](TypeParam& s) {
+        EXPECT_EQ(&s, &t);
+        ++calls;
+        return areas_at_first_vertex(s);
+      },
+      IT::parameters::tolerance(1e-6));
   EXPECT_EQ(result.status, Status::done);
   EXPECT_EQ(result.rounds.size(), calls);
   EXPECT_EQ(result.rounds.back().vertices, num_vertices(t.mesh()));
@@ -94,23 +95,22 @@ TYPED_TEST(Adaptive_refine, Stops_at_its_caps_and_when_it_is_told_to) {
     return std::vector<double>(t.numbers().face_capacity(t.mesh()), 1);
   };
   TypeParam t(input(meshes::sphere(2)));
-  const auto capped = IT::adaptive_refine(t, ones, {.maximum_vertices = 100});
-  EXPECT_EQ(capped.status, Status::vertices);
+  const auto capped = IT::adaptive_refine(t, ones, IT::parameters::maximum_vertices(100));
+  EXPECT_EQ(capped.status, Status::cap);
   EXPECT_EQ(num_vertices(t.mesh()), 100U);
   EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
-  const auto rounds = IT::adaptive_refine(t, ones, {.maximum_rounds = 2});
-  EXPECT_EQ(rounds.status, Status::rounds);
+  const auto rounds = IT::adaptive_refine(t, ones, IT::parameters::maximum_rounds(2));
+  EXPECT_EQ(rounds.status, Status::cap);
   EXPECT_EQ(rounds.rounds.size(), 3U); // two of refinement
   struct Impatient : IT::Adaptive_refinement_visitor {
     std::size_t calls = 0;
     bool progress(const IT::Adaptive_refinement_round&) { return ++calls < 2; }
   } visitor;
-  const auto cancelled =
-      IT::adaptive_refine(t, ones, {}, CGAL::parameters::visitor(std::ref(visitor)));
+  const auto cancelled = IT::adaptive_refine(t, ones, IT::parameters::visitor(std::ref(visitor)));
   EXPECT_EQ(cancelled.status, Status::cancelled);
   EXPECT_EQ(visitor.calls, 2U);
   const std::size_t n = num_vertices(t.mesh());
-  EXPECT_EQ(IT::adaptive_refine(t, ones, {.maximum_vertices = 5}).status, Status::vertices);
+  EXPECT_EQ(IT::adaptive_refine(t, ones, IT::parameters::maximum_vertices(5)).status, Status::cap);
   EXPECT_EQ(num_vertices(t.mesh()), n);
 }
 
@@ -129,10 +129,13 @@ TYPED_TEST(Adaptive_refine, Refuses_options_and_errors_that_make_no_sense) {
   const auto estimate = [&](double x) {
     return [x](TypeParam& s) { return std::vector<double>(num_faces(s.mesh()), x); };
   };
-  EXPECT_THROW(IT::adaptive_refine(t, estimate(1), {.tolerance = -1}), std::invalid_argument);
-  EXPECT_THROW(IT::adaptive_refine(t, estimate(1), {.tolerance = nan}), std::invalid_argument);
-  EXPECT_THROW(IT::adaptive_refine(t, estimate(1), {.bulk = 0}), std::invalid_argument);
-  EXPECT_THROW(IT::adaptive_refine(t, estimate(1), {.minimum_angle = 60}), std::invalid_argument);
+  EXPECT_THROW(IT::adaptive_refine(t, estimate(1), IT::parameters::tolerance(-1)),
+               std::invalid_argument);
+  EXPECT_THROW(IT::adaptive_refine(t, estimate(1), IT::parameters::tolerance(nan)),
+               std::invalid_argument);
+  EXPECT_THROW(IT::adaptive_refine(t, estimate(1), IT::parameters::bulk(0)), std::invalid_argument);
+  EXPECT_THROW(IT::adaptive_refine(t, estimate(1), IT::parameters::minimum_angle(60)),
+               std::invalid_argument);
   EXPECT_THROW(IT::adaptive_refine(t, estimate(nan)), std::invalid_argument);
   const auto too_few = [](TypeParam&) { return std::vector<double>(3, 1); };
   EXPECT_THROW(IT::adaptive_refine(t, too_few), std::invalid_argument);
@@ -192,11 +195,12 @@ Measured adaptive_torsion(std::size_t cap, double& effectivity) {
       t,
       [&u](Rounded& s) {
         u = solve_torsion(s);
-        return IT::residual_indicators(s, {}, u, Vector::Ones(u.size()), IT::Error_norm::energy,
-                                       IT::Border_condition::values);
+        return IT::residual_indicators(
+            s, {}, u, Vector::Ones(u.size()), IT::Error_norm::energy,
+            IT::parameters::border_condition(IT::Border_condition::values));
       },
-      {.minimum_angle = 20, .maximum_vertices = cap});
-  EXPECT_EQ(result.status, Status::vertices);
+      IT::parameters::minimum_angle(20).maximum_vertices(cap));
+  EXPECT_EQ(result.status, Status::cap);
   const double error = torsion_error(t, u);
   effectivity = result.rounds.back().estimated_error / error;
   return {static_cast<double>(num_vertices(t.mesh())), error};
@@ -230,7 +234,7 @@ TEST(Adaptive_refine_problems, A_point_source_has_the_rate_of_smooth_solutions) 
   };
   const auto adaptive = [&](std::size_t cap) {
     Rounded t(input(meshes::sphere(2)));
-    const auto r = IT::adaptive_refine(t, solve, {.maximum_vertices = cap});
+    const auto r = IT::adaptive_refine(t, solve, IT::parameters::maximum_vertices(cap));
     return Measured{static_cast<double>(cap), r.rounds.back().estimated_error};
   };
   const auto uniform = [&](unsigned levels) {
@@ -248,14 +252,14 @@ TEST(Adaptive_refine_problems, A_point_source_has_the_rate_of_smooth_solutions) 
 TEST(Adaptive_refine_problems, Both_arithmetics_refine_alike) {
   const auto run = [](auto t) {
     using T = decltype(t);
-    return IT::adaptive_refine(t,
-                               [](T& s) {
-                                 const Vector u = IT::short_time_heat_kernel(s, 3, 0.05);
-                                 return IT::residual_indicators(
-                                     s, {.diffusion = 0.05, .reaction = 1}, u,
-                                     Vector::Zero(u.size()), IT::Error_norm::L2);
-                               },
-                               {.maximum_vertices = 3000, .maximum_rounds = 6});
+    return IT::adaptive_refine(
+        t,
+        [](T& s) {
+          const Vector u = IT::short_time_heat_kernel(s, 3, 0.05);
+          return IT::residual_indicators(s, {.diffusion = 0.05, .reaction = 1}, u,
+                                         Vector::Zero(u.size()), IT::Error_norm::L2);
+        },
+        IT::parameters::maximum_vertices(3000).maximum_rounds(6));
   };
   const auto exact = run(Exact(input(meshes::potato(2, 5))));
   const auto rounded = run(Rounded(input(meshes::potato(2, 5))));

@@ -38,7 +38,7 @@ using constrained_edges::Constraints;
 using constrained_edges::Edge_map;
 using constrained_edges::total_length;
 using IT::Refinement_order;
-using IT::Refinement_status;
+using IT::Status;
 using IT::Unsatisfied_reason;
 using subdivision_oracle::defect;
 using subdivision_oracle::Exact;
@@ -134,8 +134,8 @@ TYPED_TEST(Delaunay_refine, Reaches_the_angle_except_where_it_says_so_and_keeps_
       SCOPED_TRACE(testing::Message() << "surface " << n++ << ", " << angle << " degrees");
       TypeParam t(input(m));
       const double before = area(t);
-      const auto result = IT::delaunay_refine(t, {.minimum_angle = angle});
-      EXPECT_EQ(result.status, Refinement_status::done);
+      const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(angle));
+      EXPECT_EQ(result.status, Status::done);
       EXPECT_GE(least_angle_elsewhere(t, result), angle - rounding);
       EXPECT_EQ(count(result, Unsatisfied_reason::refused), 0U);
       EXPECT_EQ(count(result, Unsatisfied_reason::stopped), 0U);
@@ -162,8 +162,8 @@ TYPED_TEST(Delaunay_refine, Leaves_the_face_around_a_needle_vertex) {
   m.points = {{1, 0, 0}, {-0.5, 0.75, 0}, {-0.5, -0.75, 0}, {0, 0, 40}};
   m.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   TypeParam t(input(m));
-  const auto result = IT::delaunay_refine(t, {.minimum_angle = 30});
-  EXPECT_EQ(result.status, Refinement_status::done);
+  const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(30));
+  EXPECT_EQ(result.status, Status::done);
   ASSERT_EQ(result.unsatisfied.size(), 1U);
   EXPECT_EQ(result.unsatisfied[0].reason, Unsatisfied_reason::needle);
   // it has the whole angle of the tip, and two sides that are one
@@ -188,8 +188,8 @@ TYPED_TEST(Delaunay_refine, Ends_in_corners_of_the_border_that_are_too_sharp) {
     m.triangles = {{0, 1, 2}};
     TypeParam t(input(m));
     const double before = area(t);
-    const auto result = IT::delaunay_refine(t, {.minimum_angle = 25});
-    EXPECT_EQ(result.status, Refinement_status::done);
+    const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(25));
+    EXPECT_EQ(result.status, Status::done);
     EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle));
     EXPECT_EQ(result.unsatisfied.empty(), corner >= 25);
     EXPECT_GE(least_angle_elsewhere(t, result), 25 - rounding);
@@ -202,7 +202,7 @@ TYPED_TEST(Delaunay_refine, Ends_in_corners_of_the_border_that_are_too_sharp) {
 TYPED_TEST(Delaunay_refine, Makes_faces_small_enough) {
   TypeParam t(input(meshes::potato(1, 2)));
   const auto result = IT::delaunay_refine(
-      t, {.minimum_angle = 0, .maximum_circumradius = 0.2, .maximum_edge_length = 0.3});
+      t, IT::parameters::minimum_angle(0).maximum_circumradius(0.2).maximum_edge_length(0.3));
   EXPECT_TRUE(result.unsatisfied.empty());
   for (const auto f : faces(t.mesh())) {
     const auto [a, b, c] = sides(t, f);
@@ -230,9 +230,10 @@ TYPED_TEST(Delaunay_refine, Keeps_constrained_edges_as_unions_of_edges) {
     Constraints<TypeParam> constrained{&t, &is_constrained};
     constrain(t, 41, constrained);
     const double length = total_length(t, constrained), before = area(t);
-    const auto result = IT::delaunay_refine(t, {.minimum_angle = 25, .conforming = conforming},
-                                            CGAL::parameters::edge_is_constrained_map(constrained));
-    EXPECT_EQ(result.status, Refinement_status::done);
+    const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(25)
+                                                   .conforming(conforming)
+                                                   .edge_is_constrained_map(constrained));
+    EXPECT_EQ(result.status, Status::done);
     EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle));
     EXPECT_GE(least_angle_elsewhere(t, result), 25 - rounding);
     EXPECT_NEAR(total_length(t, constrained), length, 1e-12 * length);
@@ -293,10 +294,10 @@ TEST(Delaunay_refine_constraints, Among_slivers_refinement_ends_and_keeps_every_
         Constraints<Rounded> constrained{&t, &is_constrained};
         constrain(t, n, constrained);
         const auto before = chains(t, constrained);
-        const auto result = IT::delaunay_refine(
-            t, {.minimum_angle = angle, .maximum_insertions = std::uint64_t{100000}},
-            CGAL::parameters::edge_is_constrained_map(constrained));
-        EXPECT_EQ(result.status, Refinement_status::done);
+        const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(angle)
+                                                       .maximum_insertions(std::uint64_t{100000})
+                                                       .edge_is_constrained_map(constrained));
+        EXPECT_EQ(result.status, Status::done);
         EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle));
         EXPECT_GE(least_angle_elsewhere(t, result), angle - 1e-9);
         const auto after = chains(t, constrained);
@@ -326,9 +327,9 @@ TYPED_TEST(Delaunay_refine, Ends_where_a_constrained_edge_sees_itself_around_a_s
       put(constrained, e, std::max(a, b) == 3 && std::min(a, b) == 0);
     }
     const double length = total_length(t, constrained);
-    const auto result = IT::delaunay_refine(t, {.minimum_angle = 30},
-                                            CGAL::parameters::edge_is_constrained_map(constrained));
-    EXPECT_EQ(result.status, Refinement_status::done);
+    const auto result = IT::delaunay_refine(
+        t, IT::parameters::minimum_angle(30).edge_is_constrained_map(constrained));
+    EXPECT_EQ(result.status, Status::done);
     EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle) +
                                              count(result, Unsatisfied_reason::needle));
     EXPECT_GE(least_angle_elsewhere(t, result), 30 - rounding);
@@ -342,9 +343,9 @@ TYPED_TEST(Delaunay_refine, Splits_edges_that_are_not_Delaunay_if_it_shall_confo
   Constraints<TypeParam> constrained{&t, &is_constrained};
   for (const auto e : edges(t.mesh())) put(constrained, e, true);
   const double length = total_length(t, constrained);
-  const auto result = IT::delaunay_refine(t, {.minimum_angle = 0, .conforming = true},
-                                          CGAL::parameters::edge_is_constrained_map(constrained));
-  EXPECT_EQ(result.status, Refinement_status::done);
+  const auto result = IT::delaunay_refine(
+      t, IT::parameters::minimum_angle(0).conforming(true).edge_is_constrained_map(constrained));
+  EXPECT_EQ(result.status, Status::done);
   EXPECT_GT(result.counts.segment_splits, 0U);
   EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
   EXPECT_NEAR(total_length(t, constrained), length, 1e-12 * length);
@@ -352,9 +353,9 @@ TYPED_TEST(Delaunay_refine, Splits_edges_that_are_not_Delaunay_if_it_shall_confo
 
 TYPED_TEST(Delaunay_refine, Stops_where_it_is_told_to) {
   TypeParam t(input(meshes::sheared_grid(4, 5, 3)));
-  const auto capped =
-      IT::delaunay_refine(t, {.minimum_angle = 30, .maximum_insertions = std::uint64_t{5}});
-  EXPECT_EQ(capped.status, Refinement_status::cap);
+  const auto capped = IT::delaunay_refine(
+      t, IT::parameters::minimum_angle(30).maximum_insertions(std::uint64_t{5}));
+  EXPECT_EQ(capped.status, Status::cap);
   EXPECT_EQ(capped.counts.circumcenters + capped.counts.segment_splits, 5U);
   EXPECT_GT(count(capped, Unsatisfied_reason::stopped), 0U);
   EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U); // in a good state
@@ -362,9 +363,9 @@ TYPED_TEST(Delaunay_refine, Stops_where_it_is_told_to) {
     std::uint64_t calls = 0;
     bool progress(const IT::Refinement_counts&) { return ++calls < 1; }
   } visitor;
-  const auto cancelled = IT::delaunay_refine(t, {.maximum_circumradius = 0.05},
-                                             CGAL::parameters::visitor(std::ref(visitor)));
-  EXPECT_EQ(cancelled.status, Refinement_status::cancelled);
+  const auto cancelled =
+      IT::delaunay_refine(t, IT::parameters::maximum_circumradius(0.05).visitor(std::ref(visitor)));
+  EXPECT_EQ(cancelled.status, Status::cancelled);
   EXPECT_EQ(visitor.calls, 1U);
 }
 
@@ -378,7 +379,7 @@ TYPED_TEST(Delaunay_refine, Refines_what_a_visitor_asks_for) {
   };
   TypeParam t(input(meshes::grid(4, 4)));
   const auto result =
-      IT::delaunay_refine(t, {.minimum_angle = 20}, CGAL::parameters::visitor(Near_the_origin()));
+      IT::delaunay_refine(t, IT::parameters::minimum_angle(20).visitor(Near_the_origin()));
   EXPECT_TRUE(result.unsatisfied.empty());
   EXPECT_GT(result.counts.inserted_vertices(), 0U);
   Near_the_origin asks;
@@ -390,7 +391,7 @@ TEST(Delaunay_refine_options, Every_order_reaches_the_bound) {
        {Refinement_order::largest_first, Refinement_order::worst_first,
         Refinement_order::first_come}) {
     Rounded t(input(meshes::potato(2, 5)));
-    const auto result = IT::delaunay_refine(t, {.minimum_angle = 28, .order = order});
+    const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(28).order(order));
     EXPECT_TRUE(result.unsatisfied.empty());
     EXPECT_GE(least_angle_elsewhere(t, result), 28 - rounding);
   }
@@ -400,10 +401,12 @@ TEST(Delaunay_refine_options, Bounds_that_make_no_sense_are_refused) {
   Rounded t(input(meshes::sphere(0)));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double x : {-1., 60., nan})
-    EXPECT_THROW(IT::delaunay_refine(t, {.minimum_angle = x}), std::invalid_argument);
+    EXPECT_THROW(IT::delaunay_refine(t, IT::parameters::minimum_angle(x)), std::invalid_argument);
   for (const double x : {-1., 0., nan}) {
-    EXPECT_THROW(IT::delaunay_refine(t, {.maximum_circumradius = x}), std::invalid_argument);
-    EXPECT_THROW(IT::delaunay_refine(t, {.maximum_edge_length = x}), std::invalid_argument);
+    EXPECT_THROW(IT::delaunay_refine(t, IT::parameters::maximum_circumradius(x)),
+                 std::invalid_argument);
+    EXPECT_THROW(IT::delaunay_refine(t, IT::parameters::maximum_edge_length(x)),
+                 std::invalid_argument);
   }
   EXPECT_EQ(num_vertices(t.mesh()), 6U);
 }
@@ -418,8 +421,8 @@ TEST(Delaunay_refine_gallery, Every_surface_reaches_the_bound) {
               : IT::Intrinsic_input(IT::Gluing_map(s.gluing), s.points);
       IT::Intrinsic_triangulation<> t(std::move(i));
       const double before = area(t);
-      const auto result = IT::delaunay_refine(t, {.minimum_angle = angle});
-      EXPECT_EQ(result.status, Refinement_status::done);
+      const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(angle));
+      EXPECT_EQ(result.status, Status::done);
       EXPECT_EQ(count(result, Unsatisfied_reason::refused), 0U);
       EXPECT_GE(least_angle_elsewhere(t, result), angle - rounding);
       EXPECT_NEAR(area(t), before, 1e-12 * before);

@@ -44,7 +44,7 @@ TEST(Dijkstra_ball, Holds_the_vertices_within_the_distance_in_order) {
     for (const std::uint32_t center : {0U, 7U, 20U}) {
       const std::vector<double> d = distances(t, center);
       for (const double radius : {0., 0.5, 1.5, 3., 1000.}) {
-        const std::vector<std::uint32_t> ball = IT::dijkstra_ball(view, center, radius);
+        const std::vector<std::uint32_t> ball = IT::internal::dijkstra_ball(view, center, radius);
         ASSERT_FALSE(ball.empty());
         EXPECT_EQ(ball.front(), center);
         for (std::size_t i = 1; i < ball.size(); ++i) EXPECT_LE(d[ball[i - 1]], d[ball[i]]);

@@ -6,9 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -67,7 +67,8 @@ Edge_traces trace_edges(const Triangulation& t, const Signposts& signposts) {
   std::vector<Strip_side> strip;
   for (std::uint32_t e = 0; e < exists.size(); ++e) {
     if (exists[e] != 0) {
-      const Geodesic_to_target r = trace_signpost(t, signposts, 2 * e, traces.crossings, strip);
+      const Geodesic_to_target r =
+          internal::trace_signpost(t, signposts, 2 * e, traces.crossings, strip);
       traces.along[e] = r.along;
       if (!r.is_reached && traces.failed++ == 0) traces.first_failed = e;
       if (r.is_reached && !r.is_certain && traces.uncertain++ == 0) traces.first_uncertain = e;

@@ -7,9 +7,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -237,7 +237,7 @@ private:
       for (unsigned k = 0; k < 2; ++k)
         if (corners.emanating[k] > 0) n.region.fan_corner = k;
     } else {
-      const Located l = locate_on_input(t, *this, h, weights);
+      const internal::Located l = internal::locate_by_curves(t, *this, h, weights);
       n.region = l.region;
       n.location = l.point;
     }

@@ -84,20 +84,6 @@ public:
   /// plane at an inserted vertex.
   Tangent_frames::Fan fan(std::uint32_t h) const { return fan_of(signpost_[h].fan); }
 
-  /*!
-  \brief takes a tangent vector at a vertex to the frame of an intrinsic halfedge that starts there.
-
-  At a vertex of the input the polar coordinates are those of the input: vectors need no transfer. At
-  an inserted vertex they are those of the frame of its location.
-  */
-  Planar_vector<double> planar(std::uint32_t h, const Polar_vector& v) const {
-    return planar_vector(fan(h), angle(h), v);
-  }
-  /// takes a tangent vector from the frame of an intrinsic halfedge to its source.
-  Polar_vector polar(std::uint32_t h, const Planar_vector<double>& v) const {
-    return polar_vector(fan(h), angle(h), v);
-  }
-
   /// starts a geodesic on the input from the source of an intrinsic halfedge.
   /// \param h the halfedge
   /// \param turn the angle from it to the geodesic, counterclockwise
@@ -119,21 +105,22 @@ public:
   template <class View>
   Corner_direction intrinsic_direction(const View& view, std::uint32_t h, double turn) const {
     const std::uint32_t f = frames_->fan_of(h);
-    const double a = reduced(f, frames_->cone_angle(h) + turn);
-    const std::uint32_t first = outgoing_[f];
-    std::uint32_t best = first;
-    double least = 2 * frames_->fan(f).angle; // the angle from `best`
-    std::uint32_t g = first;
-    do {
-      if (view.is_border(g)) break;
-      double d = a - signpost_[g].angle;
-      if (d < 0 && !frames_->fan(f).is_on_border) d += frames_->fan(f).angle;
-      if (d >= 0 && d < least) least = d, best = g;
-      g = next_around_source(view, g);
-    } while (g != first);
-    if (view.is_border(next_around_source(view, best)))
-      least = std::min(least, angle_at_source(view, best));
-    return {best, least}; // beyond the corner of `best` if that is thinner than rounding
+    return direction_from(view, outgoing_[f], reduced(f, frames_->cone_angle(h) + turn));
+  }
+
+  /// finds a direction at a vertex that was inserted on an input halfedge, see above.
+  template <class View>
+  Corner_direction intrinsic_direction_at(const View& view, std::uint32_t inserted_vertex,
+                                          std::uint32_t h, double turn) const {
+    const std::uint32_t first = view.outgoing_halfedge(inserted_vertex);
+    const Surface_point& p = location(inserted_vertex);
+    const Geodesic_face face(*input_, p.halfedge);
+    unsigned side = 0; // of the face of the location, that the vertex is on
+    while (side < 2 && (face.side[side] / 2 != h / 2 || p.weights[(side + 2) % 3] != 0)) ++side;
+    const double along = std::atan2(face.edge[side][1], face.edge[side][0]);
+    return direction_from(view, first,
+                          reduced(signpost_[first].fan,
+                                  along + (face.side[side] == h ? 0 : std::numbers::pi) + turn));
   }
 
   /// announces a flip. \return true
@@ -159,7 +146,7 @@ public:
     const std::uint32_t h = move.sides[0];
     const Intrinsic_view<Triangulation> view(t);
     if (move.weights[2] != 0 || !place_on_edge(t, h, move.weights[1]))
-      inserted_ = find_on_input(t, *this, {h, move.weights});
+      inserted_ = internal::find_on_input(t, *this, {h, move.weights});
     if (!inserted_.is_found) return false;
     const Planar_vector<double> to_source =
         inserted_.transfer(Geodesic_face(view, h).to_corner(move.weights, 0));
@@ -253,6 +240,24 @@ private:
     return 0;
   }
 
+  // Finds the last halfedge before an angle, from one on about its source.
+  template <class View>
+  Corner_direction direction_from(const View& view, std::uint32_t first, double angle) const {
+    const Tangent_frames::Fan fan = fan_of(signpost_[first].fan);
+    std::uint32_t best = first, g = first;
+    double least = 2 * fan.angle; // the angle from `best`
+    do {
+      if (view.is_border(g)) break;
+      double d = angle - signpost_[g].angle;
+      if (d < 0 && !fan.is_on_border) d += fan.angle;
+      if (d >= 0 && d < least) least = d, best = g;
+      g = next_around_source(view, g);
+    } while (g != first);
+    if (view.is_border(next_around_source(view, best)))
+      least = std::min(least, angle_at_source(view, best));
+    return {best, least}; // beyond the corner of `best` if that is thinner than rounding
+  }
+
   // the halfedge after `g` at its source is an angle of the metric away (Eq. 7)
   template <class View>
   void set_next(const View& view, std::uint32_t g) {
@@ -296,7 +301,7 @@ private:
   bool place_on_edge(const Triangulation& t, std::uint32_t h, double parameter) {
     const Intrinsic_view<Triangulation> view(t);
     std::vector<Geodesic_crossing> crossings;
-    const std::uint32_t g = trace_signpost(t, *this, h, crossings).along;
+    const std::uint32_t g = internal::trace_signpost(t, *this, h, crossings).along;
     if (g == Gluing::none) return false;
     const double from = parameter_on(g, view.source(h), 0), to = parameter_on(g, view.target(h), 1);
     place(g, from + parameter * (to - from));

@@ -87,52 +87,36 @@ Signpost_location locate_from_corners(const Complex& complex, const Geodesic_fac
     crossings.clear();
     const Geodesic_end end =
         finish_walk(complex, walk, g.length, {std::size_t{1} << 22U, false}, crossings);
-    if (end.status != Trace_status::complete) continue;
+    if (end.status != Status::done) continue;
     return {true, end.point, end.error, g.direction, end.direction};
   }
   return result;
 }
 
-} // namespace internal
-
-/*!
-\brief finds the point of the input at a point of the intrinsic triangulation.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
-\param t the triangulation
-\param signposts its signposts
-\param p a point of it
-\return the point of the input
-\complexity linear in the number of input edges between the point and the nearest corner of its face
-*/
+// Finds the point of the input at a point of the intrinsic triangulation, along the geodesic from the nearest
+// corner of its face that works.
 template <class Triangulation, class Signposts>
 Signpost_location find_on_input(const Triangulation& t, const Signposts& signposts,
                                 const Surface_point& p) {
   const Intrinsic_view<Triangulation> view(t);
-  return internal::locate_from_corners(
+  return locate_from_corners(
       signposts.input(), Geodesic_face(view, p.halfedge), p.weights,
       [&](std::uint32_t h, double angle) { return signposts.walk(h, angle); });
 }
 
-/*!
-\brief finds the point of the intrinsic triangulation at a point of the input.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
-\param t the triangulation
-\param signposts its signposts
-\param p a point of the input
-\return the point of the intrinsic triangulation
-\complexity linear in the number of intrinsic edges between the point and the nearest corner of its
-face, and in the intrinsic degree of that corner
-*/
+// Finds the point of the intrinsic triangulation at a point of the input, likewise.
 template <class Triangulation, class Signposts>
 Signpost_location find_on_intrinsic(const Triangulation& t, const Signposts& signposts,
                                     const Surface_point& p) {
   const Intrinsic_view<Triangulation> view(t);
-  return internal::locate_from_corners(view, Geodesic_face(signposts.input(), p.halfedge),
-                                       p.weights, [&](std::uint32_t h, double angle) {
-                                         return Geodesic_walk<Intrinsic_view<Triangulation>>(
-                                             view, signposts.intrinsic_direction(view, h, angle));
-                                       });
+  return locate_from_corners(view, Geodesic_face(signposts.input(), p.halfedge), p.weights,
+                             [&](std::uint32_t h, double angle) {
+                               return Geodesic_walk<Intrinsic_view<Triangulation>>(
+                                   view, signposts.intrinsic_direction(view, h, angle));
+                             });
 }
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -5,60 +5,58 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_TRACE_SIGNPOST_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Traces from the source; once more in a corrected direction if the target was met by a bent line.
-template <class View, class Signposts>
-Geodesic_to_target follow_signpost(const View& view, const Signposts& signposts, std::uint32_t h,
+// Traces to a target; once more in a corrected direction if it was met by a bent line. `walk(turn)` starts.
+template <class Complex, class Walk>
+Geodesic_to_target trace_corrected(const Complex& complex, const Walk& walk,
+                                   const Geodesic_target& target, double length,
                                    std::vector<Strip_side>& strip) {
-  const double length = std::sqrt(view.squared_length(h / 2));
-  const Geodesic_target target = signposts.target(view.target(h));
   Geodesic_to_target r;
   double turn = 0;
   for (int i = 0; i < 3 && !r.is_reached; ++i) {
-    r = trace_to_target(signposts.input(), signposts.walk(h, turn), target, length, strip);
+    r = trace_to_target(complex, walk(turn), target, length, strip);
     if (!(r.length > 0)) break;
     turn += std::atan(r.slope);
   }
   return r;
 }
 
-} // namespace internal
+// Traces an intrinsic halfedge from its source.
+template <class View, class Signposts>
+Geodesic_to_target follow_signpost(const View& view, const Signposts& signposts, std::uint32_t h,
+                                   std::vector<Strip_side>& strip) {
+  return trace_corrected(
+      signposts.input(), [&](double turn) { return signposts.walk(h, turn); },
+      signposts.target(view.target(h)), std::sqrt(view.squared_length(h / 2)), strip);
+}
 
-/*!
-\brief traces an intrinsic halfedge over the input (§3.4.1).
-
-If it cannot be traced from its source, it is traced from its target.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
-\param t the triangulation
-\param signposts its signposts
-\param h a halfedge, by its number
-\param crossings the input edges that it crosses are appended to it, in order
-\param strip space for the trace
-\return whether it was traced to its end, whether that is certain, and the input halfedge that it runs
-  along, in the same direction, if there is one
-\complexity linear in the number of crossings
-*/
+// Traces an intrinsic halfedge over the input (§3.4.1), from its target if that fails from its source. Appends the input
+// edges that it crosses to `crossings`; `strip` is space for the trace.
 template <class Triangulation, class Signposts>
 Geodesic_to_target trace_signpost(const Triangulation& t, const Signposts& signposts,
                                   std::uint32_t h, std::vector<Geodesic_crossing>& crossings,
                                   std::vector<Strip_side>& strip) {
   const Intrinsic_view<Triangulation> view(t);
-  Geodesic_to_target r = internal::follow_signpost(view, signposts, h, strip);
+  Geodesic_to_target r = follow_signpost(view, signposts, h, strip);
   if (r.is_reached) {
     for (const Strip_side& s : strip) crossings.push_back({s.halfedge, s.parameter(r.slope)});
     return r;
   }
-  r = internal::follow_signpost(view, signposts, h ^ 1U, strip);
+  r = follow_signpost(view, signposts, h ^ 1U, strip);
   if (!r.is_reached) return r;
   for (auto s = strip.rbegin(); s != strip.rend(); ++s)
     crossings.push_back({s->halfedge ^ 1U, 1 - s->parameter(r.slope)});
@@ -66,13 +64,111 @@ Geodesic_to_target trace_signpost(const Triangulation& t, const Signposts& signp
   return r;
 }
 
-/// traces an intrinsic halfedge over the input, see above.
+// the same, with space of its own
 template <class Triangulation, class Signposts>
 Geodesic_to_target trace_signpost(const Triangulation& t, const Signposts& signposts,
                                   std::uint32_t h, std::vector<Geodesic_crossing>& crossings) {
   std::vector<Strip_side> strip;
   return trace_signpost(t, signposts, h, crossings, strip);
 }
+
+// How far along a traced line it crosses a side of its strip, as a part of it.
+inline double part_of_line(const Strip_side& s, const Geodesic_to_target& r) {
+  const double p = s.parameter(r.slope);
+  const double x = s.source[0] + p * (s.target[0] - s.source[0]),
+               y = s.source[1] + p * (s.target[1] - s.source[1]);
+  return std::clamp(std::hypot(x, y) / r.length, 0.0, 1.0);
+}
+
+// The way of intrinsic halfedge 2e over the input.
+template <class Triangulation, class Signposts>
+Edge_path trace_edge_by_signposts(const Triangulation& t, const Signposts& signposts,
+                                  std::uint32_t edge) {
+  const Intrinsic_view<Triangulation> view(t);
+  const std::uint32_t h = 2 * edge;
+  std::vector<Strip_side> strip;
+  std::vector<Geodesic_crossing> crossings;
+  const Geodesic_to_target r = trace_signpost(t, signposts, h, crossings, strip);
+  if (!r.is_reached) return {Status::not_traceable, Gluing::none, {}};
+  Edge_path path{Status::done, r.along, {}};
+  const auto add = [&](const Surface_point& p, double x) {
+    path.points.push_back({p, point_on_halfedge(view, h, x), x});
+  };
+  const auto end = [&](std::uint32_t g) {
+    const auto walk = signposts.walk(g);
+    return Surface_point{walk.face().side[0], walk.weights()};
+  };
+  add(end(h), 0);
+  double last = 0; // in order whatever rounding does
+  const bool is_forward = strip.empty() || strip.front().halfedge == crossings.front().halfedge;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    const Geodesic_crossing& c = crossings[i];
+    last = std::max(last, is_forward ? part_of_line(strip[i], r)
+                                     : 1 - part_of_line(strip[strip.size() - 1 - i], r));
+    add({c.halfedge, {1 - c.parameter, c.parameter, 0}}, last);
+  }
+  add(end(h ^ 1U), 1);
+  return path;
+}
+
+// The vertices along an input halfedge: its ends, and those inserted on it.
+template <class Triangulation, class Signposts>
+std::vector<std::pair<double, std::uint32_t>>
+vertices_on_input_halfedge(const Triangulation& t, const Signposts& signposts, std::uint32_t x) {
+  std::vector<std::pair<double, std::uint32_t>> on_it{{0, signposts.input().source(x)},
+                                                      {1, signposts.input().target(x)}};
+  for (const auto d : vertices(t.mesh())) {
+    const std::uint32_t v = t.index(d);
+    if (!signposts.is_inserted(v)) continue;
+    const Surface_point& p = signposts.location(v);
+    std::uint32_t h = p.halfedge;
+    for (std::size_t k = 0; k < 3; ++k, h = signposts.input().next(h))
+      if (h / 2 == x / 2 && p.weights[(k + 2) % 3] == 0)
+        on_it.emplace_back(p.weights[h == x ? (k + 1) % 3 : k], v);
+  }
+  std::sort(on_it.begin(), on_it.end()); // parameters of inserted vertices are between 0 and 1
+  return on_it;
+}
+
+// The way of an input halfedge over the intrinsic triangulation: part by part, between the vertices that were
+// inserted on it.
+template <class Triangulation, class Signposts>
+Edge_path trace_input_edge_by_signposts(const Triangulation& t, const Signposts& signposts,
+                                        std::uint32_t x) {
+  const Intrinsic_view<Triangulation> view(t);
+  const double length = std::sqrt(signposts.input().squared_length(x / 2));
+  const auto on_it = vertices_on_input_halfedge(t, signposts, x);
+  Edge_path path;
+  std::vector<Strip_side> strip;
+  for (std::size_t i = 0; i + 1 < on_it.size(); ++i) {
+    const auto [from, vertex] = on_it[i];
+    const auto [to, next] = on_it[i + 1];
+    const auto walk = [&, v = vertex](double turn) {
+      return Geodesic_walk<Intrinsic_view<Triangulation>>(
+          view, i == 0 ? signposts.intrinsic_direction(view, x, turn)
+                       : signposts.intrinsic_direction_at(view, v, x, turn));
+    };
+    const auto first = walk(0);
+    const Geodesic_to_target r =
+        trace_corrected(view, walk, Geodesic_target::at_vertex(next), (to - from) * length, strip);
+    if (!r.is_reached) return {Status::not_traceable, Gluing::none, {}};
+    const auto add = [&, a = from, b = to](const Surface_point& p, double along) {
+      const double s = a + along * (b - a);
+      path.points.push_back({point_on_halfedge(signposts.input(), x, s), p, s});
+    };
+    if (i == 0) add({first.face().side[0], first.weights()}, 0);
+    for (const Strip_side& s : strip) {
+      const double p = s.parameter(r.slope);
+      add({s.halfedge, {1 - p, p, 0}}, part_of_line(s, r));
+    }
+    const std::uint32_t out = view.outgoing_halfedge(next);
+    add(point_on_halfedge(view, out, 0), 1);
+    path.along = on_it.size() == 2 ? r.along : Gluing::none;
+  }
+  return path;
+}
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

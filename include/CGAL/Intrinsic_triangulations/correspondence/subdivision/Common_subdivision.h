@@ -5,11 +5,15 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_COMMON_SUBDIVISION_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -131,6 +135,27 @@ private:
   }
 };
 
+namespace internal {
+
+/// returns barycentric coordinates of corner `c` of a subdivision in the intrinsic face of `base`.
+template <class View>
+std::array<double, 3> corner_in_face(const View& view, const Common_subdivision& s,
+                                     std::uint32_t base, std::size_t c) {
+  const std::uint32_t h = s.intrinsic_halfedge[c];
+  double along = 0;
+  if (s.corner[c] >= s.vertices.size()) {
+    const double p = s.crossings[s.corner[c] - s.vertices.size()].on_intrinsic.parameter;
+    along = h % 2 == 0 ? p : 1 - p;
+  }
+  const std::size_t k = h == base ? 0 : h == view.next(base) ? 1 : 2;
+  std::array<double, 3> weights{0, 0, 0};
+  weights[k] = 1 - along;
+  weights[(k + 1) % 3] = along;
+  return weights;
+}
+
+} // namespace internal
+
 /*!
 \brief computes where a combination of vertices is in space.
 \param w vertices of the input and their weights
@@ -158,6 +183,24 @@ inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
   for (std::size_t v = 0; v < s.number_of_vertices(); ++v)
     result.push_back(position(s.on_input(v), points));
   return result;
+}
+
+/*!
+\brief computes where the vertices of a common subdivision are in space.
+\tparam FaceGraph a model of `FaceListGraph` with a point map of its own
+\param s the subdivision
+\param mesh the mesh that the triangulation was built from
+\return one point per vertex of the subdivision
+\complexity linear
+*/
+template <class FaceGraph>
+  requires(!std::is_convertible_v<const FaceGraph&, std::span<const std::array<double, 3>>>)
+std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const FaceGraph& mesh) {
+  const auto map = Mesh_adaptor<FaceGraph>::point_map(mesh);
+  std::vector<std::array<double, 3>> points;
+  for (const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(mesh))
+    points.push_back(Mesh_adaptor<FaceGraph>::coordinates(get(map, v)));
+  return positions(s, std::span<const std::array<double, 3>>(points));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

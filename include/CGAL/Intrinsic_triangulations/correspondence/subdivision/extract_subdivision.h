@@ -9,9 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/weighted_vertices.h>
 
@@ -72,7 +72,7 @@ private:
     const Surface_point& p = coordinates_.location(v);
     r.kind = Subdivision_vertex_kind::inserted;
     r.input_face = user_face(input.face(p.halfedge));
-    r.on_input = weighted_vertices(t_, coordinates_, p);
+    r.on_input = weighted_vertices(t_, p);
     return r;
   }
 
@@ -232,22 +232,13 @@ private:
   Corner_coordinates corners_{};
 };
 
-} // namespace internal
-
-/*!
-\brief extracts the common subdivision of an intrinsic triangulation and its input (§3.6 of the course).
-
-Its connectivity follows from integers alone: it is that of a subdivision of both, whatever rounding
-does to the locations of the crossings.
-\param t the triangulation
-\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
-\throws std::length_error if there are more than 2^31 crossings
-\complexity linear in the size of the result
-*/
+// Extracts the common subdivision (§3.6 of the course), see `common_subdivision()`.
 template <class Triangulation, class Coordinates>
 Common_subdivision extract_subdivision(const Triangulation& t, const Coordinates& coordinates) {
-  return internal::Subdivider<Triangulation, Coordinates>(t, coordinates).subdivide();
+  return Subdivider<Triangulation, Coordinates>(t, coordinates).subdivide();
 }
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

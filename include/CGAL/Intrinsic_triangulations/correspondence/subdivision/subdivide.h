@@ -4,15 +4,17 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_SUBDIVIDE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_SUBDIVIDE_H
 
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/extract_subdivision.h>
-
-#include <cstdint>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief extracts the common subdivision of an intrinsic triangulation and its input (§3.6 of the course).
+
+Its connectivity follows from integers alone: it is that of a subdivision of both, whatever rounding
+does to the locations of the crossings.
 \tparam Triangulation an instance of `Intrinsic_triangulation` with the correspondence
   `Integer_coordinates`, `Explicit_crossings` or `Signposts`
 \param t the triangulation
@@ -22,15 +24,13 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <class Triangulation>
 Common_subdivision common_subdivision(const Triangulation& t) {
+  internal::expect_correspondence<Triangulation>();
   const auto& c = t.correspondence();
-  static_assert(
-      requires { c.input(); },
-      "without correspondence nothing is known of where edges run on the input; use "
-      "Integer_coordinates as third argument of Intrinsic_triangulation");
-  if constexpr (requires { c.normal_coordinate(std::uint32_t{}); })
-    return extract_subdivision(t, c);
-  else if constexpr (requires { c.input(); })
-    return extract_subdivision(t, integer_coordinates(t, c)); // found by argument-dependent lookup
+  if constexpr (internal::Has_curves<Triangulation>)
+    return internal::extract_subdivision(t, c);
+  else
+    return internal::extract_subdivision(
+        t, integer_coordinates(t, c)); // found by argument-dependent lookup
 }
 
 } // namespace CGAL::Intrinsic_triangulations

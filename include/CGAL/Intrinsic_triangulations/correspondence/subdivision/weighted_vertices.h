@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_WEIGHTED_VERTICES_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <cstdint>
@@ -17,13 +18,11 @@ namespace CGAL::Intrinsic_triangulations {
 With `position()` it tells where points that functions such as `locate_on_input()` and
 `trace_geodesic()` return are in space.
 \param t the triangulation
-\param coordinates its correspondence: integer coordinates, explicit crossings or signposts
 \param p a point of the input, not of the intrinsic triangulation
 */
-template <class Triangulation, class Coordinates>
-Weighted_vertices weighted_vertices(const Triangulation& t, const Coordinates& coordinates,
-                                    const Surface_point& p) {
-  const auto& input = coordinates.input();
+template <class Triangulation>
+Weighted_vertices weighted_vertices(const Triangulation& t, const Surface_point& p) {
+  const Input& input = t.input();
   const auto user_vertex = [&t](std::uint32_t v) { return t.input().names().vertices.user(v); };
   const std::uint32_t next = input.next(p.halfedge);
   return {3,

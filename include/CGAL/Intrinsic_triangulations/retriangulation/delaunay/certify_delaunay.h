@@ -30,7 +30,7 @@ struct Delaunay_certificate {
   /// Edges whose opposite angles sum to more than pi.
   std::size_t non_delaunay_edges = 0;
   /// Edges whose opposite angles sum to exactly pi.
-  std::size_t cocircular_edges = 0;
+  std::size_t ties = 0;
   /// How the signs were decided.
   Predicate_statistics statistics;
 
@@ -59,7 +59,7 @@ Delaunay_certificate certify_delaunay(const Integer_only_triangulation<Mesh>& t)
   }
   const auto report = check_delaunay(t);
   certificate.non_delaunay_edges = report.non_delaunay_edges;
-  certificate.cocircular_edges = report.cocircular_edges.size();
+  certificate.ties = report.cocircular_edges.size();
   certificate.statistics = std::exchange(t.statistics(), before);
   return certificate;
 }

@@ -4,37 +4,28 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_FLIP_TO_DELAUNAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_FLIP_TO_DELAUNAY_H
 
-#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// How flipping to Delaunay ended.
-enum class Flip_to_delaunay_status {
-  done, ///< all edges that may be flipped are locally Delaunay, as far as the arithmetic can tell
-  cap,  ///< the cap on the number of flips was reached
-  cancelled ///< the visitor asked to stop
-};
-
 /*!
 \brief reports what flipping to Delaunay did.
 */
 struct Flip_to_delaunay_result {
-  /// How it ended.
-  Flip_to_delaunay_status status = Flip_to_delaunay_status::done;
+  /// `done`, `cap` or `cancelled`: all edges that may be flipped are locally Delaunay if it is `done`.
+  Status status = Status::done;
   /// Number of edges flipped.
   std::uint64_t flips = 0;
   /// Number of edges tested.
@@ -57,15 +48,6 @@ struct Flip_to_delaunay_visitor {
 
 namespace internal {
 
-template <class T>
-T& unwrapped(T& value) {
-  return value;
-}
-template <class T>
-T& unwrapped(std::reference_wrapper<T>& reference) {
-  return reference.get();
-}
-
 // Counts what a flipper does, and stops it.
 template <class Triangulation, class Constrained, class Visitor>
 class Flip_observer {
@@ -80,13 +62,13 @@ public:
     if ((++result.checks & 0xffffU) != 0 ||
         session_.suspended([this] { return visitor_.progress(result); }))
       return true;
-    result.status = Flip_to_delaunay_status::cancelled;
+    result.status = Status::cancelled;
     return false;
   }
   bool is_constrained(Halfedge h) const { return get(constrained_, edge(h, t_.mesh())); }
   bool before_flip() {
     if (result.flips < cap_) return true;
-    result.status = Flip_to_delaunay_status::cap;
+    result.status = Status::cap;
     return false;
   }
   void after_flip(Halfedge) { ++result.flips; }
@@ -115,7 +97,7 @@ flips makes it end.
 
 \tparam Triangulation a model of `IntrinsicTriangulation`
 \tparam EdgeRange a range of `Triangulation::edge_descriptor`
-\tparam NamedParameters a sequence of named parameters
+\tparam NP a chain of named parameters
 \param t the triangulation
 \param edges the edges to start from
 \param np optional named parameters:
@@ -131,26 +113,24 @@ flips makes it end.
   on points of a parabola
 */
 template <IntrinsicTriangulation Triangulation, class EdgeRange,
-          class NamedParameters = parameters::Default_named_parameters>
+          NamedParameters NP = parameters::Parameters<>>
+  requires(!NamedParameters<EdgeRange>)
 Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edges,
-                                         const NamedParameters& np = parameters::default_values()) {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+                                         const NP& np = parameters::default_values()) {
+  using namespace internal::tags;
   using Edge = typename Triangulation::edge_descriptor;
-  auto constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                      Static_boolean_property_map<Edge, false>());
-  auto stored_visitor =
-      choose_parameter(get_parameter(np, internal_np::visitor), Flip_to_delaunay_visitor());
-  auto& visitor = internal::unwrapped(stored_visitor);
-  constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
-  const std::uint64_t cap = choose_parameter(
-      get_parameter(np, internal_np::maximum_number),
-      Triangulation::Metric::is_exact ? unlimited
-                                      : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
+  internal::expect_names<edge_is_constrained_map, visitor, maximum_number>(np);
+  const auto constrained =
+      internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
+  auto stored_visitor = internal::object_or<visitor>(np, Flip_to_delaunay_visitor());
+  auto& observed = internal::unwrapped(stored_visitor);
+  const std::uint64_t cap = internal::value_or<maximum_number>(
+      np, Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
+                                          : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
   typename Triangulation::Session session(t);
-  internal::Flip_observer<Triangulation, decltype(constrained),
-                          std::remove_reference_t<decltype(visitor)>>
-      observer(t, session, constrained, visitor, cap);
+  internal::Flip_observer<Triangulation, std::remove_cv_t<decltype(constrained)>,
+                          std::remove_reference_t<decltype(observed)>>
+      observer(t, session, constrained, observed, cap);
   internal::Delaunay_flipper<Triangulation> flipper(t, session);
   for (const Edge e : edges) flipper.push(halfedge(e, t.mesh()));
   flipper.run(observer);
@@ -162,19 +142,9 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
 
 See the overload with a range of edges.
 */
-template <IntrinsicTriangulation Triangulation>
-Flip_to_delaunay_result flip_to_delaunay(Triangulation& t) {
-  return flip_to_delaunay(t, edges(t.mesh()), parameters::default_values());
-}
-
-/*!
-\brief flips edges until all are locally Delaunay.
-
-See the overload with a range of edges.
-*/
-template <IntrinsicTriangulation Triangulation, class T, class Tag, class Base>
+template <IntrinsicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Flip_to_delaunay_result flip_to_delaunay(Triangulation& t,
-                                         const Named_function_parameters<T, Tag, Base>& np) {
+                                         const NP& np = parameters::default_values()) {
   return flip_to_delaunay(t, edges(t.mesh()), np);
 }
 

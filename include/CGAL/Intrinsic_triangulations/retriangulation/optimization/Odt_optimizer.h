@@ -42,7 +42,7 @@ public:
   Odt_optimizer(Triangulation& t, const Odt_options& options, Visitor& visitor)
       : t_(t), mesh_(t.mesh()), session_(t), view_(t), options_(options), visitor_(visitor),
         flipper_(t, session_),
-        squared_target_(std::ldexp(options.target_length * options.target_length,
+        squared_target_(std::ldexp(options.maximum_edge_length * options.maximum_edge_length,
                                    2 * t.metric().scale_exponent())),
         cap_(options.maximum_insertions.value_or(1000000 +
                                                  10 * std::uint64_t{num_faces(t.mesh())})) {}
@@ -58,7 +58,7 @@ public:
     result_.energy_before = odt_energy(t_);
     is_going_on_ = flipper_.run(*this);
     double energy = odt_energy(t_);
-    while (is_going_on_ && result_.iterations < options_.maximum_iterations) {
+    while (is_going_on_ && result_.iterations < options_.number_of_iterations) {
       ++result_.iterations;
       const std::uint64_t splits = result_.splits;
       if (!split_long_edges() || !move_vertices() || !flip_everywhere()) break;
@@ -67,7 +67,7 @@ public:
       energy = after;
       if (!may_go_on()) break;
       if (splits != result_.splits || !is_steady) continue;
-      result_.status = Odt_status::converged;
+      result_.status = Status::done;
       break;
     }
     result_.energy_after = odt_energy(t_);
@@ -107,7 +107,7 @@ private:
 
   bool may_go_on() {
     if (!session_.suspended([this] { return visitor_.progress(result_); })) {
-      result_.status = Odt_status::cancelled;
+      result_.status = Status::cancelled;
       is_going_on_ = false;
     }
     return is_going_on_;

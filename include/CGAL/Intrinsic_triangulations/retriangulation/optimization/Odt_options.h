@@ -4,39 +4,33 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIONS_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+
 #include <cstdint>
 #include <limits>
 #include <optional>
 
 namespace CGAL::Intrinsic_triangulations {
 
-/*!
-\brief says what `odt_optimize()` is to reach, and how long it may take.
-*/
+namespace internal {
+
+// What the optimisation is to reach: see `odt_optimize()`.
 struct Odt_options {
-  /// Edges that are longer are split, in the units of the input. Default: none is.
-  double target_length = std::numeric_limits<double>::infinity();
-  /// Cap on the number of iterations, each of which splits long edges, then moves every vertex once.
-  unsigned maximum_iterations = 100;
-  /// Cap on the number of vertices inserted. Default: a million and ten per face.
+  double maximum_edge_length = std::numeric_limits<double>::infinity();
+  unsigned number_of_iterations = 100;
   std::optional<std::uint64_t> maximum_insertions = std::nullopt;
-  /// It has converged when an iteration without splits lowers the energy by less than this fraction.
   double convergence = 1e-3;
 };
 
-/// How the optimisation ended.
-enum class Odt_status {
-  converged, ///< no edge is longer than the target, and the energy hardly changes
-  cap,       ///< the cap on iterations, insertions or, with inexact numbers, flips was reached
-  cancelled  ///< the visitor asked to stop
-};
+} // namespace internal
 
 /*!
 \brief reports what the optimisation did.
 */
 struct Odt_result {
-  /// How it ended.
-  Odt_status status = Odt_status::cap;
+  /// `done`: no edge is longer than asked, and the energy hardly changes; `cap`: that on iterations,
+  /// insertions or, with inexact numbers, flips was reached; or `cancelled`.
+  Status status = Status::cap;
   /// Iterations done.
   unsigned iterations = 0;
   /// Edges split.

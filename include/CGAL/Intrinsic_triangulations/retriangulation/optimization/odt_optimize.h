@@ -4,16 +4,14 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZE_H
 
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_optimizer.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_options.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/property_map/property_map.hpp>
-
+#include <cstdint>
 #include <stdexcept>
 #include <type_traits>
 
@@ -24,7 +22,7 @@ namespace CGAL::Intrinsic_triangulations {
 triangulation (§4.5 of the course; Chen and Holst, Efficient mesh optimization schemes based on optimal
 Delaunay triangulations, 2011).
 
-Each iteration splits the edges that are longer than the target at their midpoints, then moves every
+Each iteration splits the edges that are too long at their midpoints, then moves every
 inserted vertex to the mean of the circumcenters of the faces about it, weighted by their areas, or part of
 the way where that is outside of its star, and flips edges to Delaunay. Areas become even, at the cost of
 some smaller angles than `delaunay_refine()` leaves. The vertices of the input stay, and the surface is
@@ -32,38 +30,45 @@ what it was; so do vertices inserted on the border and on constrained edges. Mov
 descriptors.
 
 \tparam Triangulation an instance of `Intrinsic_triangulation`
-\tparam NamedParameters a sequence of named parameters
+\tparam NP a chain of named parameters
 \param t the triangulation; it may have been refined before
-\param options target and caps
 \param np optional named parameters:
+  - `maximum_edge_length(x)`: edges that are longer are split, in the units of the input. Default: none is.
+  - `number_of_iterations(n)`: cap on the number of iterations. Default: 100.
+  - `maximum_insertions(n)`: cap on the number of vertices inserted. Default: a million and ten per face.
+  - `convergence(x)`: it is done when an iteration without splits lowers the energy by less than this
+    fraction. Default: 1e-3.
   - `edge_is_constrained_map(m)`: a property map from edges to `bool`; constrained edges are never
     flipped. If it is writable, it is true of the parts of constrained edges in the end, and false of other
     edges. Default: none is.
   - `visitor(v)`: see `Odt_visitor`. It is copied; pass `std::ref(v)` to have `v` itself called.
 \return status, counts, energies
-\throws std::invalid_argument if the target is not positive
+\throws std::invalid_argument if the largest length is not positive
 \complexity linear in the number of vertices for each iteration, as a rule
 */
-template <class Triangulation, class NamedParameters = parameters::Default_named_parameters>
-Odt_result odt_optimize(Triangulation& t, const Odt_options& options = {},
-                        const NamedParameters& np = parameters::default_values()) {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+template <class Triangulation, NamedParameters NP = parameters::Parameters<>>
+Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_values()) {
+  using namespace internal::tags;
   using Edge = typename Triangulation::edge_descriptor;
-  if (!(options.target_length > 0))
-    throw std::invalid_argument("the target length must be positive");
-  auto constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                      Static_boolean_property_map<Edge, false>());
-  auto stored_visitor = choose_parameter(get_parameter(np, internal_np::visitor), Odt_visitor());
-  auto& visitor = internal::unwrapped(stored_visitor);
-  internal::Odt_optimizer<Triangulation, std::remove_reference_t<decltype(visitor)>> optimizer(
-      t, options, visitor);
+  internal::expect_names<maximum_edge_length, number_of_iterations, maximum_insertions, convergence,
+                         edge_is_constrained_map, visitor>(np);
+  const internal::Odt_options d;
+  const internal::Odt_options options{
+      internal::value_or<maximum_edge_length>(np, d.maximum_edge_length),
+      internal::value_or<number_of_iterations>(np, d.number_of_iterations),
+      internal::value_or<maximum_insertions>(np, d.maximum_insertions),
+      internal::value_or<convergence>(np, d.convergence)};
+  if (!(options.maximum_edge_length > 0))
+    throw std::invalid_argument("the largest length of edges must be positive");
+  const auto constrained =
+      internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
+  auto stored_visitor = internal::object_or<visitor>(np, Odt_visitor());
+  auto& observed = internal::unwrapped(stored_visitor);
+  internal::Odt_optimizer<Triangulation, std::remove_reference_t<decltype(observed)>> optimizer(
+      t, options, observed);
   const Odt_result result = optimizer.run(constrained);
-  using Map = decltype(constrained);
-  if constexpr (std::is_convertible_v<typename boost::property_traits<Map>::category,
-                                      boost::writable_property_map_tag>)
-    for (const Edge e : edges(t.mesh()))
-      put(constrained, e, optimizer.is_constrained_edge(t.index(e)));
+  internal::write_constrained(t, constrained,
+                              [&](std::uint32_t e) { return optimizer.is_constrained_edge(e); });
   return result;
 }
 

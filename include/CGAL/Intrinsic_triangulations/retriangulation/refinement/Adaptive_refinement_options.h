@@ -4,36 +4,25 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_ADAPTIVE_REFINEMENT_OPTIONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_ADAPTIVE_REFINEMENT_OPTIONS_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
-/*!
-\brief says what adaptive refinement is to reach, and how.
-*/
+namespace internal {
+
+// What adaptive refinement is to reach: see `adaptive_refine()`.
 struct Adaptive_refinement_options {
-  /// Estimated error at which it ends.
   double tolerance = 0;
-  /// Share of the squared estimated error that the faces refined in a round have at least (Dörfler 1996):
-  /// the larger, the fewer rounds; the smaller, the fewer vertices. Above 0, at most 1.
   double bulk = 0.5;
-  /// Least angle of faces, in degrees; see `Refinement_options::minimum_angle`.
   double minimum_angle = 25;
-  /// Cap on the number of vertices, those of the input included.
   std::size_t maximum_vertices = 100000;
-  /// Cap on the number of rounds of refinement.
   std::size_t maximum_rounds = 100;
 };
 
-/// How adaptive refinement ended.
-enum class Adaptive_refinement_status {
-  done,      ///< the estimated error is at most the tolerance
-  vertices,  ///< the cap on the number of vertices was reached
-  rounds,    ///< the cap on the number of rounds was reached
-  stalled,   ///< no vertex could be inserted in the faces of large error
-  cancelled, ///< the visitor asked to stop
-};
+} // namespace internal
 
 /*!
 \brief describes a triangulation on which the error was estimated.
@@ -51,8 +40,9 @@ struct Adaptive_refinement_round {
 \brief reports what adaptive refinement did.
 */
 struct Adaptive_refinement_result {
-  /// How it ended.
-  Adaptive_refinement_status status = Adaptive_refinement_status::done;
+  /// `done`: the estimated error is at most the tolerance; `cap`: that on the number of vertices or of
+  /// rounds was reached; `stalled`: no vertex could be inserted in the faces of large error; `cancelled`.
+  Status status = Status::done;
   /// The triangulations, the one refinement started from first; the last one is that in the end.
   std::vector<Adaptive_refinement_round> rounds;
 };

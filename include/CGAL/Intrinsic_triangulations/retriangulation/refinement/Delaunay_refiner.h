@@ -85,7 +85,7 @@ public:
   bool before_check() { return true; }
   bool before_flip() {
     if (Triangulation::Metric::is_exact || result_.counts.flips < flip_cap()) return true;
-    result_.status = Refinement_status::cap;
+    result_.status = Status::cap;
     is_going_on_ = false;
     return false;
   }
@@ -102,8 +102,6 @@ public:
   void refused(Halfedge) { ++result_.counts.refused; }
 
 private:
-  using Status = Move_status;
-
   std::uint32_t number(Halfedge h) const { return t_.numbers().halfedge(h); }
   Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
   bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
@@ -208,11 +206,11 @@ private:
   bool may_insert() {
     const std::uint64_t n = result_.counts.circumcenters + result_.counts.segment_splits;
     if (n >= cap_) {
-      result_.status = Refinement_status::cap;
+      result_.status = Status::cap;
       is_going_on_ = false;
     } else if ((n & 0xffU) == 0xffU &&
                !session_.suspended([this] { return visitor_.progress(result_.counts); })) {
-      result_.status = Refinement_status::cancelled;
+      result_.status = Status::cancelled;
       is_going_on_ = false;
     }
     return is_going_on_;
@@ -221,7 +219,7 @@ private:
   // inserts a vertex if it keeps its distance, squared, from others
   bool insert(const Surface_point& p, double distance) {
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
-    if (n.status != Status::done) return false;
+    if (n.status != Move_status::done) return false;
     ++result_.counts.circumcenters;
     set_free(t_.index(n.vertex), true);
     suspect_star(n.vertex);
@@ -264,7 +262,7 @@ private:
     const std::array<std::uint32_t, 2> ends{t_.index(source(h, mesh_)), t_.index(target(h, mesh_))};
     const bool on_border = is_border(opposite(h, mesh_));
     const auto n = session_.split_edge(h, parameter);
-    if (n.status != Status::done) {
+    if (n.status != Move_status::done) {
       ++result_.counts.refused;
       return false;
     }
@@ -339,7 +337,7 @@ private:
       old.push_back(t_.index(face(h, mesh_)));
     });
     const std::uint32_t number_of_v = t_.index(v);
-    if (session_.remove_vertex(v) != Status::done) {
+    if (session_.remove_vertex(v) != Move_status::done) {
       ++result_.counts.refused;
       for (const Halfedge h : rim) suspect_face(h); // flips have been taken back
       return;

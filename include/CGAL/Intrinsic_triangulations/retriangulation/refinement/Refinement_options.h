@@ -4,7 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_OPTIONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_OPTIONS_H
 
-#include <cstddef>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -20,32 +21,19 @@ enum class Refinement_order {
   worst_first ///< that of the smallest angle
 };
 
-/*!
-\brief says what refinement is to reach, and how.
-*/
+namespace internal {
+
+// What refinement is to reach, and how: see `delaunay_refine()`.
 struct Refinement_options {
-  /// Least angle of faces, in degrees; 0: any. Up to 30 degrees refinement ends by Chew's argument;
-  /// beyond, up to about 34 as a rule, by experience.
   double minimum_angle = 25;
-  /// Largest circumradius of faces, in the units of the input.
   double maximum_circumradius = std::numeric_limits<double>::infinity();
-  /// Largest length of edges, in the units of the input.
   double maximum_edge_length = std::numeric_limits<double>::infinity();
-  /// Cap on the number of insertions. Default: a million and ten per face.
   std::optional<std::uint64_t> maximum_insertions = std::nullopt;
-  /// Which face comes next.
   Refinement_order order = Refinement_order::first_come;
-  /// Whether constrained edges that are not locally Delaunay are split, so that all edges become
-  /// locally Delaunay; if not, they may stay as they are (the two flavours of §4.4 of the course).
   bool conforming = false;
 };
 
-/// How refinement ended.
-enum class Refinement_status {
-  done,     ///< every face meets the criteria, except those that are listed
-  cap,      ///< the cap on the number of insertions was reached
-  cancelled ///< the visitor asked to stop
-};
+} // namespace internal
 
 /// Why a face does not meet the criteria.
 enum class Unsatisfied_reason {
@@ -90,8 +78,9 @@ struct Refinement_counts {
 */
 template <class Face>
 struct Refinement_result {
-  /// How it ended.
-  Refinement_status status = Refinement_status::done;
+  /// `done`, `cap` or `cancelled`: every face meets the criteria, except those that are listed, if it is
+  /// `done`.
+  Status status = Status::done;
   /// What was done.
   Refinement_counts counts;
   /// All faces that do not meet the criteria.
@@ -108,7 +97,7 @@ struct Refinement_visitor {
   */
   bool progress(const Refinement_counts&) { return true; }
   /*!
-  \brief tells whether a face is to be refined for other reasons than those of `Refinement_options`.
+  \brief tells whether a face is to be refined for other reasons than the criteria of `delaunay_refine()`.
 
   Refinement ends only if faces that are small enough are not.
   */

@@ -45,7 +45,7 @@ public:
   \param scale_exponent lengths are scaled by 2^scale_exponent
   \throws std::invalid_argument if a bound is not a number, not positive, or an angle of 60 degrees or more
   */
-  Refinement_test(const Refinement_options& options, int scale_exponent) {
+  Refinement_test(const internal::Refinement_options& options, int scale_exponent) {
     const double angle = options.minimum_angle;
     if (!(angle >= 0 && angle < 60))
       throw std::invalid_argument("the minimum angle must be at least 0 and below 60 degrees");

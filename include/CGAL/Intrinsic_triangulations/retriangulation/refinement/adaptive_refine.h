@@ -4,12 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_ADAPTIVE_REFINE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_ADAPTIVE_REFINE_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Adaptive_refinement_options.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Marked_faces.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <cmath>
@@ -46,9 +45,10 @@ bool refine_within(Triangulation& t, const Adaptive_refinement_options& options,
                    const Constrained& constrained, Visitor visitor) {
   const std::size_t n = num_vertices(t.mesh());
   const std::uint64_t left = n < options.maximum_vertices ? options.maximum_vertices - n : 0;
-  const auto result =
-      delaunay_refine(t, {.minimum_angle = options.minimum_angle, .maximum_insertions = left},
-                      CGAL::parameters::edge_is_constrained_map(constrained).visitor(visitor));
+  const auto result = delaunay_refine(t, parameters::minimum_angle(options.minimum_angle)
+                                             .maximum_insertions(left)
+                                             .edge_is_constrained_map(constrained)
+                                             .visitor(visitor));
   return result.counts.circumcenters + result.counts.segment_splits > 0;
 }
 
@@ -67,11 +67,17 @@ the user's: `residual_indicators()` has some.
 \tparam Estimate a functor called with `Triangulation&`, of which it changes nothing but the precision of
   values; it returns a `std::vector<double>` of error indicators, at the numbers of faces, of size
   `t.numbers().face_capacity(t.mesh())`. Their squares sum to that of the error.
-\tparam NamedParameters a sequence of named parameters
+\tparam NP a chain of named parameters
 \param t the triangulation
 \param estimate computes the function, and indicators of its error
-\param options what is to be reached
 \param np optional named parameters:
+  - `tolerance(x)`: estimated error at which it is done. Default: 0.
+  - `bulk(x)`: share of the squared estimated error that the faces refined in a round have at least
+    (Dörfler 1996): the larger, the fewer rounds; the smaller, the fewer vertices. Above 0, at most 1.
+    Default: 0.5.
+  - `minimum_angle(x)`: least angle of faces, in degrees; see `delaunay_refine()`. Default: 25.
+  - `maximum_vertices(n)`: cap on the number of vertices, those of the input included. Default: 100000.
+  - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 100.
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
   - `visitor(v)`: see `Adaptive_refinement_visitor`. It is copied; pass `std::ref(v)` to have `v` itself
     called.
@@ -81,22 +87,24 @@ the user's: `residual_indicators()` has some.
   not as many as numbers of faces
 \complexity that of the functor and of `delaunay_refine()`, per round
 */
-template <class Triangulation, class Estimate,
-          class NamedParameters = parameters::Default_named_parameters>
-Adaptive_refinement_result
-adaptive_refine(Triangulation& t, Estimate estimate,
-                const Adaptive_refinement_options& options = {},
-                const NamedParameters& np = parameters::default_values()) {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+template <class Triangulation, class Estimate, NamedParameters NP = parameters::Parameters<>>
+Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
+                                           const NP& np = parameters::default_values()) {
+  using namespace internal::tags;
   using Edge = typename Triangulation::edge_descriptor;
-  using Status = Adaptive_refinement_status;
+  internal::expect_names<internal::tags::tolerance, bulk, minimum_angle, maximum_vertices,
+                         maximum_rounds, edge_is_constrained_map, visitor>(np);
+  const internal::Adaptive_refinement_options d;
+  const internal::Adaptive_refinement_options options{
+      internal::value_or<internal::tags::tolerance>(np, d.tolerance),
+      internal::value_or<bulk>(np, d.bulk), internal::value_or<minimum_angle>(np, d.minimum_angle),
+      internal::value_or<maximum_vertices>(np, d.maximum_vertices),
+      internal::value_or<maximum_rounds>(np, d.maximum_rounds)};
   if (!(options.tolerance >= 0)) throw std::invalid_argument("the tolerance must not be negative");
-  auto constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                      Static_boolean_property_map<Edge, false>());
-  auto stored_visitor =
-      choose_parameter(get_parameter(np, internal_np::visitor), Adaptive_refinement_visitor());
-  auto& visitor = internal::unwrapped(stored_visitor);
+  const auto constrained =
+      internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
+  auto stored_visitor = internal::object_or<visitor>(np, Adaptive_refinement_visitor());
+  auto& observed = internal::unwrapped(stored_visitor);
   internal::refine_within(t, options, constrained, Refinement_visitor());
   Adaptive_refinement_result result;
   for (;;) {
@@ -108,10 +116,11 @@ adaptive_refine(Triangulation& t, Estimate estimate,
       result.status = status;
       return result;
     };
-    if (!visitor.progress(result.rounds.back())) return end(Status::cancelled);
+    if (!observed.progress(result.rounds.back())) return end(Status::cancelled);
     if (error <= options.tolerance) return end(Status::done);
-    if (num_vertices(t.mesh()) >= options.maximum_vertices) return end(Status::vertices);
-    if (result.rounds.size() > options.maximum_rounds) return end(Status::rounds);
+    if (num_vertices(t.mesh()) >= options.maximum_vertices ||
+        result.rounds.size() > options.maximum_rounds)
+      return end(Status::cap);
     Marked_faces<Triangulation> faces(t, marked);
     if (!internal::refine_within(t, options, constrained, std::ref(faces)))
       return end(Status::stalled);

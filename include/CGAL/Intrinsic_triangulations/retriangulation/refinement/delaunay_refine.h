@@ -4,19 +4,44 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINE_H
 
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+template <class NP>
+Refinement_options refinement_options(const NP& np) {
+  using namespace tags;
+  const Refinement_options d;
+  return {value_or<minimum_angle>(np, d.minimum_angle),
+          value_or<maximum_circumradius>(np, d.maximum_circumradius),
+          value_or<maximum_edge_length>(np, d.maximum_edge_length),
+          value_or<maximum_insertions>(np, d.maximum_insertions),
+          value_or<tags::order>(np, d.order),
+          value_or<tags::conforming>(np, d.conforming)};
+}
+
+// Makes a property map true of constrained edges, if it is writable.
+template <class Triangulation, class Map, class Predicate>
+void write_constrained(const Triangulation& t, Map map, const Predicate& is_constrained) {
+  if constexpr (std::is_convertible_v<typename boost::property_traits<Map>::category,
+                                      boost::writable_property_map_tag>)
+    for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
+      put(map, e, is_constrained(t.index(e)));
+}
+
+} // namespace internal
 
 /*!
 \brief inserts vertices until faces meet criteria, and keeps the triangulation Delaunay (§4.3 of the
@@ -31,10 +56,18 @@ the criteria; with exact traits that is certain, and so is that every edge is lo
 constrained.
 
 \tparam Triangulation an instance of `Intrinsic_triangulation`
-\tparam NamedParameters a sequence of named parameters
+\tparam NP a chain of named parameters
 \param t the triangulation
-\param options the criteria
 \param np optional named parameters:
+  - `minimum_angle(x)`: least angle of faces, in degrees; 0: any. Up to 30 degrees refinement ends by
+    Chew's argument; beyond, up to about 34 as a rule, by experience. Default: 25.
+  - `maximum_circumradius(x)`: largest circumradius of faces, in the units of the input. Default: any.
+  - `maximum_edge_length(x)`: largest length of edges, in the units of the input. Default: any.
+  - `maximum_insertions(n)`: cap on the number of insertions. Default: a million and ten per face.
+  - `order(o)`: which face comes next, a `Refinement_order`. Default: `first_come`.
+  - `conforming(b)`: whether constrained edges that are not locally Delaunay are split, so that all edges
+    become locally Delaunay; if not, they may stay as they are (the two flavours of §4.4 of the
+    course). Default: false.
   - `edge_is_constrained_map(m)`: a property map from edges to `bool`; constrained edges are never
     flipped. If it is writable, it is true of the parts of constrained edges in the end, and false of
     other edges that are new. Default: none is.
@@ -43,26 +76,24 @@ constrained.
 \throws std::invalid_argument if a bound makes no sense
 \complexity linear in the number of vertices inserted, as a rule
 */
-template <class Triangulation, class NamedParameters = parameters::Default_named_parameters>
+template <class Triangulation, NamedParameters NP = parameters::Parameters<>>
 Refinement_result<typename Triangulation::face_descriptor>
-delaunay_refine(Triangulation& t, const Refinement_options& options = {},
-                const NamedParameters& np = parameters::default_values()) {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
+  using namespace internal::tags;
   using Edge = typename Triangulation::edge_descriptor;
-  auto constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                      Static_boolean_property_map<Edge, false>());
-  auto stored_visitor =
-      choose_parameter(get_parameter(np, internal_np::visitor), Refinement_visitor());
-  auto& visitor = internal::unwrapped(stored_visitor);
-  internal::Delaunay_refiner<Triangulation, std::remove_reference_t<decltype(visitor)>> refiner(
-      t, options, visitor);
+  internal::expect_names<minimum_angle, maximum_circumradius, maximum_edge_length,
+                         maximum_insertions, internal::tags::order, conforming,
+                         edge_is_constrained_map, visitor>(np);
+  const auto constrained =
+      internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
+  auto stored_visitor = internal::object_or<visitor>(np, Refinement_visitor());
+  auto& observed = internal::unwrapped(stored_visitor);
+  const internal::Refinement_options options = internal::refinement_options(np);
+  internal::Delaunay_refiner<Triangulation, std::remove_reference_t<decltype(observed)>> refiner(
+      t, options, observed);
   auto result = refiner.run(constrained);
-  using Map = decltype(constrained);
-  if constexpr (std::is_convertible_v<typename boost::property_traits<Map>::category,
-                                      boost::writable_property_map_tag>)
-    for (const Edge e : edges(t.mesh()))
-      put(constrained, e, refiner.segments().is_constrained(t.index(e)));
+  internal::write_constrained(
+      t, constrained, [&](std::uint32_t e) { return refiner.segments().is_constrained(e); });
   return result;
 }
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 /*!
 \brief finds the vertices within a distance along edges (§4.3 of the course).
@@ -59,6 +59,6 @@ std::vector<std::uint32_t> dijkstra_ball(const Complex& complex, std::uint32_t c
   return ball;
 }
 
-} // namespace CGAL::Intrinsic_triangulations
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DIJKSTRA_BALL_H

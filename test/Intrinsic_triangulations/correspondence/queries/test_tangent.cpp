@@ -5,10 +5,11 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_intrinsic.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_transfer.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/tracing/tangent_frames.h>
 
 #include "gallery.h"
 #include "meshes.h"
@@ -78,6 +79,12 @@ void for_each_halfedge_from_the_input(const T& t, Function f) {
       if (!t.correspondence().is_inserted(view.source(h))) f(h);
 }
 
+template <class T>
+double cone_angle_on_input(const T& t, const Tangent_frames& frames, std::uint32_t h) {
+  const IT::Corner_direction d = IT::internal::direction_on_input(t, t.correspondence(), h);
+  return frames.cone_angle(d.halfedge) + d.angle;
+}
+
 template <class Correspondence>
 void expect_angles_of_signposts(int moves) {
   for (const auto& [name, m] : fat_meshes()) {
@@ -85,7 +92,7 @@ void expect_angles_of_signposts(int moves) {
     const auto s = moved<Signposts>(m, moves);
     const Tangent_frames frames(t.correspondence().input());
     for_each_halfedge_from_the_input(t, [&, &n = name](std::uint32_t h) {
-      const double a = cone_angle_on_input(t, t.correspondence(), frames, h);
+      const double a = cone_angle_on_input(t, frames, h);
       EXPECT_LT(difference(a, s.correspondence().angle(h), s.correspondence().fan(h).angle), 1e-9)
           << n << ' ' << h;
     });
@@ -110,8 +117,7 @@ void expect_angles_of_faces(const Input& i, int moves, const std::string& name) 
     if (view.is_border(h)) return;
     const std::uint32_t next = next_around_source(view, h);
     const auto& fan = frames.fan(frames.fan_of(c.fans().halfedge(c.roundabout(h))));
-    const double turn =
-        cone_angle_on_input(t, c, frames, next) - cone_angle_on_input(t, c, frames, h);
+    const double turn = cone_angle_on_input(t, frames, next) - cone_angle_on_input(t, frames, h);
     const double error = turn - angle_at_source(view, h);
     EXPECT_LT(fan.is_on_border ? std::abs(error) : difference(error, 0, fan.angle), 1e-9)
         << name << ' ' << h;
@@ -125,35 +131,6 @@ TEST(Tangent_transfer, Turns_from_halfedge_to_halfedge_by_the_angle_between_them
     expect_angles_of_faces(s, 6, s.name);
   }
 }
-
-TEST(Tangent_transfer, Takes_vectors_there_and_back) {
-  for (const auto& [name, m] : fat_meshes()) {
-    const auto t = moved<Integer_coordinates>(m, 8);
-    const Integer_coordinates& c = t.correspondence();
-    const Tangent_frames frames(c.input());
-    for_each_halfedge_from_the_input(t, [&, &n = name](std::uint32_t h) {
-      const auto& fan = frames.fan(frames.fan_of(c.fans().halfedge(c.roundabout(h))));
-      const double a = fan.scale() * cone_angle_on_input(t, c, frames, h);
-      const auto along = vector_to_intrinsic(t, c, frames, h, {2, a}); // that of the halfedge
-      EXPECT_NEAR(along[0], 2, 1e-12) << n;
-      EXPECT_NEAR(along[1], 0, 1e-12) << n;
-      const IT::Polar_vector v = vector_to_input(t, c, frames, h, {0.6, 0.8});
-      const auto back = vector_to_intrinsic(t, c, frames, h, v);
-      EXPECT_NEAR(v.length, 1, 1e-12) << n;
-      if (!fan.is_on_border) { // of those that point out of the surface there is no copy
-        // an angle beyond that of the cone comes back as one turn less
-        const double less = fan.angle - 2 * std::numbers::pi;
-        const double angle = std::atan2(back[1], back[0]), wanted = std::atan2(0.8, 0.6);
-        EXPECT_LT(std::min(difference(angle, wanted, 2 * std::numbers::pi),
-                           difference(angle, wanted - less, 2 * std::numbers::pi)),
-                  1e-12)
-            << n << ' ' << h;
-      }
-    });
-  }
-}
-
-// ---- points
 
 using Point = std::array<double, 3>;
 
@@ -173,6 +150,77 @@ double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+template <class Correspondence>
+class Tangent : public testing::Test {};
+using Correspondences = testing::Types<Integer_coordinates, Explicit_crossings, Signposts>;
+TYPED_TEST_SUITE(Tangent, Correspondences);
+
+/// The angle from a halfedge counterclockwise to a vector in the frame of a face at its source; negative if the
+/// face is not there.
+template <class View>
+double angle_from(const View& view, std::uint32_t h, const IT::Tangent_vector& v) {
+  const IT::Geodesic_face face(view, v.point.halfedge);
+  double sum = 0;
+  std::uint32_t g = h;
+  do {
+    for (unsigned k = 0; k < 3; ++k)
+      if (face.side[k] == g && v.point.weights[k] > 1 - 1e-9) {
+        const auto r = face.relative_to(k, v.vector);
+        return sum + std::atan2(r[1], r[0]);
+      }
+    sum += angle_at_source(view, g);
+    g = next_around_source(view, g);
+  } while (g != h && !view.is_border(g));
+  return -10;
+}
+
+TYPED_TEST(Tangent, Vectors_at_all_vertices_go_there_and_back) {
+  for (const auto& [name, m] : fat_meshes()) {
+    const auto t = moved<TypeParam>(m, 8);
+    const IT::Intrinsic_view view(t);
+    std::size_t count = 0;
+    for (const auto d : edges(t.mesh()))
+      for (const std::uint32_t h : {2 * t.index(d), 2 * t.index(d) + 1}) {
+        if (view.is_border(h)) continue;
+        bool is_on_border = false;
+        const double all = cone_angle(view, h, is_on_border);
+        const double angle = angle_at_source(view, h) / 3;
+        const IT::Tangent_vector v{{h, {1, 0, 0}}, {2 * std::cos(angle), 2 * std::sin(angle)}};
+        const auto there = IT::tangent_to_input(t, v);
+        ASSERT_TRUE(there) << name;
+        EXPECT_NEAR(std::hypot(there->vector[0], there->vector[1]), 2, 1e-12) << name;
+        const auto back = IT::tangent_to_intrinsic(t, *there);
+        ASSERT_TRUE(back) << name;
+        EXPECT_NEAR(std::hypot(back->vector[0], back->vector[1]), 2, 1e-12) << name;
+        const double found = angle_from(view, h, *back);
+        if (is_on_border && found == -10) continue; // to the right of the halfedge
+        EXPECT_LT(difference(found, angle, all), 1e-9) << name << ' ' << h;
+        ++count;
+      }
+    EXPECT_GT(count, num_edges(t.mesh()));
+  }
+}
+
+TYPED_TEST(Tangent, The_direction_of_an_edge_is_that_of_its_path) {
+  for (const auto& [name, m] : fat_meshes()) {
+    auto t = moved<TypeParam>(m, 8);
+    const IT::Intrinsic_view view(t);
+    for (const auto e : edges(t.mesh())) {
+      const IT::Edge_path path = IT::trace_edge(t, e);
+      ASSERT_EQ(path.status, IT::Status::done) << name;
+      if (view.is_border(2 * t.index(e))) continue;
+      const auto v = IT::tangent_to_input(t, {{2 * t.index(e), {1, 0, 0}}, {1, 0}});
+      ASSERT_TRUE(v) << name;
+      // a short geodesic in this direction runs along the first part of the path
+      const double length = std::sqrt(t.squared_length(e)) * path.points[1].parameter;
+      const IT::Geodesic g = IT::trace_geodesic_on_input(t, v->point, v->vector, length);
+      EXPECT_LT(distance(position(t, m, g.points.back()), position(t, m, path.points[1].on_input)),
+                1e-9)
+          << name << ' ' << t.index(e);
+    }
+  }
+}
+
 TEST(Point_queries, Go_from_the_input_to_the_intrinsic_triangulation_and_back) {
   for (const auto& [name, m] : fat_meshes()) {
     auto t = moved<Integer_coordinates>(m, 8);
@@ -184,15 +232,14 @@ TEST(Point_queries, Go_from_the_input_to_the_intrinsic_triangulation_and_back) {
       double a = static_cast<double>(random()) / 0x1p32, b = static_cast<double>(random()) / 0x1p32;
       if (a + b > 1) a = 1 - a, b = 1 - b;
       const Surface_point p{surface.halfedge_of_face(f), {1 - a - b, a, b}};
-      const auto q = IT::locate_on_intrinsic(t, t.correspondence(), p);
+      const auto q = IT::locate_on_intrinsic(t, p);
       ASSERT_TRUE(q) << name;
-      const Surface_point back =
-          IT::locate_on_input(t, t.correspondence(), q->halfedge, q->weights).point;
+      const Surface_point back = *IT::locate_on_input(t, *q);
       EXPECT_LT(distance(position(t, m, back), position(t, m, p)), 1e-9) << name << ' ' << i;
       // signposts lead to the same place on other ways
-      const IT::Signpost_location other = IT::find_on_input(s, s.correspondence(), *q);
-      ASSERT_TRUE(other.is_found) << name;
-      EXPECT_LT(distance(position(s, m, other.point), position(t, m, p)), 1e-9) << name << ' ' << i;
+      const auto other = IT::locate_on_input(s, *q);
+      ASSERT_TRUE(other) << name;
+      EXPECT_LT(distance(position(s, m, *other), position(t, m, p)), 1e-9) << name << ' ' << i;
     }
   }
 }

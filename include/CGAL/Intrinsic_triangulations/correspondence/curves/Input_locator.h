@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_ON_INPUT_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_ON_INPUT_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INPUT_LOCATOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INPUT_LOCATOR_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <CGAL/enum.h>
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -30,11 +32,17 @@ the course, "Face Split").
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+
 /// A point of an intrinsic face, and where it is on the input.
 struct Located {
   Face_region region;  ///< the region of the face
   Surface_point point; ///< the point of the input
+  Planar_vector<double>
+      direction; ///< of the halfedge of `point`, in the frame of the intrinsic face
 };
+
+} // namespace internal
 
 /// returns the input halfedge along which a curve starts.
 template <class Coordinates>
@@ -167,21 +175,24 @@ public:
         weights_(weights), corners_(corner_coordinates(view_, coordinates, h)) {}
 
   Located locate() const {
-    const Face_region r =
-        find_region(corners_, sides_, [this](const Curve_crossing& c) { return side(c); });
-    return Located{r, point(r)};
+    Located l;
+    l.region = find_region(corners_, sides_, [this](const Curve_crossing& c) { return side(c); });
+    locate_in_region(l);
+    return l;
   }
 
 private:
   struct Placed_curve {
     std::uint32_t halfedge; // of the input
     double x, y;            // of the point, in units of the halfedge
+    Plane_point<double> direction;
   };
 
-  double height_over(const Curve_strip& strip, double& along) const {
+  double height_over(const Curve_strip& strip, double& along, Plane_point<double>& d) const {
     metric_.sharpen(strip.faces());
     const std::vector<Plane_point<double>> points = strip.unfold_approximately(view_);
-    const Plane_point<double> u = points[strip.first()], d = points[strip.last()] - u;
+    const Plane_point<double> u = points[strip.first()];
+    d = points[strip.last()] - u;
     const Plane_point<double> p{weights_[1] + weights_[2] * points[2].x - u.x,
                                 weights_[2] * points[2].y - u.y};
     const double squared = d.x * d.x + d.y * d.y;
@@ -201,7 +212,7 @@ private:
     const Curve_strip strip(view_, coordinates_, sides_, c);
     Placed_curve p{};
     double along = 0;
-    const double height = height_over(strip, along);
+    const double height = height_over(strip, along, p.direction);
     p.halfedge = input_halfedge(coordinates_, strip.start());
     const double from =
         parameter_on_halfedge(coordinates_, view_.source(strip.start().halfedge), p.halfedge, true);
@@ -212,33 +223,58 @@ private:
     return p;
   }
 
-  Surface_point beside(const Curve_crossing& c, bool on_left) const {
+  void beside(const Curve_crossing& c, bool on_left, Located& l) const {
     Placed_curve p = place(c);
     if (on_left != (p.y > 0)) p.y = on_left ? 0.0 : -0.0;
-    if (!on_left) p = {p.halfedge ^ 1U, 1 - p.x, -p.y};
-    return point_beside_halfedge(coordinates_.input(), p.halfedge, p.x, p.y);
+    l.point = on_left ? point_beside_halfedge(coordinates_.input(), p.halfedge, p.x, p.y)
+                      : point_beside_halfedge(coordinates_.input(), p.halfedge ^ 1U, 1 - p.x, -p.y);
+    set_direction(p, l);
   }
 
-  Surface_point point(const Face_region& r) const {
-    if (r.is_on_curve) return on_curve(r);
+  static void set_direction(const Placed_curve& p, Located& l) {
+    const double length = std::hypot(p.direction.x, p.direction.y);
+    const double scale = (l.point.halfedge == p.halfedge ? 1 : -1) / (length > 0 ? length : 1);
+    l.direction = {scale * p.direction.x, scale * p.direction.y};
+  }
+
+  void locate_in_region(Located& l) const {
+    const Face_region& r = l.region;
+    if (r.is_on_curve) return on_curve(l);
     for (unsigned k = 0; k < 3; ++k) // beyond an arc, or on the near side of one
-      if (r.cutting[k] < corners_.cutting[k]) return beside({sides_[k], r.cutting[k]}, false);
+      if (r.cutting[k] < corners_.cutting[k]) return beside({sides_[k], r.cutting[k]}, false, l);
     if (r.fan_corner < 3) {
       const std::uint32_t side = sides_[(r.fan_corner + 1) % 3];
       const Normal_coordinate first = corners_.cutting[(r.fan_corner + 1) % 3];
-      return r.right_of_fan > 0 ? beside({side, first + r.right_of_fan - 1}, true)
-                                : beside({side, first}, false);
+      return r.right_of_fan > 0 ? beside({side, first + r.right_of_fan - 1}, true, l)
+                                : beside({side, first}, false, l);
     }
     for (unsigned k = 0; k < 3; ++k)
-      if (r.cutting[k] > 0) return beside({sides_[k], r.cutting[k] - 1}, true);
-    return point_between_corners(coordinates_, sides_, sources(), weights_);
+      if (r.cutting[k] > 0) return beside({sides_[k], r.cutting[k] - 1}, true, l);
+    between_corners(l);
+  }
+
+  // in a face that no curve enters: the first side's direction on the input is turned back
+  void between_corners(Located& l) const {
+    l.point = point_between_corners(coordinates_, sides_, sources(), weights_);
+    const Geodesic_face face(coordinates_.input(), l.point.halfedge);
+    const auto corner = [&](unsigned k) {
+      return face.to_corner(seen_from(coordinates_.input(),
+                                      corner_on_input(coordinates_, sides_[k], sources()[k]),
+                                      l.point.halfedge)
+                                .weights,
+                            0);
+    };
+    const Planar_vector<double> from = corner(0), to = corner(1); // both to the origin
+    const double x = from[0] - to[0], y = from[1] - to[1], length = std::hypot(x, y);
+    l.direction = {length > 0 ? x / length : 1, length > 0 ? -y / length : 0};
   }
 
   std::array<std::uint32_t, 3> sources() const {
     return {view_.source(sides_[0]), view_.source(sides_[1]), view_.source(sides_[2])};
   }
 
-  Surface_point on_curve(const Face_region& r) const {
+  void on_curve(Located& l) const {
+    const Face_region& r = l.region;
     const unsigned k = r.corner;
     const bool in_fan = k == r.fan_corner;
     const Curve_crossing c =
@@ -246,7 +282,8 @@ private:
                : Curve_crossing{sides_[k], r.cutting[k]};
     const Placed_curve p = place(c);
     const double x = std::clamp(p.x, 0.0, 1.0);
-    return {p.halfedge, {1 - x, x, 0}};
+    l.point = {p.halfedge, {1 - x, x, 0}};
+    set_direction(p, l);
   }
 
   const typename Triangulation::Metric& metric_;
@@ -257,24 +294,17 @@ private:
   Corner_coordinates corners_;
 };
 
-} // namespace internal
-
-/*!
-\brief finds the point of the input at a point of an intrinsic face.
-\param t the triangulation, whose metric may get more precise
-\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
-\param h a halfedge of the face
-\param weights barycentric coordinates: of its source, its target, the third corner
-\return the point and the region of the face in which it lies
-\complexity that of following a number of curves logarithmic in the number of crossings of the face
-*/
+// Finds the point of the input at a point of an intrinsic face, and the region of the face in which it lies.
+// Complexity: that of following a number of curves logarithmic in the number of crossings of the face.
 template <class Triangulation, class Coordinates>
-Located locate_on_input(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
-                        const std::array<double, 3>& weights) {
+Located locate_by_curves(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+                         const std::array<double, 3>& weights) {
   [[maybe_unused]] const typename Triangulation::Metric::Scope scope;
-  return internal::Input_locator<Triangulation, Coordinates>(t, coordinates, h, weights).locate();
+  return Input_locator<Triangulation, Coordinates>(t, coordinates, h, weights).locate();
 }
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_ON_INPUT_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INPUT_LOCATOR_H

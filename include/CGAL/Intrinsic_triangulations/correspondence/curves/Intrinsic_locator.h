@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_ON_INTRINSIC_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_ON_INTRINSIC_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INTRINSIC_LOCATOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INTRINSIC_LOCATOR_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate_on_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
@@ -95,6 +95,12 @@ inline double orientation(const Plane_point<double>& a, const Plane_point<double
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// A point of an intrinsic face, and the direction of its halfedge in the frame that the walk began with.
+struct Walked {
+  Surface_point point;
+  Plane_point<double> direction; // not a unit vector
+};
+
 /// Walks over the intrinsic triangulation, unfolding faces into the plane.
 template <class View>
 class Plane_walk {
@@ -117,7 +123,7 @@ public:
   /// The walk never goes back over the side by which it came, and ends where the point is outside by no
   /// more than rounding: else a point on an edge, or at a vertex, could be sent to and fro for ever.
   /// \return the point; where rounding leads over the border, the last point before it
-  Surface_point walk(Placed_face f, const Point& from, const Point& to) const {
+  Walked walk(Placed_face f, const Point& from, const Point& to) const {
     for (std::size_t steps = 0; steps < maximal_steps; ++steps) {
       const std::array<Point, 3> p{f.source, f.target, f.apex};
       const std::array<std::uint32_t, 3> sides = sides_of_face(view_, f.halfedge);
@@ -140,13 +146,14 @@ public:
   }
 
   /// returns a point of a face, moved into it if rounding has put it outside.
-  static Surface_point weights(const Placed_face& f, const Point& p) {
+  static Walked weights(const Placed_face& f, const Point& p) {
     const Point side = f.target - f.source;
     const double squared = dot(side, side);
-    if (!(squared > 0)) return {f.halfedge, {1, 0, 0}};
+    if (!(squared > 0)) return {{f.halfedge, {1, 0, 0}}, {1, 0}};
     const Point inverse{side.x / squared, -side.y / squared};
-    return {f.halfedge,
-            weights_above_side((p - f.source) * inverse, (f.apex - f.source) * inverse)};
+    return {
+        {f.halfedge, weights_above_side((p - f.source) * inverse, (f.apex - f.source) * inverse)},
+        side};
   }
 
 private:
@@ -171,15 +178,18 @@ public:
   Intrinsic_locator(const Triangulation& t, const Coordinates& coordinates)
       : view_(t), coordinates_(coordinates), walk_(view_) {}
 
-  std::optional<Surface_point> locate(const Surface_point& p) const {
+  /// finds a point of the input; `base` becomes the side of its face in whose frame the direction is.
+  std::optional<Walked> locate(const Surface_point& p, std::uint32_t& base) const {
     // from the longest side on which the perpendicular through the point stands
     const auto& input = coordinates_.input();
     std::array<std::uint32_t, 3> sides = sides_of_face(input, p.halfedge);
     std::sort(sides.begin(), sides.end(), [&](std::uint32_t a, std::uint32_t b) {
       return input.squared_length(a / 2) > input.squared_length(b / 2);
     });
-    for (const std::uint32_t x : sides)
-      if (const std::optional<Surface_point> q = locate_from(x, seen_from(input, p, x))) return q;
+    for (const std::uint32_t x : sides) {
+      base = x;
+      if (const std::optional<Walked> q = locate_from(x, seen_from(input, p, x))) return q;
+    }
     return std::nullopt;
   }
 
@@ -195,7 +205,7 @@ private:
     return {p.weights[1] + p.weights[2] * apex_x, p.weights[2] * apex_y};
   }
 
-  std::optional<Surface_point> locate_from(std::uint32_t x, const Surface_point& p) const {
+  std::optional<Walked> locate_from(std::uint32_t x, const Surface_point& p) const {
     const Point point = above(p);
     std::uint32_t vertex = coordinates_.input().source(x);
     double from = 0;
@@ -219,7 +229,7 @@ private:
     }
   }
 
-  Surface_point beside_edge(std::uint32_t h, const Point& p) const {
+  Walked beside_edge(std::uint32_t h, const Point& p) const {
     const Placed_face f = walk_.place(h, {0, 0}, {1, 0});
     return walk_.walk(f, {foot(p), 0}, p);
   }
@@ -229,8 +239,7 @@ private:
   static double foot(const Point& p) { return p.x >= 0 && p.x <= 1 ? p.x : 0.5; }
 
   // the curve from 0 to 1: first the face at the foot of the perpendicular, then up
-  Surface_point beside_strip(const Curve_end& start, const Curve_strip& strip,
-                             const Point& p) const {
+  Walked beside_strip(const Curve_end& start, const Curve_strip& strip, const Point& p) const {
     std::vector<Point> points = strip.unfold_approximately(view_);
     const Point u = points[strip.first()], d = points[strip.last()] - u;
     const double squared = d.x * d.x + d.y * d.y;
@@ -254,22 +263,6 @@ private:
 
 } // namespace internal
 
-/*!
-\brief finds the point of the intrinsic triangulation at a point of the input.
-\param t the triangulation
-\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
-\param p a point of the input
-\return the point; nothing only if the coordinates are not those of the triangulation
-\complexity linear in the number of intrinsic edges that cross the longest side of the input face, and
-of those between it and the point
-*/
-template <class Triangulation, class Coordinates>
-std::optional<Surface_point> locate_on_intrinsic(const Triangulation& t,
-                                                 const Coordinates& coordinates,
-                                                 const Surface_point& p) {
-  return internal::Intrinsic_locator<Triangulation, Coordinates>(t, coordinates).locate(p);
-}
-
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_ON_INTRINSIC_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INTRINSIC_LOCATOR_H

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_STATUS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_STATUS_H
+
+#include <cstdint>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief tells how an algorithm or a query ended.
+
+All of them use these words. Why a single move was refused, which algorithms meet with and count, is a
+`Move_status`: a question about one edge or vertex, not about an end.
+*/
+enum class Status : std::uint8_t {
+  done,         ///< what was asked for is there, as far as the arithmetic can tell
+  cap,          ///< a cap that was given, or that makes inexact arithmetic end, was reached before
+  stalled,      ///< nothing that is left to do could be done
+  cancelled,    ///< the visitor asked to stop
+  border,       ///< the border was reached before
+  not_traceable ///< the correspondence cannot tell where it is: only by rounding, with `Signposts`
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_STATUS_H

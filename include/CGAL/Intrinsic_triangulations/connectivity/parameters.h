@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_PARAMETERS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <functional>
+#include <type_traits>
+
+/*!
+\file
+Named parameters: the one way in which functions of the package take options. They are chained in any order,
+
+    delaunay_refine(t, parameters::minimum_angle(30).visitor(std::ref(progress)));
+
+What a name means, and its default, is told by the function. One that the function does not have is an
+error of the compiler. `CGAL::parameters` are taken as well; CGAL's chain cannot be continued by names of this
+package, but all of the names are here, those of CGAL among them.
+*/
+
+/// \cond
+#define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(name)                                             \
+  name(edge_is_constrained_map) name(visitor) name(maximum_number) name(minimum_angle)             \
+      name(maximum_circumradius) name(maximum_edge_length) name(maximum_insertions) name(order)    \
+          name(conforming) name(number_of_iterations) name(convergence) name(tolerance) name(bulk) \
+              name(maximum_vertices) name(maximum_rounds) name(triangle_inequality) name(margin)   \
+                  name(maximum_faces) name(snaps_to_vertices) name(border_condition)
+/// \endcond
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+/// \cond
+namespace tags {
+#define CGAL_INTRINSIC_TRIANGULATIONS_TAG(name)                                                    \
+  struct name {};
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_TAG)
+#undef CGAL_INTRINSIC_TRIANGULATIONS_TAG
+} // namespace tags
+/// \endcond
+
+template <class Tag, class T>
+struct Parameter {
+  using tag = Tag;
+  T object;
+};
+
+// what was given under a name: the base class is found by overload resolution
+template <class Tag, class T>
+const T& given(const Parameter<Tag, T>& p) {
+  return p.object;
+}
+template <class Tag, class Parameters>
+concept Has_parameter = requires(const Parameters& p) {
+  internal::given<Tag>(p);
+};
+
+} // namespace internal
+
+namespace parameters {
+
+/*!
+\brief is a chain of named parameters; each name is a member that continues the chain.
+\tparam P what was given
+*/
+template <class... P>
+class Parameters : public P... {
+public:
+  /// chains what was given.
+  constexpr explicit Parameters(const P&... p) : P(p)... {}
+
+  /// \cond
+#define CGAL_INTRINSIC_TRIANGULATIONS_MEMBER(name)                                                 \
+  template <class T>                                                                               \
+  constexpr auto name(const T& value) const {                                                      \
+    return with<internal::tags::name>(value);                                                      \
+  }
+  CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_MEMBER)
+#undef CGAL_INTRINSIC_TRIANGULATIONS_MEMBER
+  /// \endcond
+
+private:
+  template <class Tag, class T>
+  constexpr auto with(const T& value) const {
+    static_assert(!internal::Has_parameter<Tag, Parameters>, "a named parameter is given twice");
+    using New = internal::Parameter<Tag, T>;
+    return Parameters<P..., New>(static_cast<const P&>(*this)..., New{value});
+  }
+};
+
+/// returns the chain in which nothing is given: all parameters have their defaults.
+inline Parameters<> default_values() { return Parameters<>(); }
+
+/// \cond
+#define CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION(name)                                               \
+  template <class T>                                                                               \
+  constexpr auto name(const T& value) {                                                            \
+    return Parameters<>().name(value);                                                             \
+  }
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION)
+#undef CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION
+/// \endcond
+
+} // namespace parameters
+
+namespace internal {
+
+template <class T>
+inline constexpr bool is_named_parameters = false;
+template <class... P>
+inline constexpr bool is_named_parameters<parameters::Parameters<P...>> = true;
+template <class T, class Tag, class Base>
+inline constexpr bool is_named_parameters<Named_function_parameters<T, Tag, Base>> = true;
+
+// CGAL's names among ours
+template <class T, class Tag, class Base>
+auto cgal_parameter(const Named_function_parameters<T, Tag, Base>& np, tags::visitor) {
+  return CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor);
+}
+template <class T, class Tag, class Base>
+auto cgal_parameter(const Named_function_parameters<T, Tag, Base>& np,
+                    tags::edge_is_constrained_map) {
+  return CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
+}
+template <class T, class Tag, class Base>
+auto cgal_parameter(const Named_function_parameters<T, Tag, Base>& np, tags::maximum_number) {
+  return CGAL::parameters::get_parameter(np, CGAL::internal_np::maximum_number);
+}
+template <class T, class Tag, class Base>
+auto cgal_parameter(const Named_function_parameters<T, Tag, Base>& np, tags::number_of_iterations) {
+  return CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations);
+}
+
+// A copy of what was given under a name, or of the default, whatever its type.
+template <class Tag, class NamedParameters, class Default>
+auto object_or(const NamedParameters& np, const Default& otherwise) {
+  if constexpr (Has_parameter<Tag, NamedParameters>)
+    return given<Tag>(np);
+  else if constexpr (requires { cgal_parameter(np, Tag()); }) {
+    using Given = decltype(cgal_parameter(np, Tag()));
+    if constexpr (std::is_same_v<Given, CGAL::internal_np::Param_not_found>)
+      return otherwise;
+    else
+      return cgal_parameter(np, Tag());
+  } else
+    return otherwise;
+}
+
+// A value that was given under a name, or the default, which has the type that is wanted.
+template <class Tag, class NamedParameters, class Default>
+Default value_or(const NamedParameters& np, const Default& otherwise) {
+  return static_cast<Default>(object_or<Tag>(np, otherwise));
+}
+
+// What a visitor refers to that was passed by `std::ref()`.
+template <class T>
+T& unwrapped(T& value) {
+  return value;
+}
+template <class T>
+T& unwrapped(std::reference_wrapper<T>& reference) {
+  return reference.get();
+}
+
+template <class Tag, class... Tags>
+inline constexpr bool is_one_of = (std::is_same_v<Tag, Tags> || ...);
+
+// Refuses names that a function does not have.
+template <class... Tags, class... P>
+constexpr void expect_names(const parameters::Parameters<P...>&) {
+  static_assert((is_one_of<typename P::tag, Tags...> && ...),
+                "a named parameter is given that this function does not have; see its page");
+}
+template <class... Tags, class T, class Tag, class Base>
+constexpr void expect_names(const Named_function_parameters<T, Tag, Base>&) {}
+
+} // namespace internal
+
+/// \brief asks for named parameters: a chain of `parameters` or of `CGAL::parameters`.
+template <class T>
+concept NamedParameters = internal::is_named_parameters<T>;
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#undef CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_PARAMETERS_H

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_EDGE_PATH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_EDGE_PATH_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// A point of an edge that is traced over the other triangulation.
+struct Path_point {
+  Surface_point on_input;     ///< where it is on the input
+  Surface_point on_intrinsic; ///< where it is on the intrinsic triangulation
+  double parameter;           ///< 0 at the start of the edge, 1 at its end
+};
+
+/*!
+\brief is the way of an edge of one triangulation over the other.
+*/
+struct Edge_path {
+  /// `done`, or `not_traceable` and there are no points.
+  Status status = Status::done;
+  /// The halfedge of the other triangulation along which the whole edge runs, in its direction, or a part of
+  /// which it is; `Gluing::none` if there is none.
+  std::uint32_t along = Gluing::none;
+  /// Its start, the points where it crosses or meets edges and vertices of the other triangulation, and
+  /// its end: two at least. Between them it is straight and in one face of both.
+  std::vector<Path_point> points;
+};
+
+namespace internal {
+
+/// returns a point of a halfedge, or of its opposite if it has no face: 0 is at the source of `h`.
+template <class Complex>
+Surface_point point_on_halfedge(const Complex& complex, std::uint32_t h, double x) {
+  if (complex.is_border(h)) return {h ^ 1U, {x, 1 - x, 0}};
+  return {h, {1 - x, x, 0}};
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_EDGE_PATH_H

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_TRACE_BY_CURVES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_TRACE_BY_CURVES_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+/*!
+\file
+Edges of one triangulation traced over the other, by integer coordinates or explicit crossings.
+*/
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The input halfedges that halfedge 2e crosses: read, or found by following the curves.
+template <class Triangulation, class Coordinates>
+std::vector<std::uint32_t> entered_on(const Triangulation& t, const Coordinates& coordinates,
+                                      std::uint32_t edge) {
+  std::vector<std::uint32_t> entered;
+  if constexpr (requires { coordinates.entered_on(edge); }) {
+    const std::span<const std::uint32_t> list = coordinates.entered_on(edge);
+    entered.assign(list.begin(), list.end());
+  } else {
+    const Intrinsic_view<Triangulation> view(t);
+    const Normal_coordinate n = crossings(coordinates.normal_coordinate(edge));
+    entered.resize(static_cast<std::size_t>(n));
+    std::vector<Curve_bundle> stack;
+    follow_curves(view, coordinates, {2 * edge, 0, n, 0}, stack,
+                  [&](Normal_coordinate i, const Curve_end& end) {
+                    // the curve crosses from left to right; the way back starts along its opposite
+                    entered[static_cast<std::size_t>(i)] = input_halfedge(coordinates, end) ^ 1U;
+                  });
+  }
+  return entered;
+}
+
+// The way of intrinsic halfedge 2e over the input.
+template <class Triangulation, class Coordinates>
+Edge_path trace_edge_by_curves(const Triangulation& t, const Coordinates& coordinates,
+                               std::uint32_t edge) {
+  const Intrinsic_view<Triangulation> view(t);
+  const auto& input = coordinates.input();
+  const std::uint32_t h = 2 * edge;
+  Edge_path path;
+  const auto add = [&](const Surface_point& p, double x) {
+    path.points.push_back({p, point_on_halfedge(view, h, x), x});
+  };
+  if (coordinates.normal_coordinate(edge) < 0) {
+    const std::uint32_t g = path.along = coordinates.fans().halfedge(coordinates.roundabout(h));
+    for (const double x : {0., 1.})
+      add(point_on_halfedge(input, g, location_on_side(view, coordinates, h, x).weights[1]), x);
+    return path;
+  }
+  const Surface_point start = corner_on_input(coordinates, h, view.source(h)),
+                      end = corner_on_input(coordinates, h ^ 1U, view.target(h));
+  const std::vector<std::uint32_t> entered = entered_on(t, coordinates, edge);
+  Edge_strip strip(input);
+  if (!entered.empty()) strip.unfold(start, end, entered);
+  path.points.reserve(entered.size() + 2);
+  add(start, 0);
+  double last = 0;
+  for (std::size_t i = 0; i < entered.size(); ++i) {
+    const double x = strip.parameter(i);
+    last = std::max(last, strip.along(i, x)); // in order whatever rounding does
+    add({entered[i], {1 - x, x, 0}}, last);
+  }
+  add(end, 1);
+  return path;
+}
+
+// Adds the crossings of a part of an input halfedge, which follows a strip, with intrinsic edges.
+template <class View, class Add>
+void add_crossings_of_strip(const View& view, const Curve_strip& strip, const Add& add) {
+  const std::vector<Point> points = strip.unfold_approximately(view);
+  const Point u = points[strip.first()], d = points[strip.last()] - u;
+  const double squared = dot(d, d);
+  for (std::size_t n = 1; n < strip.triangles().size(); ++n) {
+    const Curve_strip::Triangle& t = strip.triangles()[n];
+    const Point &s = points[t.start], side = points[t.end] - s; // the curve passes to its left
+    const double left = cross(d, s - u), right = -cross(d, s + side - u);
+    const double x = left + right > 0 ? std::clamp(left / (left + right), 0.0, 1.0) : 0.5;
+    const Point p{s.x + x * side.x - u.x, s.y + x * side.y - u.y};
+    add({t.entered, {1 - x, x, 0}}, squared > 0 ? std::clamp(dot(d, p) / squared, 0.0, 1.0) : 0.5);
+  }
+}
+
+// The way of an input halfedge over the intrinsic triangulation: part by part, between the vertices that were
+// inserted on it.
+template <class Triangulation, class Coordinates>
+Edge_path trace_input_edge_by_curves(const Triangulation& t, const Coordinates& coordinates,
+                                     std::uint32_t x) {
+  const Intrinsic_view<Triangulation> view(t);
+  const auto& input = coordinates.input();
+  Edge_path path;
+  std::uint32_t vertex = input.source(x), parts = 0;
+  double from = 0;
+  for (bool is_at_end = false; !is_at_end; ++parts) {
+    const std::optional<Curve_end> start = find_curve(view, coordinates, vertex, x);
+    if (!start) return {Status::not_traceable, Gluing::none, {}};
+    std::optional<Curve_strip> strip;
+    if (start->index >= 0)
+      strip.emplace(view, coordinates, sides_of_face(view, start->halfedge),
+                    first_crossing(view, coordinates, *start));
+    const std::uint32_t h = start->halfedge;
+    vertex = strip ? view.source(strip->end().halfedge) : view.target(h);
+    is_at_end = !coordinates.is_inserted(vertex);
+    const double to = parameter_on_halfedge(coordinates, vertex, x, false);
+    double last = from;
+    const auto add = [&](const Surface_point& p, double along) {
+      last = std::max(last, from + along * (to - from));
+      path.points.push_back({point_on_halfedge(input, x, last), p, last});
+    };
+    if (parts == 0) add(point_on_halfedge(view, h, 0), 0);
+    if (strip) add_crossings_of_strip(view, *strip, add);
+    add(strip ? Surface_point{strip->end().halfedge, {1, 0, 0}} : point_on_halfedge(view, h, 1), 1);
+    path.along = !strip && parts == 0 && is_at_end ? h : Gluing::none;
+    from = to;
+  }
+  return path;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_TRACE_BY_CURVES_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_CONSTRAINED_INPUT_EDGES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_CONSTRAINED_INPUT_EDGES_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a writable property map from the edges of an intrinsic triangulation to `bool`; copies share their values,
+and edges that are new have the value false.
+*/
+template <class Triangulation>
+class Marked_edges {
+public:
+  /// \cond
+  using key_type = typename Triangulation::edge_descriptor;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::read_write_property_map_tag;
+  friend bool get(const Marked_edges& m, const key_type& e) {
+    const std::uint32_t i = m.t_->index(e);
+    return i < m.is_marked_->size() && (*m.is_marked_)[i] != 0;
+  }
+  friend void put(const Marked_edges& m, const key_type& e, bool value) {
+    const std::uint32_t i = m.t_->index(e);
+    if (i >= m.is_marked_->size()) m.is_marked_->resize(i + std::size_t{1}, 0);
+    (*m.is_marked_)[i] = value ? 1 : 0;
+  }
+  /// \endcond
+
+  /// marks no edge of `t`, which must outlive the map and its copies.
+  explicit Marked_edges(const Triangulation& t)
+      : t_(&t), is_marked_(std::make_shared<std::vector<char>>()) {}
+
+private:
+  const Triangulation* t_;
+  std::shared_ptr<std::vector<char>> is_marked_;
+};
+
+/*!
+\brief marks the intrinsic edges that run along constrained edges of the user's mesh.
+
+To be passed as named parameter `edge_is_constrained_map`. Edges that refinement splits stay marked in their parts.
+\tparam Mesh the type of the user's mesh
+\tparam EdgeIsConstrained a readable property map from edges of `Mesh` to `bool`
+\param t the triangulation; without correspondence, before its first move
+\param mesh the mesh that `t` was built from; its faces may be polygons
+\param map tells which of its edges are constrained
+\throws Invalid_input if the mesh is another one
+\complexity linear; with `Signposts`, all edges are traced
+*/
+template <class Triangulation, class Mesh, class EdgeIsConstrained>
+Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t, const Mesh& mesh,
+                                                    EdgeIsConstrained map) {
+  const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
+  std::vector<char> is_constrained(t.input().number_of_edges(), 0);
+  for (const auto e : edges(mesh))
+    if (get(map, e)) is_constrained[named.halfedge_on_input(halfedge(e, mesh)) / 2] = 1;
+  const auto along = [&](const auto& e) -> std::uint32_t {
+    if constexpr (!requires { t.correspondence().input(); })
+      return t.index(e);
+    else if constexpr (internal::Has_curves<Triangulation>) {
+      const auto& c = t.correspondence();
+      if (c.normal_coordinate(t.index(e)) >= 0) return Gluing::none;
+      return c.fans().halfedge(c.roundabout(2 * t.index(e))) / 2;
+    } else {
+      const std::uint32_t h = trace_edge(t, e).along;
+      return h == Gluing::none ? h : h / 2;
+    }
+  };
+  Marked_edges<Triangulation> result(t);
+  for (const auto e : edges(t.mesh())) {
+    const std::uint32_t x = along(e);
+    if (x < is_constrained.size() && is_constrained[x] != 0) put(result, e, true);
+  }
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_CONSTRAINED_INPUT_EDGES_H

@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_PLACES_ON_MESH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_PLACES_ON_MESH_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/*!
+\file
+Places on the user's mesh, in the user's descriptors. The mesh is the one that the triangulation was built from,
+unchanged since; it is passed as the last argument.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a face of a mesh and barycentric coordinates of its corners, from the source of `halfedge(face, mesh)`:
+`CGAL::Polygon_mesh_processing::Face_location<Mesh, double>`, without the headers of that package.
+*/
+template <class Mesh>
+using Face_location =
+    std::pair<typename boost::graph_traits<Mesh>::face_descriptor, std::array<double, 3>>;
+
+namespace internal {
+
+// The user's mesh as the names of the input know it.
+template <class Mesh>
+class Named_mesh_elements {
+  using Traits = boost::graph_traits<Mesh>;
+  using Halfedge = typename Traits::halfedge_descriptor;
+  using Face = typename Traits::face_descriptor;
+
+public:
+  Named_mesh_elements(const Input& input, const Mesh& mesh)
+      : input_(input), mesh_(mesh), number_(mesh) {
+    if (number_.vertex_capacity(mesh) != input.number_of_vertices())
+      throw Invalid_input(
+          Element_kind::none, 0,
+          "the mesh is not the one that the triangulation was built from, or has removed "
+          "elements; collect its garbage before the triangulation is built");
+  }
+
+  // The halfedge of the input at the user's halfedge of a triangle.
+  std::uint32_t halfedge_in_triangle(Halfedge u) const {
+    const std::uint32_t name = triangle(face(u, mesh_));
+    std::uint32_t h = input_.halfedge_of_face(input_.names().faces.here(name));
+    for (unsigned k = 0; k < 3; ++k, h = input_.next(h))
+      if (is_named(h, u) && is_named(input_.next(h), next(u, mesh_)) &&
+          is_named(input_.next(input_.next(h)), next(next(u, mesh_), mesh_)))
+        return h;
+    throw Invalid_input(Element_kind::face, number_.face(face(u, mesh_)),
+                        "the mesh has been changed since the triangulation was built from it");
+  }
+
+  // The halfedge of the input at the user's halfedge.
+  std::uint32_t halfedge_on_input(Halfedge u) const {
+    const std::uint32_t h = 2 * input_.names().edges.here(number_.halfedge(u) / 2);
+    if (is_named(h, u) != is_named(h ^ 1U, u)) return is_named(h, u) ? h : h ^ 1U;
+    if (face(u, mesh_) == Traits::null_face()) // a loop: its other side is in a face
+      return halfedge_in_triangle(opposite(u, mesh_)) ^ 1U;
+    return halfedge_in_triangle(u);
+  }
+
+  Surface_point on_input(const Face_location<Mesh>& p) const {
+    return {halfedge_in_triangle(halfedge(p.first, mesh_)), p.second};
+  }
+  Face_location<Mesh> on_mesh(const Surface_point& p) const {
+    const Face f = number_.face_at(input_.names().polygon(input_.face(p.halfedge)));
+    return {f, seen_from(input_, p, halfedge_in_triangle(halfedge(f, mesh_))).weights};
+  }
+
+  // in the type that the mesh has for points
+  auto point(const Surface_point& p) const {
+    const auto map = Mesh_adaptor<Mesh>::point_map(mesh_);
+    using User_point = std::remove_cvref_t<
+        typename boost::property_traits<std::remove_cv_t<decltype(map)>>::value_type>;
+    std::array<double, 3> x{0, 0, 0};
+    std::uint32_t h = p.halfedge;
+    for (std::size_t k = 0; k < 3; ++k, h = input_.next(h)) {
+      const auto v = number_.vertex_at(input_.names().vertices.user(input_.source(h)));
+      const std::array<double, 3> corner = Mesh_adaptor<Mesh>::coordinates(get(map, v));
+      for (std::size_t c = 0; c < 3; ++c) x[c] += p.weights[k] * corner[c];
+    }
+    return User_point(x[0], x[1], x[2]);
+  }
+
+private:
+  // the name of the triangle that a face is
+  std::uint32_t triangle(Face f) const {
+    const Halfedge h = halfedge(f, mesh_);
+    const std::uint32_t i = number_.face(f);
+    if (next(next(next(h, mesh_), mesh_), mesh_) != h)
+      throw Invalid_input(Element_kind::face, i,
+                          "face " + std::to_string(i) +
+                              " is a polygon, in which barycentric coordinates name no point; "
+                              "triangulate the faces of the mesh before");
+    const std::vector<std::uint32_t>& polygon = input_.names().polygon_of_triangle;
+    if (polygon.empty()) return i;
+    return static_cast<std::uint32_t>(std::lower_bound(polygon.begin(), polygon.end(), i) -
+                                      polygon.begin());
+  }
+
+  bool is_named(std::uint32_t h, Halfedge u) const {
+    const Input_names& names = input_.names();
+    return names.edges.user(h / 2) == number_.halfedge(u) / 2 &&
+           names.vertices.user(input_.source(h)) == number_.vertex(source(u, mesh_)) &&
+           names.vertices.user(input_.target(h)) == number_.vertex(target(u, mesh_));
+  }
+
+  const Input& input_;
+  const Mesh& mesh_;
+  Mesh_adaptor<Mesh> number_;
+};
+
+} // namespace internal
+
+/*!
+\brief returns the point of the input at a place on the user's mesh.
+\param t the triangulation
+\param p the place, in a triangle
+\param mesh the mesh that `t` was built from
+\throws Invalid_input if the face is a polygon, or the mesh is another one
+\complexity constant; with `CGAL::Polyhedron_3` as mesh, linear
+*/
+template <class Triangulation, class Mesh>
+Surface_point surface_point(const Triangulation& t,
+                            const Face_location<std::type_identity_t<Mesh>>& p, const Mesh& mesh) {
+  return internal::Named_mesh_elements<Mesh>(t.input(), mesh).on_input(p);
+}
+
+/// returns the point of the intrinsic triangulation at a place on it.
+/// \complexity constant
+template <class Triangulation>
+Surface_point surface_point(const Triangulation& t,
+                            const Face_location<typename Triangulation::Mesh>& p) {
+  return {t.numbers().halfedge(halfedge(p.first, t.mesh())), p.second};
+}
+
+/*!
+\brief returns the place on the user's mesh of a point of the input.
+
+See `surface_point()`, which it undoes.
+*/
+template <class Triangulation, class Mesh>
+Face_location<Mesh> face_location(const Triangulation& t, const Surface_point& p,
+                                  const Mesh& mesh) {
+  return internal::Named_mesh_elements<Mesh>(t.input(), mesh).on_mesh(p);
+}
+
+/*!
+\brief returns the place on the intrinsic triangulation of a point of it: in the frame of `t.mesh()`.
+\complexity constant
+*/
+template <class Triangulation>
+Face_location<typename Triangulation::Mesh> face_location(const Triangulation& t,
+                                                          const Surface_point& p) {
+  const Intrinsic_view<Triangulation> view(t);
+  const std::uint32_t f = view.face(p.halfedge);
+  return {t.numbers().face_at(f), seen_from(view, p, view.halfedge_of_face(f)).weights};
+}
+
+/*!
+\brief returns where a point of the input is in space, in the type of points of the user's mesh.
+\param t the triangulation
+\param p the point
+\param mesh the mesh that `t` was built from; its faces may be polygons
+\complexity as `surface_point()`
+*/
+template <class Triangulation, class Mesh>
+auto point_in_space(const Triangulation& t, const Surface_point& p, const Mesh& mesh) {
+  return internal::Named_mesh_elements<Mesh>(t.input(), mesh).point(p);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_PLACES_ON_MESH_H

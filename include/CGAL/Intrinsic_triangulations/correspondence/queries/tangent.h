@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TANGENT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TANGENT_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/curve_directions.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+/*!
+\file
+Tangent vectors taken from one triangulation to the other, by whatever correspondence there is.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a tangent vector at a point of a triangulation.
+
+At a vertex it points into the face in whose frame it is given, or is turned to about the vertex by the angle
+that it has from the side of the face that starts there.
+*/
+struct Tangent_vector {
+  Surface_point point; ///< the point
+  Planar_vector<double>
+      vector; ///< in the frame of `point.halfedge`: along it, and to the left of it
+};
+
+namespace internal {
+
+// The corner of a face that a point is at; 3: it is at none.
+inline unsigned corner_of(const Surface_point& p) {
+  for (unsigned k = 0; k < 3; ++k)
+    if (p.weights[(k + 1) % 3] == 0 && p.weights[(k + 2) % 3] == 0) return k;
+  return 3;
+}
+
+template <class Triangulation>
+auto walk_on_input(const Triangulation& t, std::uint32_t h, double turn) {
+  if constexpr (Has_curves<Triangulation>)
+    return walk_by_curves(t, t.correspondence(), h, turn);
+  else
+    return t.correspondence().walk(h, turn);
+}
+
+template <class Triangulation>
+std::optional<Geodesic_walk<Intrinsic_view<Triangulation>>>
+walk_on_intrinsic(const Intrinsic_view<Triangulation>& view, const Triangulation& t,
+                  std::uint32_t x, double turn) {
+  using Walk = Geodesic_walk<Intrinsic_view<Triangulation>>;
+  if constexpr (Has_curves<Triangulation>) {
+    const auto d = direction_on_intrinsic(t, t.correspondence(), x);
+    if (!d) return std::nullopt;
+    return Walk(view, Corner_direction{d->halfedge, d->angle + turn});
+  } else {
+    return Walk(view, t.correspondence().intrinsic_direction(view, x, turn));
+  }
+}
+
+// The vector where a walk starts in the direction that it goes.
+template <class Walk>
+Tangent_vector at_start(const Walk& walk, double length, double turn = 0) {
+  const Planar_vector<double> d =
+      turned(walk.direction(), {length * std::cos(turn), length * std::sin(turn)});
+  return {{walk.face().side[0], walk.weights()}, d};
+}
+
+} // namespace internal
+
+/*!
+\brief takes a tangent vector at a point of the intrinsic triangulation to the input.
+
+At vertices angles are those on the surface: they are not scaled. A vector that points out of the surface at
+the border is given in the frame of a face beside it.
+\tparam Triangulation an instance of `Intrinsic_triangulation` with any correspondence but
+  `No_correspondence`
+\param t the triangulation
+\param v the vector
+\return the vector at its place on the input; nothing only if `Signposts` have lost the way by rounding
+\complexity that of `locate_on_input()`; at a vertex, that of `trace_edge()`, and linear in its degree
+*/
+template <class Triangulation>
+std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tangent_vector& v) {
+  internal::expect_correspondence<Triangulation>();
+  const unsigned corner = internal::corner_of(v.point);
+  if (corner == 3) {
+    const std::optional<internal::Mapped_point> p = internal::map_to_input(t, v.point);
+    if (!p) return std::nullopt;
+    return Tangent_vector{p->point, internal::turned(v.vector, p->turn)};
+  }
+  const Geodesic_face face(Intrinsic_view<Triangulation>(t), v.point.halfedge);
+  const Planar_vector<double> r = face.relative_to(corner, v.vector);
+  const double length = std::hypot(r[0], r[1]), angle = std::atan2(r[1], r[0]);
+  const auto walk = internal::walk_on_input(t, face.side[corner], angle);
+  if (!walk.is_blocked()) return internal::at_start(walk, length);
+  return internal::at_start(internal::walk_on_input(t, face.side[corner], 0), length, angle);
+}
+
+/*!
+\brief takes a tangent vector at a point of the input to the intrinsic triangulation.
+
+See `tangent_to_input()`.
+\param t the triangulation
+\param v the vector
+\return the vector at its place on the intrinsic triangulation; nothing only if `Signposts` have lost the way
+  by rounding
+\complexity that of `locate_on_intrinsic()`; at a vertex, linear in its degree
+*/
+template <class Triangulation>
+std::optional<Tangent_vector> tangent_to_intrinsic(const Triangulation& t,
+                                                   const Tangent_vector& v) {
+  internal::expect_correspondence<Triangulation>();
+  const unsigned corner = internal::corner_of(v.point);
+  if (corner == 3) {
+    const std::optional<internal::Mapped_point> p = internal::map_to_intrinsic(t, v.point);
+    if (!p) return std::nullopt;
+    return Tangent_vector{p->point, internal::turned(v.vector, p->turn)};
+  }
+  const Intrinsic_view<Triangulation> view(t);
+  const Geodesic_face face(t.correspondence().input(), v.point.halfedge);
+  const Planar_vector<double> r = face.relative_to(corner, v.vector);
+  const double length = std::hypot(r[0], r[1]), angle = std::atan2(r[1], r[0]);
+  const auto walk = internal::walk_on_intrinsic(view, t, face.side[corner], angle);
+  if (walk && !walk->is_blocked()) return internal::at_start(*walk, length);
+  const auto straight = internal::walk_on_intrinsic(view, t, face.side[corner], 0);
+  if (!straight) return std::nullopt;
+  return internal::at_start(*straight, length, angle);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TANGENT_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TRACE_GEODESIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TRACE_GEODESIC_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a geodesic over the faces of a triangulation.
+*/
+struct Geodesic {
+  /// `done`, `border`: it was reached before, or `cap`: the number of faces was.
+  Status status = Status::done;
+  /// The start, a point on each edge that is crossed, in a face that it leaves, and the end.
+  std::vector<Surface_point> points;
+  /// Unit vector along it at its end, in the frame of the halfedge of the last point.
+  Planar_vector<double> direction{1, 0};
+  /// Its length, in the units of the input.
+  double length = 0;
+  /// Bound of the first order on the error of the end, in the units of the input.
+  double error = 0;
+};
+
+namespace internal {
+
+// `scale_exponent`: lengths on the complex are 2^scale_exponent times those of the user
+template <class Complex, class NP>
+Geodesic trace_scaled(const Complex& complex, int scale_exponent, const Surface_point& start,
+                      const Planar_vector<double>& direction, double length, const NP& np) {
+  using namespace tags;
+  expect_names<maximum_faces, snaps_to_vertices>(np);
+  const Trace_options d;
+  const Trace_options options{value_or<maximum_faces>(np, d.maximum_faces),
+                              value_or<tags::snaps_to_vertices>(np, d.snaps_to_vertices)};
+  std::vector<Geodesic_crossing> crossings;
+  const Geodesic_end end = trace_geodesic(complex, start, direction,
+                                          std::ldexp(length, scale_exponent), crossings, options);
+  Geodesic g{end.status,
+             {start},
+             end.direction,
+             std::ldexp(end.length, -scale_exponent),
+             std::ldexp(end.error, -scale_exponent)};
+  g.points.reserve(crossings.size() + 2);
+  for (const Geodesic_crossing& c : crossings)
+    g.points.push_back({c.halfedge, {1 - c.parameter, c.parameter, 0}});
+  g.points.push_back(end.point);
+  return g;
+}
+
+} // namespace internal
+
+/*!
+\brief traces a geodesic over the intrinsic triangulation (§2.4.2 of the course): the exponential map.
+
+Inside faces and across edges it is straight, at an interior vertex it goes straightest, at the border it stops.
+\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam NP a chain of named parameters
+\param t the triangulation
+\param start a point of it
+\param direction in the frame of `start.halfedge`, which runs along the x-axis with its face above; the norm
+  does not matter. At a vertex a direction that points out of the face is turned to from the side that is
+  nearer.
+\param length the length to go, in the units of the input
+\param np optional named parameters:
+  - `maximum_faces(n)`: number of faces after which to give up. Default: 2^22.
+  - `snaps_to_vertices(b)`: whether a line that meets a vertex up to rounding goes through it; otherwise it
+    passes it on one side. Default: true.
+\pre the direction is not zero
+\complexity linear in the number of crossings, and in the degrees of the vertices that are hit
+*/
+template <class Triangulation, NamedParameters NP = parameters::Parameters<>>
+Geodesic trace_geodesic(const Triangulation& t, const Surface_point& start,
+                        const Planar_vector<double>& direction, double length,
+                        const NP& np = parameters::default_values()) {
+  return internal::trace_scaled(Intrinsic_view<Triangulation>(t), t.metric().scale_exponent(),
+                                start, direction, length, np);
+}
+
+/*!
+\brief traces a geodesic over the input.
+
+See `trace_geodesic()`; points are those of the input.
+\tparam Triangulation an instance of `Intrinsic_triangulation` with any correspondence but
+  `No_correspondence`
+*/
+template <class Triangulation, NamedParameters NP = parameters::Parameters<>>
+Geodesic trace_geodesic_on_input(const Triangulation& t, const Surface_point& start,
+                                 const Planar_vector<double>& direction, double length,
+                                 const NP& np = parameters::default_values()) {
+  return internal::trace_scaled(t.correspondence().input(), t.metric().scale_exponent(), start,
+                                direction, length, np);
+}
+
+/*!
+\brief traces a geodesic over the user's mesh.
+
+See `trace_geodesic()`; points are those of the input, and `face_location(t, point, mesh)` is the place of one.
+\param t the triangulation
+\param start a place on the mesh, in a triangle
+\param direction in the frame of `halfedge(start.first, mesh)`
+\param length the length to go, in the units of the mesh
+\param mesh the mesh that `t` was built from
+\param np as there
+\throws Invalid_input if the start is in a polygon, or the mesh is another one
+*/
+template <class Triangulation, class Mesh, NamedParameters NP = parameters::Parameters<>>
+  requires(!NamedParameters<Mesh>)
+Geodesic trace_geodesic(const Triangulation& t,
+                        const Face_location<std::type_identity_t<Mesh>>& start,
+                        const Planar_vector<double>& direction, double length, const Mesh& mesh,
+                        const NP& np = parameters::default_values()) {
+  return trace_geodesic_on_input(t, surface_point(t, start, mesh), direction, length, np);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TRACE_GEODESIC_H

@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VECTOR_FIELD_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VECTOR_FIELD_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+/*!
+\file
+Tangent vector fields at the vertices of an intrinsic triangulation, inserted ones included, as vectors in space.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief holds a tangent vector per vertex `v`, at index `t.input_vertex(v)` as in all operators.
+
+It is a complex number in the polar coordinates of the vertex (§2.4 of the course): the real axis runs along the first
+halfedge that starts there, `opposite(halfedge(v, t.mesh()), t.mesh())`, and angles from it counterclockwise are scaled
+so that the total angle becomes 2 pi, or pi on the border.
+*/
+using Tangent_field = std::vector<std::complex<double>>;
+
+namespace internal {
+
+// The frames at all vertices of an intrinsic triangulation.
+template <class Triangulation>
+class Vertex_frames {
+  using View = Intrinsic_view<Triangulation>;
+
+public:
+  explicit Vertex_frames(const Triangulation& t)
+      : t_(t), view_(t), scale_(t.numbers().vertex_capacity(t.mesh()), 1),
+        angle_(2 * std::size_t{t.numbers().edge_capacity(t.mesh())}, 0) {
+    for (const auto v : vertices(t.mesh()))
+      if (!is_isolated(v)) measure(t.index(v));
+  }
+
+  bool is_isolated(typename Triangulation::vertex_descriptor v) const {
+    return halfedge(v, t_.mesh()) ==
+           boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
+  }
+
+  // the vector at a vertex, in the face that it points into
+  Tangent_vector at_vertex(std::uint32_t v, std::complex<double> z) const {
+    const Geodesic_walk<View> walk(view_,
+                                   Corner_direction{view_.outgoing_halfedge(v), angle(v, z)});
+    return at_start(walk, std::abs(z));
+  }
+
+  // the vectors at the corners of a face, in its frame, averaged with weights
+  Tangent_vector in_face(const Surface_point& p, const Tangent_field& field) const {
+    const Geodesic_face face(view_, p.halfedge);
+    Tangent_vector result{p, {0, 0}};
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t v = view_.source(face.side[k]);
+      const std::complex<double> z = field[t_.input_vertex(t_.numbers().vertex_at(v))];
+      const double turn =
+          std::remainder(angle(v, z) - angle_[face.side[k]], 2 * std::numbers::pi / scale_[v]);
+      const Planar_vector<double> x =
+          face.from_relative_to(k, {std::abs(z) * std::cos(turn), std::abs(z) * std::sin(turn)});
+      for (std::size_t c = 0; c < 2; ++c) result.vector[c] += p.weights[k] * x[c];
+    }
+    return result;
+  }
+
+private:
+  // on the surface, from the first halfedge
+  double angle(std::uint32_t v, std::complex<double> z) const {
+    const double a = std::arg(z);
+    return (a < 0 ? a + 2 * std::numbers::pi : a) / scale_[v];
+  }
+
+  void measure(std::uint32_t v) {
+    const std::uint32_t first = view_.outgoing_halfedge(v);
+    double sum = 0;
+    std::uint32_t h = first;
+    do {
+      angle_[h] = sum;
+      if (view_.is_border(h)) break;
+      sum += angle_at_source(view_, h);
+      h = next_around_source(view_, h);
+    } while (h != first);
+    const double full = (view_.is_border(h) ? 1 : 2) * std::numbers::pi;
+    scale_[v] = sum > 0 ? full / sum : 1;
+  }
+
+  const Triangulation& t_;
+  View view_;
+  std::vector<double> scale_; // per vertex: from angles on the surface to polar angles
+  std::vector<double> angle_; // per halfedge: on the surface, from the first one at its source
+};
+
+// A vector at a point of the input, in space.
+template <class Named>
+std::array<double, 3> vector_in_space(const Named& named, const Tangent_vector& v) {
+  const std::uint32_t h = v.point.halfedge;
+  const auto i = named.point({h, {1, 0, 0}}), j = named.point({h, {0, 1, 0}}),
+             k = named.point({h, {0, 0, 1}});
+  std::array<double, 3> e, f;
+  double ee = 0, ef = 0, ff = 0;
+  for (int c = 0; c < 3; ++c) {
+    const auto n = static_cast<std::size_t>(c);
+    e[n] = j[c] - i[c];
+    f[n] = k[c] - i[c];
+    ee += e[n] * e[n];
+    ef += e[n] * f[n];
+  }
+  for (std::size_t n = 0; n < 3; ++n) {
+    f[n] -= ef / ee * e[n];
+    ff += f[n] * f[n];
+  }
+  std::array<double, 3> result;
+  for (std::size_t n = 0; n < 3; ++n)
+    result[n] = v.vector[0] * e[n] / std::sqrt(ee) + v.vector[1] * f[n] / std::sqrt(ff);
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\brief takes a tangent vector field to the user's mesh: a vector in space for every vertex, inserted ones included.
+\tparam Mesh the type of the user's mesh
+\param t the triangulation
+\param field the vectors
+\param mesh the mesh that `t` was built from
+\return vectors, indexed as `field`; zero where there is no vertex, or where `Signposts` have lost the way by rounding
+\pre the faces of the mesh have an area
+\complexity that of `tangent_to_input()` for each vertex
+*/
+template <class Triangulation, class Mesh>
+std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
+                                                    const Tangent_field& field, const Mesh& mesh) {
+  const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
+  const internal::Vertex_frames<Triangulation> frames(t);
+  std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
+  for (const auto v : vertices(t.mesh())) {
+    const std::uint32_t i = t.input_vertex(v);
+    if (frames.is_isolated(v)) continue;
+    if (const auto x = tangent_to_input(t, frames.at_vertex(t.index(v), field[i])))
+      result[i] = internal::vector_in_space(named, *x);
+  }
+  return result;
+}
+
+/*!
+\brief takes a tangent vector field to the faces of the common subdivision: a vector in space for each of them.
+
+Between the corners of an intrinsic face the field is interpolated, in the frame of the face.
+\tparam Mesh the type of the user's mesh
+\param t the triangulation
+\param field the vectors
+\param s the common subdivision
+\param mesh the mesh that `t` was built from
+\return the vectors at the centres of the faces
+\pre the faces of the mesh have an area
+\complexity that of `tangent_to_input()` for each face of the subdivision
+*/
+template <class Triangulation, class Mesh>
+std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
+                                                    const Tangent_field& field,
+                                                    const Common_subdivision& s, const Mesh& mesh) {
+  const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
+  const internal::Vertex_frames<Triangulation> frames(t);
+  const Intrinsic_view<Triangulation> view(t);
+  std::vector<std::array<double, 3>> result(s.number_of_faces(), {0, 0, 0});
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+    Surface_point centre{view.halfedge_of_face(s.intrinsic_face[f]), {0, 0, 0}};
+    const std::size_t begin = s.face_begin[f], end = s.face_begin[f + 1];
+    for (std::size_t c = begin; c < end; ++c) {
+      const std::array<double, 3> w = internal::corner_in_face(view, s, centre.halfedge, c);
+      for (std::size_t k = 0; k < 3; ++k)
+        centre.weights[k] += w[k] / static_cast<double>(end - begin);
+    }
+    if (const auto x = tangent_to_input(t, frames.in_face(centre, field)))
+      result[f] = internal::vector_in_space(named, *x);
+  }
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VECTOR_FIELD_H

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+
+#include "mesh_types.h"
+#include "meshes.h"
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+template <class Correspondence>
+class Vector_field : public testing::Test {};
+using Correspondences =
+    testing::Types<IT::Integer_coordinates, IT::Explicit_crossings, IT::Signposts>;
+TYPED_TEST_SUITE(Vector_field, Correspondences);
+
+Surface_mesh surface_mesh(const meshes::Mesh& m) {
+  Surface_mesh result;
+  for (const auto& p : m.points) result.add_vertex({p[0], p[1], p[2]});
+  for (const auto& f : m.triangles)
+    result.add_face(Surface_mesh::Vertex_index(f[0]), Surface_mesh::Vertex_index(f[1]),
+                    Surface_mesh::Vertex_index(f[2]));
+  return result;
+}
+
+/// The vector (1, 2, 0) of the plane at every vertex.
+template <class T>
+IT::Tangent_field constant_field(const T& t, const Surface_mesh& mesh) {
+  IT::Tangent_field field(t.numbers().vertex_capacity(t.mesh()));
+  for (const auto v : vertices(t.mesh())) {
+    const auto h = opposite(halfedge(v, t.mesh()), t.mesh());
+    auto points = IT::polyline(t, IT::trace_edge(t, edge(h, t.mesh())), mesh);
+    if (t.numbers().halfedge(h) % 2 != 0) std::reverse(points.begin(), points.end());
+    const auto d = points.back() - points.front();
+    const std::complex<double> axis(d.x(), d.y());
+    double angle = std::arg(std::complex<double>(1, 2) / axis);
+    if (face(opposite(h, t.mesh()), t.mesh()) ==
+        boost::graph_traits<typename T::Mesh>::null_face()) {
+      const IT::Intrinsic_view<T> view(t); // on the border: scaled to half a circle
+      bool is_on_border = false;
+      const double all = IT::cone_angle(view, t.numbers().halfedge(h), is_on_border);
+      if (angle < 0) angle += 2 * std::numbers::pi;
+      angle *= std::numbers::pi / all;
+      if (angle > std::numbers::pi) continue; // points out of the surface
+    }
+    field[t.input_vertex(v)] = std::polar(std::sqrt(5.), angle);
+  }
+  return field;
+}
+
+TYPED_TEST(Vector_field, That_is_constant_in_the_plane_stays_so_at_all_vertices) {
+  using T = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, TypeParam>;
+  for (const auto& [name, shape] :
+       {std::pair{"random", meshes::random_planar(60, 1000, 2)},
+        std::pair{"grid", meshes::scaled(meshes::grid(4, 12), 0.001)}}) {
+    const Surface_mesh mesh = surface_mesh(shape);
+    T t(mesh);
+    IT::delaunay_refine(t, IT::parameters::minimum_angle(28));
+    const IT::Tangent_field field = constant_field(t, mesh);
+    const auto at_vertices = IT::vectors_in_space(t, field, mesh);
+    std::size_t count = 0;
+    for (const auto v : vertices(t.mesh())) {
+      const std::uint32_t i = t.input_vertex(v);
+      if (std::abs(field[i]) == 0) continue;
+      ++count;
+      EXPECT_NEAR(at_vertices[i][0], 1, 1e-6) << name << ' ' << i;
+      EXPECT_NEAR(at_vertices[i][1], 2, 1e-6) << name << ' ' << i;
+      EXPECT_NEAR(at_vertices[i][2], 0, 1e-12) << name;
+    }
+    EXPECT_GT(2 * count, num_vertices(t.mesh()));
+    // inside the surface also between the vertices
+    const IT::Common_subdivision s = IT::common_subdivision(t);
+    const auto on_faces = IT::vectors_in_space(t, field, s, mesh);
+    ASSERT_EQ(on_faces.size(), s.number_of_faces());
+    std::size_t inside = 0;
+    for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+      bool has_all = true;
+      auto h = halfedge(t.numbers().face_at(s.intrinsic_face[f]), t.mesh());
+      for (int k = 0; k < 3; ++k, h = next(h, t.mesh()))
+        has_all = has_all && std::abs(field[t.input_vertex(source(h, t.mesh()))]) > 0;
+      if (!has_all) continue;
+      ++inside;
+      EXPECT_NEAR(on_faces[f][0], 1, 1e-6) << name << ' ' << f;
+      EXPECT_NEAR(on_faces[f][1], 2, 1e-6) << name << ' ' << f;
+    }
+    EXPECT_GT(inside, 10U);
+  }
+}
+
+/// Lengths are kept and vectors are tangent to the faces that they are in.
+TYPED_TEST(Vector_field, Keeps_lengths_on_curved_surfaces) {
+  using T = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, TypeParam>;
+  const Surface_mesh mesh = surface_mesh(meshes::potato(2, 6));
+  T t(mesh);
+  IT::delaunay_refine(t, IT::parameters::maximum_circumradius(0.2));
+  IT::Tangent_field field(t.numbers().vertex_capacity(t.mesh()));
+  for (std::size_t i = 0; i < field.size(); ++i)
+    field[i] = std::polar(1 + 0.01 * static_cast<double>(i), static_cast<double>(i));
+  const auto vectors = IT::vectors_in_space(t, field, mesh);
+  for (const auto v : vertices(t.mesh())) {
+    const auto& x = vectors[t.input_vertex(v)];
+    EXPECT_NEAR(std::hypot(x[0], x[1], x[2]), std::abs(field[t.input_vertex(v)]), 1e-9);
+  }
+}
+
+} // namespace
