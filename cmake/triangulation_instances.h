@@ -11,7 +11,7 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
@@ -33,13 +33,14 @@
   INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class Move_session<__VA_ARGS__>;                 \
   INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Mover<__VA_ARGS__>;              \
   INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE Flip_to_delaunay_result flip_to_delaunay(        \
-      __VA_ARGS__&);                                                                               \
+      __VA_ARGS__&, const parameters::Parameters<>&);                                              \
   INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE bool is_delaunay(const __VA_ARGS__&);            \
   INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE Delaunay_report<Gluing_map::Edge>                \
   check_delaunay(const __VA_ARGS__&);                                                              \
+  INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Delaunay_refiner<                \
+      __VA_ARGS__, Refinement_visitor>;                                                            \
   INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE Refinement_result<Gluing_map::Face>              \
-  delaunay_refine(__VA_ARGS__&, const Refinement_options&,                                         \
-                  const parameters::Default_named_parameters&)
+  delaunay_refine(__VA_ARGS__&, const parameters::Parameters<>&)
 
 namespace CGAL::Intrinsic_triangulations {
 

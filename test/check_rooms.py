@@ -28,31 +28,13 @@ MOST_LINES = 350
 
 # What is wrong today and why it stays for now. Shrinks only.
 # (header, included header of a higher room): reason
-ALLOWED_INCLUDES = {
-    ("exact/numbers/Conjugate_bound.h", "exact/unfolding/Unfolded_diamond.h"):
-        "evaluates an unfolded diamond: belongs to exact/",
-    ("exact/numbers/Conjugate_evaluator.h", "exact/unfolding/Unfolded_diamond.h"):
-        "evaluates an unfolded diamond: belongs to exact/",
-    ("exact/unfolding/Unfolded_evaluation.h", "exact/Diamond_zero_test.h"):
-        "escalates: belongs to exact/",
-    ("exact/unfolding/Unfolded_evaluation.h", "exact/Predicate_statistics.h"):
-        "escalates: belongs to exact/",
-    ("exact/unfolding/Unfolded_evaluation.h", "exact/escalation.h"):
-        "escalates: belongs to exact/",
-    ("correspondence/curves/Crossing_parameters.h", "correspondence/queries/locate_on_input.h"):
-        "locates crossings by walking the curves: what it needs of the query belongs to curves/",
-    ("correspondence/curves/Edge_crossings.h", "correspondence/queries/locate_on_input.h"):
-        "locates crossings by walking the curves: what it needs of the query belongs to curves/",
-}
+ALLOWED_INCLUDES = {}
 # header: reason
 ALLOWED_LENGTHS = {
-    "metric/Exact_euclidean_traits.h": "filter, history and the back door of moves in one class",
     "retriangulation/refinement/Delaunay_refiner.h": "queue, constraints and moves in one class",
 }
 # room: reason
-ALLOWED_SIZES = {
-    "input": "what is done to an input before it is built may need a room of its own",
-}
+ALLOWED_SIZES = {}
 
 
 def read_rooms(readme):

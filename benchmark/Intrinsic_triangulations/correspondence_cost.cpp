@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 
 #include <nlohmann/json.hpp>
 

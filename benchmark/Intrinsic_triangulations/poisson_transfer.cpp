@@ -8,7 +8,7 @@
 #include "benchmark_support.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/transfer.h>

@@ -23,15 +23,15 @@ What most programs need of the package. To be included besides: operators, which
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/weighted_vertices.h>
-#include <CGAL/Intrinsic_triangulations/input/scale_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Interval_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Tolerant_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/certify_delaunay.h>

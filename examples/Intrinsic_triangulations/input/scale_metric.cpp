@@ -10,7 +10,7 @@
 #include <CGAL/boost/graph/generators.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/input/scale_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 

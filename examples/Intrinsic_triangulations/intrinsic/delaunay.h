@@ -15,8 +15,8 @@
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/matrix_market.h>
 

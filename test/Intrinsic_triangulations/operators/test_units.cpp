@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Corresponding_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/point_sources.h>

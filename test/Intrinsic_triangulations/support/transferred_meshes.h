@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 

@@ -76,7 +76,7 @@ void study_exact_integer(Study_run& run) {
   }
   const auto report = IT::check_delaunay(expected);
   note_result(run.findings, {.non_delaunay_edges = report.non_delaunay_edges,
-                             .cocircular_edges = report.cocircular_edges.size(),
+                             .ties = report.cocircular_edges.size(),
                              .statistics = {}});
   note_agreement(run, expected.correspondence().cycles());
 }

@@ -4,10 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_DIAMOND_ZERO_TEST_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_DIAMOND_ZERO_TEST_H
 
+#include <CGAL/Intrinsic_triangulations/exact/Conjugate_bound.h>
+#include <CGAL/Intrinsic_triangulations/exact/Conjugate_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/exact/Field_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/Zero_answer.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_bound.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Prime_field.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>

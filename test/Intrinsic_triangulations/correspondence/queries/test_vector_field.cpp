@@ -5,9 +5,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include "mesh_types.h"

@@ -7,9 +7,9 @@
 #include "meshes.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Conjugate_bound.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_bound.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolding.h>
 
 #include <gtest/gtest.h>

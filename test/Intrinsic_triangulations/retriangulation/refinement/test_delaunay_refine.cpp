@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivide.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 
 #include <boost/property_map/property_map.hpp>

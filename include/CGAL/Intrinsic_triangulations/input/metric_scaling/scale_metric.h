@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALE_METRIC_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALE_METRIC_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SCALE_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SCALE_METRIC_H
 
-#include <CGAL/Intrinsic_triangulations/formulas/Tensor_norm.h>
-#include <CGAL/Intrinsic_triangulations/formulas/side_vectors.h>
-#include <CGAL/Intrinsic_triangulations/formulas/triangle_inequality.h>
-#include <CGAL/Intrinsic_triangulations/input/Metric_source.h>
-#include <CGAL/Intrinsic_triangulations/input/Scaled_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/Metric_source.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/Scaled_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/Tensor_norm.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/side_vectors.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 #include <CGAL/Intrinsic_triangulations/input/scaling.h>
 
 #include <CGAL/number_utils.h>
@@ -260,4 +260,4 @@ Scaled_metric scale_by_norm_in_space(const Mesh& mesh, const Norm& norm,
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALE_METRIC_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SCALE_METRIC_H

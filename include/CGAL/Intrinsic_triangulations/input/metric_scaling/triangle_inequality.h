@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_TRIANGLE_INEQUALITY_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_TRIANGLE_INEQUALITY_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_TRIANGLE_INEQUALITY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_TRIANGLE_INEQUALITY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
@@ -72,4 +72,4 @@ faces_violating_triangle_inequality(const Gluing_map& mesh,
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_TRIANGLE_INEQUALITY_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_TRIANGLE_INEQUALITY_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SOURCE_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SOURCE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_METRIC_SOURCE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_METRIC_SOURCE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
@@ -133,4 +133,4 @@ Metric_source<Mesh> read_metric(const Mesh& mesh) {
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SOURCE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_METRIC_SOURCE_H

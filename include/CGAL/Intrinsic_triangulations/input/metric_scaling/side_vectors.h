@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_SIDE_VECTORS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_SIDE_VECTORS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SIDE_VECTORS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SIDE_VECTORS_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/corner_angles.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
@@ -65,4 +65,4 @@ inline Side_vectors<2> planar_sides(const Side_vectors<3>& s) {
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_SIDE_VECTORS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SIDE_VECTORS_H

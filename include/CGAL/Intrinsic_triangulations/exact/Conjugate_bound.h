@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_CONJUGATE_BOUND_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_CONJUGATE_BOUND_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_CONJUGATE_BOUND_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_CONJUGATE_BOUND_H
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
@@ -233,4 +233,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_CONJUGATE_BOUND_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_CONJUGATE_BOUND_H

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALED_METRIC_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALED_METRIC_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SCALED_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SCALED_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
-#include <CGAL/Intrinsic_triangulations/formulas/triangle_inequality.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
-#include <CGAL/Intrinsic_triangulations/input/shorten_edges.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/shorten_edges.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 
 #include <cmath>
 #include <cstddef>
@@ -107,4 +107,4 @@ inline Scaled_metric finish_scaling(Intrinsic_input&& in, const Metric_scaling_o
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALED_METRIC_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SCALED_METRIC_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/formulas/side_vectors.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/side_vectors.h>
 
 #include "slivers.h"
 

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SHORTEN_EDGES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SHORTEN_EDGES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SHORTEN_EDGES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SHORTEN_EDGES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/formulas/triangle_inequality.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -131,4 +131,4 @@ inline Shortening_report shorten_edges(const Gluing_map& mesh, std::vector<doubl
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SHORTEN_EDGES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SHORTEN_EDGES_H

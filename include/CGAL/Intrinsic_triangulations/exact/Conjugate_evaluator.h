@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_CONJUGATE_EVALUATOR_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_CONJUGATE_EVALUATOR_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_CONJUGATE_EVALUATOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_CONJUGATE_EVALUATOR_H
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Gaussian_residue.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Prime_field.h>
@@ -263,4 +263,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_CONJUGATE_EVALUATOR_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_CONJUGATE_EVALUATOR_H

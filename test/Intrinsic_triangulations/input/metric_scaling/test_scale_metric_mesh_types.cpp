@@ -5,7 +5,7 @@
 #include "meshes.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/input/scale_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
 
 #include <gtest/gtest.h>
 
