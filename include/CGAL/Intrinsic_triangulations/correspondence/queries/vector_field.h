@@ -132,6 +132,39 @@ std::array<double, 3> vector_in_space(const Named& named, const Tangent_vector& 
   return result;
 }
 
+// Takes a vector in the frame of an intrinsic face to space, by the rotation that fits the corners of a face of the
+// common subdivision best: the direction of sum conj(p) q, with places p and q from their means in the frames of its
+// intrinsic and its input face. `points` are its places in space.
+template <class View, class Named>
+std::array<double, 3> face_vector_in_space(const View& view, const Named& named, std::uint32_t h,
+                                           const Common_subdivision& s, std::size_t f,
+                                           const std::vector<std::array<double, 3>>& points,
+                                           const Planar_vector<double>& v) {
+  using Complex = std::complex<double>;
+  const std::array<double, 3> a = vector_in_space(named, {{h, {1, 0, 0}}, {1, 0}}),
+                              b = vector_in_space(named, {{h, {1, 0, 0}}, {0, 1}});
+  const std::uint32_t base = view.halfedge_of_face(s.intrinsic_face[f]);
+  const Geodesic_face face(view, base);
+  Complex mean_p = 0, mean_q = 0, sum = 0;
+  const std::size_t begin = s.face_begin[f], end = s.face_begin[f + 1];
+  for (const bool is_last : {false, true})
+    for (std::size_t c = begin; c < end; ++c) {
+      const Planar_vector<double> back = face.to_corner(corner_in_face(view, s, base, c), 0);
+      const std::array<double, 3>& x = points[s.corner[c]];
+      const Complex p(-back[0], -back[1]),
+          q(x[0] * a[0] + x[1] * a[1] + x[2] * a[2], x[0] * b[0] + x[1] * b[1] + x[2] * b[2]);
+      if (is_last)
+        sum += std::conj(p - mean_p) * (q - mean_q);
+      else {
+        mean_p += p / static_cast<double>(end - begin);
+        mean_q += q / static_cast<double>(end - begin);
+      }
+    }
+  const Complex w = Complex(v[0], v[1]) * (std::abs(sum) > 0 ? sum / std::abs(sum) : Complex(1));
+  return {w.real() * a[0] + w.imag() * b[0], w.real() * a[1] + w.imag() * b[1],
+          w.real() * a[2] + w.imag() * b[2]};
+}
+
 } // namespace internal
 
 /*!
@@ -170,7 +203,7 @@ Between the corners of an intrinsic face the field is interpolated, in the frame
 \param mesh the mesh that `t` was built from
 \return the vectors at the centres of the faces
 \pre the faces of the mesh have an area
-\complexity that of `tangent_to_input()` for each face of the subdivision
+\complexity linear in the size of the subdivision
 */
 template <class Triangulation, class Mesh>
 std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
@@ -179,6 +212,7 @@ std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
   const internal::Vertex_frames<Triangulation> frames(t);
   const Intrinsic_view<Triangulation> view(t);
+  const std::vector<std::array<double, 3>> points = positions(s, mesh);
   std::vector<std::array<double, 3>> result(s.number_of_faces(), {0, 0, 0});
   for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
     Surface_point centre{view.halfedge_of_face(s.intrinsic_face[f]), {0, 0, 0}};
@@ -188,8 +222,9 @@ std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
       for (std::size_t k = 0; k < 3; ++k)
         centre.weights[k] += w[k] / static_cast<double>(end - begin);
     }
-    if (const auto x = tangent_to_input(t, frames.in_face(centre, field)))
-      result[f] = internal::vector_in_space(named, *x);
+    const std::uint32_t input_face = t.input().names().faces.here(s.input_face[f]);
+    result[f] = internal::face_vector_in_space(view, named, t.input().halfedge_of_face(input_face),
+                                               s, f, points, frames.in_face(centre, field).vector);
   }
   return result;
 }
