@@ -31,8 +31,7 @@ public:
     return Metric::compute_flip(d);
   }
 
-  mutable std::uint64_t predicates =
-      0; // predicates do not change a metric: counters are no part of it
+  mutable std::uint64_t predicates = 0; // mutable: predicates are const
   mutable std::uint64_t constructions = 0;
 };
 
