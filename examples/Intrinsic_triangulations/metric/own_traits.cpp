@@ -22,7 +22,7 @@ class Counting_metric : public Metric {
 public:
   using Metric::Metric;
 
-  bool is_locally_delaunay(const IT::Diamond& d) { // the one predicate of flip_to_delaunay()
+  bool is_locally_delaunay(const IT::Diamond& d) const { // the one predicate of flip_to_delaunay()
     ++predicates;
     return Metric::is_locally_delaunay(d);
   }
@@ -31,7 +31,7 @@ public:
     return Metric::compute_flip(d);
   }
 
-  std::uint64_t predicates = 0;
+  mutable std::uint64_t predicates = 0; // predicates are const
   mutable std::uint64_t constructions = 0;
 };
 
