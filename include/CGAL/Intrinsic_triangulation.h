@@ -258,8 +258,10 @@ public:
   }
 
 private:
+  /// \cond
   friend internal::Mover<Intrinsic_triangulation>;
   friend Session;
+  /// \endcond
 
   static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
 

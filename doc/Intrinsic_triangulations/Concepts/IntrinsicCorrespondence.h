@@ -24,36 +24,43 @@ if triangulations are to be copied}
 
 \cgalHeading{Types}
 
-None of its own. Elements are named by numbers of type `std::uint32_t`: halfedges `2e` and `2e + 1` are the sides of
-edge `e`. Flips do not change numbers; an insertion uses the numbers of removed elements again, or the next ones.
+None of its own. It hears of moves by their records (Moves.h): \itc{Flip}, \itc{Insertion_in_face},
+\itc{Insertion_on_border}, \itc{Removal_from_face} and \itc{Removal_from_border}, which hold all elements around, so that
+it never walks over the mesh. Elements are named by numbers of type `std::uint32_t`: halfedges `2e` and `2e + 1` are
+the sides of edge `e`. Flips do not change numbers; an insertion uses the numbers of removed elements again, or the next
+ones.
 
 \cgalHeading{Order of calls}
 
-Every move runs in one order: what it makes is computed, the correspondence hears of it (`before_...`) and may
-refuse, connectivity and metric change, the correspondence hears again (`after_...`). A move that is refused for
-reasons of connectivity or convexity is not announced. An insertion may be announced and then not be done, because
-an inexact number type cannot hold it: then the next call announces another move.
+Every move runs in one order: its record is made, and the values of a flip are computed; the correspondence hears of it
+(`before()`) and may refuse; connectivity and metric change; the correspondence hears again (`after()`). Both calls get
+the same record, except that before an insertion what is new is `Gluing::none`. A move that is refused for reasons of
+connectivity or convexity is not announced. An insertion may be announced and then not be done, because an inexact number
+type cannot hold it: then the next call announces another move.
 
 A vertex on an inner edge is inserted in a face, at distance zero from the side, which is flipped then; it is removed
 in the opposite order.
 
-\cgalHeading{Which operation needs what}
+\cgalHeading{Which operation makes which moves}
 
-| operation | needs |
+| operation | records |
 |---|---|
-| constructors of \itc{Intrinsic_triangulation} | `start()` |
-| `flip_edge()`, \itf{flip_to_delaunay} | `before_flip()`, `after_flip()` |
-| `insert_vertex()`, `split_edge()` | those, and the four functions that hear of insertions |
-| `remove_vertex()` | those of flips, and the four functions that hear of removals |
-| `reposition_vertex()`, \itf{delaunay_refine}, \itf{odt_optimize} | all |
+| constructors of \itc{Intrinsic_triangulation} | none: `start()` |
+| `flip_edge()`, \itf{flip_to_delaunay} | \itc{Flip} |
+| `insert_vertex()`, in a face | \itc{Insertion_in_face} |
+| `insert_vertex()`, `split_edge()`, on an inner edge | \itc{Insertion_in_face} and \itc{Flip}; also \itc{Removal_from_face}, if the flip is refused |
+| the same on the border | \itc{Insertion_on_border} |
+| `remove_vertex()` | \itc{Flip} until three edges are left, then \itc{Removal_from_face} or \itc{Removal_from_border} |
+| `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five |
 | \itf{common_subdivision}, queries | not part of this concept: see \ref ::CurveCoordinates |
 
-The C++20 concept asks for all of them, so that a triangulation can make every move.
+The C++20 concept asks for all five, so that a triangulation can make every move; who needs one alone derives from
+\itc{No_correspondence}, as the example does.
 
 \cgalHeading{Invariants}
 
-- After `start()` and after every `after_...` the model describes the triangulation that it was called with.
-- If a `before_...` returns false, nothing has changed, in the model either.
+- After `start()` and after every `after()` the model describes the triangulation that it was called with.
+- If a `before()` returns false, nothing has changed, in the model either.
 
 \cgalHeading{Complexity}
 
@@ -70,62 +77,52 @@ public:
   template <class Triangulation>
   void start(const Triangulation& t);
   /*!
-  \brief hears that the edge of `h` will be flipped: mesh and metric of `t` are as before.
-  \param t the triangulation, before the flip
-  \param h a halfedge of the edge
+  \brief hears that an edge will be flipped: mesh and metric of `t` are as before.
   \return whether the flip may be done; if not, nothing has changed
   */
   template <class Triangulation>
-  bool before_flip(const Triangulation& t, std::uint32_t h);
-  /*!
-  \brief hears that the edge of `h` was flipped: mesh and metric of `t` are as after it. `h` has
-  turned clockwise and keeps its number.
-  */
+  bool before(const Triangulation& t, const CGAL::Intrinsic_triangulations::Flip& move);
+  /// hears that an edge was flipped: mesh and metric of `t` are as after it.
   template <class Triangulation>
-  void after_flip(const Triangulation& t, std::uint32_t h);
+  void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Flip& move);
   /*!
-  \brief hears that a vertex will be inserted in the face of `h`.
-  \param t the triangulation, whose metric may be asked for signs
-  \param h a halfedge
-  \param weights barycentric coordinates of the source of `h`, its target, the third corner; if the
-    last one is zero, the edge of `h` is flipped next
+  \brief hears that a vertex will be inserted in a face; the metric of `t` may be asked for signs.
   \return whether it may be inserted; if not, nothing has changed
   */
   template <class Triangulation>
-  bool before_insert_in_face(Triangulation& t, std::uint32_t h,
-                             const std::array<double, 3>& weights);
-  /// hears that the vertex was inserted; where the new edges are, `split_face()` tells.
+  bool before(const Triangulation& t, const CGAL::Intrinsic_triangulations::Insertion_in_face& move);
+  /// hears that the vertex was inserted, and by the record what is new.
   template <class Triangulation>
-  void after_insert_in_face(const Triangulation& t, std::uint32_t h);
+  void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Insertion_in_face& move);
   /*!
   \brief hears that a vertex will be inserted on the border.
-  \param t the triangulation
-  \param h a halfedge that has a face and whose opposite has none
-  \param parameter 0 at the source of `h`, 1 at its target
   \return whether it may be inserted; if not, nothing has changed
   */
   template <class Triangulation>
-  bool before_insert_in_border_edge(Triangulation& t, std::uint32_t h, double parameter);
-  /// hears that the vertex was inserted; where the new edges are, `split_border_edge()` tells.
+  bool before(const Triangulation& t,
+              const CGAL::Intrinsic_triangulations::Insertion_on_border& move);
+  /// hears that the vertex was inserted, and by the record what is new.
   template <class Triangulation>
-  void after_insert_in_border_edge(const Triangulation& t, std::uint32_t h);
+  void after(const Triangulation& t,
+             const CGAL::Intrinsic_triangulations::Insertion_on_border& move);
   /*!
-  \brief hears that a vertex with three edges will be removed: the one opposite `h` in its face, see
-  `remove_degree_3_vertex()`.
+  \brief hears that a vertex with three edges will be removed.
   \return whether it may be removed; if not, nothing has changed
   */
   template <class Triangulation>
-  bool before_remove(const Triangulation& t, std::uint32_t h);
-  /// hears that the vertex was removed.
+  bool before(const Triangulation& t, const CGAL::Intrinsic_triangulations::Removal_from_face& move);
+  /// hears that the vertex was removed: the first face of the record is the whole one.
   template <class Triangulation>
-  void after_remove(const Triangulation& t, std::uint32_t h);
+  void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Removal_from_face& move);
   /*!
-  \brief hears that the target of `h` will be removed from the border, see `remove_border_vertex()`.
+  \brief hears that a vertex with three edges will be removed from the border.
   \return whether it may be removed; if not, nothing has changed
   */
   template <class Triangulation>
-  bool before_remove_from_border(const Triangulation& t, std::uint32_t h);
-  /// hears that the vertex was removed.
+  bool before(const Triangulation& t,
+              const CGAL::Intrinsic_triangulations::Removal_from_border& move);
+  /// hears that the vertex was removed: `ip` and `f` of the record are the whole edge and face.
   template <class Triangulation>
-  void after_remove_from_border(const Triangulation& t, std::uint32_t h);
+  void after(const Triangulation& t,
+             const CGAL::Intrinsic_triangulations::Removal_from_border& move);
 };

@@ -27,6 +27,9 @@ edges at an edge are passed as a \itc{Diamond}, those at a vertex as a
 \itc{Vertex_star} or a \itc{Border_star}. Values are in scaled
 units: lengths of the input times 2 to the power of `scale_exponent()`.
 
+Predicates are const, and so is all that is read: what a metric keeps to decide again faster, or counts, is no part of
+its value.
+
 \cgalHeading{Which operation needs what}
 
 | operation | needs |
@@ -34,7 +37,8 @@ units: lengths of the input times 2 to the power of `scale_exponent()`.
 | constructors of \itc{Intrinsic_triangulation} | constructors, `is_degenerate`, `is_zero_length`, `approximate_squared_length` |
 | `is_locally_delaunay()`, \itf{flip_to_delaunay} | `is_locally_delaunay`, `compute_flip`, `store_flip`, `is_exact` |
 | \itf{is_delaunay} | `is_locally_delaunay` |
-| \itf{check_delaunay}, `delaunay_sign()`, `flip_status()`, `flip_edge()` | `sign` of a diamond |
+| \itf{check_delaunay}, `delaunay_sign()`, `flip_status()` | `sign` of a diamond |
+| `flip_edge()` | also `compute_flip`, `store_flip` |
 | `squared_length()` and `area()` of the triangulation | `approximate_squared_length`, `approximate_quadruple_area`, `scale_exponent` |
 | `insert_vertex()`, `remove_vertex()` | also `compute_flip_to_zero_area`, `insert_in_face`, `insert_in_border_edge`, `remove_from_face`, `remove_from_border_edge` |
 | \itf{delaunay_refine} | also `sign` of faces |
@@ -68,23 +72,24 @@ public:
   /// constructs an empty metric.
   IntrinsicMetric();
   /*!
-  \brief evaluates the input.
+  \brief evaluates the input: the values that `input->metric()` defines for the edges and faces of `input->mesh()`.
+  \param input the surface, which the model may keep, shared
   \throws CGAL::Intrinsic_triangulations::Invalid_input naming a face that breaks the triangle
     inequality, or for which `FT` cannot represent the area
   */
-  IntrinsicMetric(const CGAL::Intrinsic_triangulations::Gluing_map& mesh,
-                  std::shared_ptr<CGAL::Intrinsic_triangulations::Input_metric> input);
+  explicit IntrinsicMetric(std::shared_ptr<const CGAL::Intrinsic_triangulations::Input> input);
 
   /// tells whether the angles opposite the edge sum to at most pi; ties do.
-  bool is_locally_delaunay(const CGAL::Intrinsic_triangulations::Diamond& d);
+  bool is_locally_delaunay(const CGAL::Intrinsic_triangulations::Diamond& d) const;
   /*!
   \brief returns the sign of an expression in the values of a diamond.
-  \tparam Expression a functor with a template `operator()(const Diamond_values<Number>&)` that uses
-    field operations only: `Delaunay_expression`, `Convexity_at_source_expression`,
-    `Convexity_at_target_expression`
+  \tparam Expression a model of the C++20 concept \itc{DiamondExpression}: a functor with a template
+    `operator()(const Diamond_values<Number>&)` that uses field operations only, such as \itc{Delaunay_expression},
+    \itc{Convexity_at_source_expression}, \itc{Convexity_at_target_expression}
   */
   template <class Expression>
-  CGAL::Sign sign(const CGAL::Intrinsic_triangulations::Diamond& d, const Expression& expression);
+  CGAL::Sign sign(const CGAL::Intrinsic_triangulations::Diamond& d,
+                  const Expression& expression) const;
   /// The values that a flip makes.
   typedef unspecified_type Flipped;
   /*!
@@ -124,14 +129,14 @@ public:
 
   /*!
   \brief returns the sign of an expression in the values of faces.
-  \tparam Expression a functor with a template
-    `operator()(std::span<const CGAL::Intrinsic_triangulations::Face_values<Number>>)` that uses field operations only
+  \tparam Expression a model of the C++20 concept \itc{FaceExpression}: a functor with a template
+    `operator()(std::span<const Face_values<Number>>)` that uses field operations only
   */
   template <class Expression>
   CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
-                  const Expression& expression);
+                  const Expression& expression) const;
   /// makes the doubles that the approximate values of faces are accurate, as far as the metric can.
-  void sharpen(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces);
+  void sharpen(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces) const;
 
   /// tells whether the area of a face is zero.
   bool is_degenerate(std::uint32_t face) const;
@@ -149,7 +154,8 @@ public:
   int scale_exponent() const;
 
   /// returns half the sum of the cotangents of the angles opposite an edge between two faces.
-  double cotangent_weight(const CGAL::Intrinsic_triangulations::Diamond& d);
+  double cotangent_weight(const CGAL::Intrinsic_triangulations::Diamond& d) const;
   /// returns half the cotangent of the angle opposite `ij` in a face with sides ij, jk and ki.
-  double cotangent_weight(std::uint32_t ij, std::uint32_t jk, std::uint32_t ki, std::uint32_t face);
+  double cotangent_weight(std::uint32_t ij, std::uint32_t jk, std::uint32_t ki,
+                          std::uint32_t face) const;
 };

@@ -8,7 +8,7 @@
 \cgalConcept
 
 The concept `IntrinsicTriangulation` describes what algorithms that flip edges need of a triangulation:
-its mesh, numbers for its edges, and predicates and flips in a `Session`.
+its mesh, numbers for its edges, predicates in a `Const_session` and flips in a `Session`.
 
 There is no metric in it: a triangulation that stores none, of hyperbolic surfaces, or one whose edges are Delaunay for
 other reasons, can be a model.
@@ -17,18 +17,18 @@ other reasons, can be a model.
 
 \cgalHeading{Types}
 
-`Mesh`, `Metric`, `halfedge_descriptor`, `edge_descriptor` and `Session`, below.
+`Mesh`, `Metric`, `halfedge_descriptor`, `edge_descriptor`, `Const_session` and `Session`, below.
 
 \cgalHeading{Which operation needs what}
 
 | operation | needs |
 |---|---|
-| \itf{flip_to_delaunay} | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::flip_status` (its type), `Session::suspended` |
-| \itf{is_delaunay} | `mesh`, `Session::is_locally_delaunay` |
-| \itf{check_delaunay} | `mesh`, `Session::delaunay_sign` |
+| \itf{flip_to_delaunay} | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::suspended` |
+| \itf{is_delaunay} | `mesh`, `Const_session::is_locally_delaunay` |
+| \itf{check_delaunay} | `mesh`, `Const_session::delaunay_sign` |
 | \itf{certify_delaunay} | an \itc{Integer_only_triangulation}, or an \itc{Intrinsic_triangulation} with \itc{Integer_coordinates} |
 | \itf{lumped_mass_matrix}, \itf{galerkin_mass_matrix} | also `face_descriptor`, `area`, `input_vertex`, `numbers`, as `Intrinsic_triangulation` has them |
-| \itf{cotangent_laplacian} and what solves equations with it | these, `metric`, and `Session::cotangent_weight` |
+| \itf{cotangent_laplacian} and what solves equations with it | these, `metric`, and `Const_session::cotangent_weight` |
 | refinement, queries, common subdivisions | all of `Intrinsic_triangulation`: "an instance of" it, their pages say |
 
 \cgalHeading{Invariants}
@@ -54,8 +54,8 @@ public:
   /// Edge of the mesh.
   typedef unspecified_type edge_descriptor;
 
-  /// Decides predicates and makes moves; constructed from a reference to the triangulation.
-  class Session {
+  /// Decides predicates; constructed from a const reference to the triangulation.
+  class Const_session {
   public:
     /// tells whether the angles opposite an edge sum to at most pi.
     bool is_locally_delaunay(halfedge_descriptor h) const;
@@ -64,16 +64,20 @@ public:
     \pre the edge has two different faces
     */
     CGAL::Sign delaunay_sign(halfedge_descriptor h) const;
-    /// returns whether an edge can be flipped: a value of an enumeration with an enumerator `done`.
-    unspecified_type flip_status(halfedge_descriptor h) const;
+    /// calls `f` in the default floating point environment and returns what it returns.
+    template <class Function>
+    auto suspended(Function f) const;
+  };
+
+  /// Decides predicates, as `Const_session` does, and makes flips; constructed from a reference to the
+  /// triangulation.
+  class Session : public Const_session {
+  public:
     /*!
     \brief flips an edge; `h` turns clockwise. Returns `done`, or why the arithmetic refused.
     \pre `!is_locally_delaunay(h)`
     */
-    unspecified_type flip_non_delaunay_edge(halfedge_descriptor h);
-    /// calls `f` in the default floating point environment and returns what it returns.
-    template <class Function>
-    auto suspended(Function f) const;
+    CGAL::Intrinsic_triangulations::Move_status flip_non_delaunay_edge(halfedge_descriptor h);
   };
 
   /// returns the connectivity.

@@ -11,27 +11,29 @@ LAYERS = [
     ("retriangulation/", "flips to Delaunay, refinement, ODT, quality", "#dbe7f5"),
     ("Intrinsic_triangulation", "owns the three below, and alone changes them", "#f7ead0"),
     ("correspondence/", "where intrinsic edges run on the input", "#e3f1df"),
-    ("metric/", "lengths, areas, exact decisions", "#e3f1df"),
+    ("triangulation/, tracing/", "records of moves, sessions; straight lines", "#eeeeee"),
+    ("metric/, exact/", "lengths, areas, exact decisions", "#e3f1df"),
+    ("input/, formulas/", "the surface before all moves; one triangle, one diamond", "#eeeeee"),
     ("connectivity/", "gluings, mesh types, moves without geometry", "#e3f1df")]
 CONCEPTS = {2: "IntrinsicTriangulation", 4: "IntrinsicCorrespondence",
-            5: "IntrinsicTriangulationTraits", 6: "MutableDeltaComplex"}
+            6: "IntrinsicTriangulationTraits", 8: "MutableDeltaComplex"}
 MODELS = {
     2: ["Intrinsic_triangulation,", "Integer_only_triangulation"],
     4: ["No_correspondence, Integer_coordinates,", "Explicit_crossings, Signposts"],
-    5: ["Exact_euclidean_traits, Interval_traits,", "Euclidean_traits&lt;FT&gt;, Tolerant_traits&lt;FT, T&gt;"],
-    6: ["Gluing_map, Surface_mesh,", "Polyhedron_3, OpenMesh"]}
+    6: ["Exact_euclidean_traits, Interval_traits,", "Euclidean_traits&lt;FT&gt;, Tolerant_traits&lt;FT, T&gt;"],
+    8: ["Gluing_map, Surface_mesh,", "Polyhedron_3, OpenMesh"]}
 
 
 def layers(file):
-    d = Drawing(760, 386)
+    d = Drawing(760, 510)
     mono = 'font-family="monospace" font-weight="bold"'
-    places = [(10, 10, 195), (215, 10, 195)] + [(10, 70 + 62 * k, 400) for k in range(5)]
+    places = [(10, 10, 195), (215, 10, 195)] + [(10, 70 + 62 * k, 400) for k in range(7)]
     for (name, what, fill), (x, y, w) in zip(LAYERS, places):
         d.rectangle(x, y, w, 46, fill)
         d.text(x + w / 2, y + 20, name, 13, style=mono)
         d.text(x + w / 2, y + 37, what, 11.5, GREY)
     d.lines([[(107, 56), (107, 70)], [(312, 56), (312, 70)]] +
-            [[(210, 116 + 62 * k), (210, 132 + 62 * k)] for k in range(4)], arrow=True)
+            [[(210, 116 + 62 * k), (210, 132 + 62 * k)] for k in range(6)], arrow=True)
     d.text(430, 24, "concept", 12, GREY, "start")
     for k, name in CONCEPTS.items():
         y = places[k][1]

@@ -31,7 +31,7 @@ public:
     return Metric::compute_flip(d);
   }
 
-  mutable std::uint64_t predicates = 0; // predicates are const
+  mutable std::uint64_t predicates = 0; // mutable: predicates are const
   mutable std::uint64_t constructions = 0;
 };
 
