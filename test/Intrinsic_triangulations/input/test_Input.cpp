@@ -72,7 +72,7 @@ void expect_names_of(const Mesh& mesh, const T& t) {
 
 TEST(Input, names_edges_and_polygons_as_the_users_mesh_does) {
   const Mesh mesh = cube();
-  Triangulation t(mesh);
+  const Integer t(mesh);
   EXPECT_EQ(t.input().number_of_faces(), 12U);
   EXPECT_EQ(t.input().names().polygon_of_triangle.size(), 12U);
   expect_names_of(mesh, t);
@@ -81,7 +81,7 @@ TEST(Input, names_edges_and_polygons_as_the_users_mesh_does) {
 TEST(Input, names_triangles_without_tables) {
   Mesh mesh;
   CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), mesh);
-  const Triangulation t(mesh);
+  const Integer t(mesh);
   EXPECT_TRUE(t.input().names().edges.is_identity());
   EXPECT_TRUE(t.input().names().faces.is_identity());
   EXPECT_TRUE(t.input().names().polygon_of_triangle.empty());
@@ -103,7 +103,7 @@ TEST(Input, names_edges_and_polygons_that_were_renumbered) {
     const std::uint32_t i = square / n, j = square % n;
     mesh.add_face(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1));
   }
-  const Triangulation t(mesh);
+  const Integer t(mesh);
   ASSERT_TRUE(t.report().renumbered);
   const IT::Input& in = t.input();
   std::uint32_t diagonals = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 
@@ -27,7 +28,9 @@ using IT::Input;
 using IT::Surface_point;
 using Walk = IT::Geodesic_walk<Input>;
 using Point = std::array<double, 3>;
-using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
+// A correspondence, of which the input is to keep its surface.
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
+                                                  IT::Integer_coordinates>;
 
 /// A triangulation of points with small integer coordinates in the plane.
 struct Planar {
@@ -40,7 +43,6 @@ struct Planar {
     input.may_renumber = false;
     const Triangulation t(std::move(input));
     surface = t.input();
-    surface.keep_values(t.metric());
     unit = std::ldexp(1.0, t.metric().scale_exponent());
   }
   const Point& corner(std::uint32_t h) const { return mesh.points[surface.source(h)]; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
 
@@ -28,7 +29,9 @@ using IT::Surface_point;
 using IT::internal::Geodesic_end;
 using Point = std::array<double, 3>;
 using Vector = IT::Planar_vector<double>;
-using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
+// A correspondence, of which the input is to keep its surface.
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
+                                                  IT::Integer_coordinates>;
 
 constexpr double pi = std::numbers::pi;
 
@@ -42,7 +45,6 @@ struct Placed {
     input.may_renumber = false;
     const Triangulation t(std::move(input));
     surface = t.input();
-    surface.keep_values(t.metric());
     for (Point& p : points)
       for (double& x : p) x = std::ldexp(x, t.metric().scale_exponent());
   }
@@ -229,8 +231,7 @@ TEST(Trace_geodesic, Follows_straight_lines_on_flat_tori) {
                               IT::Mollification::none);
     input.may_renumber = false;
     const Triangulation t(std::move(input));
-    Input s = t.input();
-    s.keep_values(t.metric());
+    const Input& s = t.input();
     const double unit = std::ldexp(1.0, t.metric().scale_exponent());
     // corners of the faces of cell (i, j), by halfedge
     std::vector<std::array<double, 2>> corner(s.number_of_halfedges());
@@ -369,8 +370,7 @@ TEST(Trace_geodesic, Ends_on_every_surface_of_the_gallery) {
     IT::Intrinsic_input input(IT::Gluing_map(g.gluing), gallery::squared_lengths(g),
                               IT::Mollification::none);
     const Triangulation t(std::move(input));
-    Input s = t.input();
-    s.keep_values(t.metric());
+    const Input& s = t.input();
     for (int i = 0; i < 200; ++i) {
       std::vector<Geodesic_crossing> crossings;
       const Surface_point p = random.point(s);
