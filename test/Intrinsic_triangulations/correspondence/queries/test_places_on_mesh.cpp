@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -234,6 +235,35 @@ TYPED_TEST(Queries, Constrained_edges_of_my_mesh_are_kept_by_flips_and_refinemen
   // found again from the correspondence
   const auto again = IT::constrained_input_edges(t, mesh, boost::make_assoc_property_map(is_sharp));
   for (const auto e : edges(t.mesh())) EXPECT_EQ(get(again, e), get(constrained, e));
+}
+
+/// The input of a triangulation without correspondence keeps no surface; edges are found by their names. The ends of an
+/// edge tell which one it is, as the mesh is a simplicial complex.
+void expect_constrained_edges_without_correspondence(const Surface_mesh& mesh) {
+  std::map<Surface_mesh::Edge_index, bool> is_sharp;
+  std::set<std::pair<std::size_t, std::size_t>> expected, found;
+  const auto ends = [](std::size_t i, std::size_t j) {
+    return std::pair(std::min(i, j), std::max(i, j));
+  };
+  for (const auto e : edges(mesh)) {
+    is_sharp[e] = e.idx() % 3 == 1;
+    if (is_sharp[e]) expected.insert(ends(source(e, mesh).idx(), target(e, mesh).idx()));
+  }
+  const Triangulation<IT::No_correspondence> t(mesh);
+  ASSERT_FALSE(t.input().has_surface());
+  const auto constrained =
+      IT::constrained_input_edges(t, mesh, boost::make_assoc_property_map(is_sharp));
+  for (const auto e : edges(t.mesh()))
+    if (get(constrained, e))
+      found.insert(ends(t.input_vertex(source(e, t.mesh())), t.input_vertex(target(e, t.mesh()))));
+  EXPECT_EQ(found, expected);
+}
+
+TEST(Constrained_edges, Need_no_correspondence_before_the_first_move) {
+  expect_constrained_edges_without_correspondence(user_mesh<Surface_mesh>(meshes::potato(2, 6)));
+  const meshes::Mesh grid = meshes::grid(270, 270); // which is renumbered
+  expect_constrained_edges_without_correspondence(user_mesh<Surface_mesh>(
+      meshes::permuted(grid, meshes::permutation(grid.points.size(), 3), 5)));
 }
 
 template <class Mesh>

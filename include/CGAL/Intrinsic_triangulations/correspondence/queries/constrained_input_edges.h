@@ -65,9 +65,15 @@ template <class Triangulation, class Mesh, class EdgeIsConstrained>
 Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t, const Mesh& mesh,
                                                     EdgeIsConstrained map) {
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
-  std::vector<char> is_constrained(t.input().number_of_edges(), 0);
+  const auto on_input = [&](const auto& e) -> std::uint32_t {
+    if constexpr (requires { t.correspondence().input(); })
+      return named.halfedge_on_input(halfedge(e, mesh)) / 2;
+    else // the input keeps names, no surface
+      return named.edge_on_input(e);
+  };
+  std::vector<char> is_constrained(t.numbers().edge_capacity(t.mesh()), 0);
   for (const auto e : edges(mesh))
-    if (get(map, e)) is_constrained[named.halfedge_on_input(halfedge(e, mesh)) / 2] = 1;
+    if (get(map, e)) is_constrained[on_input(e)] = 1;
   const auto along = [&](const auto& e) -> std::uint32_t {
     if constexpr (!requires { t.correspondence().input(); })
       return t.index(e);

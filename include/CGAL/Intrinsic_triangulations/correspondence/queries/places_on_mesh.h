@@ -71,6 +71,17 @@ public:
                         "the mesh has been changed since the triangulation was built from it");
   }
 
+  // The edge of the input at the user's edge, by names alone.
+  std::uint32_t edge_on_input(typename Traits::edge_descriptor e) const {
+    const std::uint32_t name = number_.halfedge(halfedge(e, mesh_)) / 2;
+    const std::uint32_t here = input_.names().edges.here(name);
+    if (here == Gluing::none)
+      throw Invalid_input(Element_kind::edge, name,
+                          "edge " + std::to_string(name) +
+                              " is not one of those that the triangulation was built from");
+    return here;
+  }
+
   // The halfedge of the input at the user's halfedge.
   std::uint32_t halfedge_on_input(Halfedge u) const {
     const std::uint32_t h = 2 * input_.names().edges.here(number_.halfedge(u) / 2);
