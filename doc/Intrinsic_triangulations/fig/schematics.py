@@ -9,7 +9,7 @@ LAYERS = [
     ("IO/", "files, pages to look at", "#e8eef7"),
     ("operators/", "matrices, transfer (Eigen)", "#e8eef7"),
     ("retriangulation/", "flips to Delaunay, refinement, ODT, quality", "#dbe7f5"),
-    ("Intrinsic_triangulation", "owns the three below, and alone changes them", "#f7ead0"),
+    ("Intrinsic_triangulation", "owns a mesh and what is green, and alone changes them", "#f7ead0"),
     ("correspondence/", "where intrinsic edges run on the input", "#e3f1df"),
     ("triangulation/, tracing/", "records of moves, sessions; straight lines", "#eeeeee"),
     ("metric/, exact/", "lengths, areas, exact decisions", "#e3f1df"),
@@ -25,7 +25,7 @@ MODELS = {
 
 
 def layers(file):
-    d = Drawing(760, 510)
+    d = Drawing(760, 498)
     mono = 'font-family="monospace" font-weight="bold"'
     places = [(10, 10, 195), (215, 10, 195)] + [(10, 70 + 62 * k, 400) for k in range(7)]
     for (name, what, fill), (x, y, w) in zip(LAYERS, places):

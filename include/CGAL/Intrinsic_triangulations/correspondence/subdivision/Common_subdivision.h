@@ -42,9 +42,9 @@ the coarsest polygon mesh in which every edge of both is a path.
 
 Vertices are numbered from 0: first the vertices of the intrinsic triangulation, then the crossings,
 those on one intrinsic edge together. Faces are convex polygons on the faces of both triangulations,
-counterclockwise, those in one intrinsic face together. Vertices, faces of the input have the numbers
-that they have for the user; intrinsic elements and input edges have the numbers that the intrinsic
-triangulation and its input have.
+counterclockwise, those in one intrinsic face together. Vertices and faces of the input go by
+their names, the user's numbers (see `Input_names`); intrinsic elements and input edges by the numbers that
+the intrinsic triangulation and its input have.
 */
 struct Common_subdivision {
   /// A number that names nothing.

@@ -52,7 +52,7 @@ public:
 
   /*!
   Flips until none waits.
-  \param observer its `before_check()` and `before_flip(h)` tell whether to go on,
+  \param observer its `before_check()` and `before_flip()` tell whether to go on,
   `is_constrained(h)` whether an edge that is not locally Delaunay is kept; `after_flip(h)` and
   `refused(h)` are called
   \return whether none waits
