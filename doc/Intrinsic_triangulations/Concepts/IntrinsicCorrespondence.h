@@ -90,7 +90,8 @@ public:
   \return whether it may be inserted; if not, nothing has changed
   */
   template <class Triangulation>
-  bool before(const Triangulation& t, const CGAL::Intrinsic_triangulations::Insertion_in_face& move);
+  bool before(const Triangulation& t,
+              const CGAL::Intrinsic_triangulations::Insertion_in_face& move);
   /// hears that the vertex was inserted, and by the record what is new.
   template <class Triangulation>
   void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Insertion_in_face& move);
@@ -110,7 +111,8 @@ public:
   \return whether it may be removed; if not, nothing has changed
   */
   template <class Triangulation>
-  bool before(const Triangulation& t, const CGAL::Intrinsic_triangulations::Removal_from_face& move);
+  bool before(const Triangulation& t,
+              const CGAL::Intrinsic_triangulations::Removal_from_face& move);
   /// hears that the vertex was removed: the first face of the record is the whole one.
   template <class Triangulation>
   void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Removal_from_face& move);

@@ -123,7 +123,8 @@ public:
   \param parameter weight of `j`
   \return whether it was done; if not, nothing has changed
   */
-  bool insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s, double parameter);
+  bool insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s,
+                             double parameter);
   /// stores the values of a border edge and its face from which a vertex is removed.
   void remove_from_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s);
 
