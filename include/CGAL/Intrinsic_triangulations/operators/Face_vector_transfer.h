@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <algorithm>
 #include <array>
@@ -47,7 +48,7 @@ public:
   \throws Invalid_input naming a face of the input that has
   \complexity linear
   */
-  template <class Triangulation>
+  template <NumberedTriangulation Triangulation>
   Face_vector_transfer(const Triangulation& t, const Common_subdivision& s)
       : input_face_(s.input_face), intrinsic_face_(s.intrinsic_face),
         area_(subdivision_areas(t, s)) {
