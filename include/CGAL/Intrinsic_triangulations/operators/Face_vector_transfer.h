@@ -41,7 +41,7 @@ class Face_vector_transfer {
 public:
   /*!
   \brief finds the rotations.
-  \tparam Triangulation an instance of `Intrinsic_triangulation` whose correspondence keeps its input
+  \tparam Triangulation a model of `NumberedTriangulation`
   \param t the triangulation
   \param s its common subdivision with the input
   \pre no face of the input has a vertex at two corners
@@ -52,7 +52,7 @@ public:
   Face_vector_transfer(const Triangulation& t, const Common_subdivision& s)
       : input_face_(s.input_face), intrinsic_face_(s.intrinsic_face),
         area_(subdivision_areas(t, s)) {
-    const Input& input = t.correspondence().input();
+    const Input& input = t.input();
     const Intrinsic_view<Triangulation> view(t);
     const Element_names& names = t.input().names().faces;
     const std::vector<std::uint32_t>& user = t.input().names().vertices.users();

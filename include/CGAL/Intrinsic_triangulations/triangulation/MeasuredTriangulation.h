@@ -24,9 +24,7 @@ concept MeasuredTriangulation = internal::Has_triangulated_mesh<Triangulation> &
              typename Triangulation::edge_descriptor e, typename Triangulation::face_descriptor f,
              std::uint32_t i) {
   { t.metric().is_degenerate(i) } -> std::same_as<bool>;
-  { t.index(f) } -> std::same_as<std::uint32_t>;
   { t.squared_length(e) } -> std::same_as<double>;
-  { t.area(f) } -> std::same_as<double>;
   { c.cotangent_weight(e) } -> std::same_as<double>;
 };
 

@@ -24,7 +24,6 @@ concept NumberedTriangulation = internal::Has_triangulated_mesh<Triangulation> &
     requires(const Triangulation& t, typename Triangulation::vertex_descriptor v,
              typename Triangulation::halfedge_descriptor h,
              typename Triangulation::face_descriptor f, std::uint32_t i) {
-  { t.index(v) } -> std::same_as<std::uint32_t>;
   { t.is_inserted(v) } -> std::same_as<bool>;
   { t.numbers().vertex(v) } -> std::same_as<std::uint32_t>;
   { t.numbers().halfedge(h) } -> std::same_as<std::uint32_t>;

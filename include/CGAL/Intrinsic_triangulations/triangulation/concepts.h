@@ -210,16 +210,22 @@ namespace internal {
 
 // Has a mesh, and numbers for its edges.
 template <class Triangulation>
-concept Has_triangulated_mesh = Has_mesh_elements<typename Triangulation::Mesh> &&
-    Has_connectivity<typename Triangulation::Mesh> &&
-    requires(const Triangulation& t, typename Triangulation::edge_descriptor e) {
+concept Has_triangulated_mesh = requires(const Triangulation& t,
+                                         typename Triangulation::halfedge_descriptor,
+                                         typename Triangulation::edge_descriptor e) {
+  requires Has_mesh_elements<typename Triangulation::Mesh>;
+  requires Has_connectivity<typename Triangulation::Mesh>;
   { t.mesh() } -> std::same_as<const typename Triangulation::Mesh&>;
   { t.index(e) } -> std::convertible_to<std::uint32_t>;
 };
 
-// Has doubles near what its metric stores, by the numbers of edges and faces, in scaled units.
+// Has areas of faces, and doubles near what its metric stores: by number, in scaled units.
 template <class Triangulation>
-concept Has_approximate_values = requires(const Triangulation& t, std::uint32_t i) {
+concept Has_approximate_values = requires(const Triangulation& t,
+                                          typename Triangulation::face_descriptor f,
+                                          std::uint32_t i) {
+  { t.index(f) } -> std::same_as<std::uint32_t>;
+  { t.area(f) } -> std::same_as<double>;
   { t.metric() } -> std::same_as<const typename Triangulation::Metric&>;
   { t.metric().approximate_squared_length(i) } -> std::same_as<double>;
   { t.metric().approximate_quadruple_area(i) } -> std::same_as<double>;
@@ -230,10 +236,12 @@ concept Has_approximate_values = requires(const Triangulation& t, std::uint32_t 
 template <class Triangulation>
 concept Has_matrix_rows = requires(const Triangulation& t,
                                    typename Triangulation::vertex_descriptor v) {
+  { t.index(v) } -> std::same_as<std::uint32_t>;
   { t.input() } -> std::same_as<const Input&>;
   { t.input_vertex(v) } -> std::same_as<std::uint32_t>;
   { t.numbers().vertex_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;
   { t.numbers().edge_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;
+  { t.numbers().face_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;
 };
 
 } // namespace internal

@@ -6,8 +6,11 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/face_expressions.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+
+#include <CGAL/enum.h>
 
 #include <concepts>
 #include <cstdint>
@@ -45,6 +48,7 @@ concept CorrespondingTriangulation = NumberedTriangulation<Triangulation> &&
     std::default_initializable<typename Triangulation::Metric::Scope> &&
     requires(const Triangulation& t, std::span<const Indexed_face> faces) {
   { Triangulation::Metric::is_exact } -> std::convertible_to<bool>;
+  { t.metric().sign(faces, Long_side_expression()) } -> std::same_as<Sign>;
   t.metric().sharpen(faces);
   requires internal::Has_curves<Triangulation> ||
       internal::Has_directions<internal::Correspondence_of<Triangulation>>;
