@@ -225,7 +225,8 @@ public:
   \return the new vertex, or why there is none; nothing has changed then
   \complexity constant, and that of the correspondence
   */
-  Insertion insert_vertex(halfedge_descriptor h, const std::array<double, 3>& weights) {
+  Insertion insert_vertex(halfedge_descriptor h,
+                          const std::array<double, 3>& weights) requires RefinableMetric<Metric> {
     return Session(*this).insert_vertex(h, weights);
   }
 
@@ -235,7 +236,7 @@ public:
   \param parameter 0 at the source of `h`, 1 at its target
   \return see `insert_vertex()`
   */
-  Insertion split_edge(halfedge_descriptor h, double parameter) {
+  Insertion split_edge(halfedge_descriptor h, double parameter) requires RefinableMetric<Metric> {
     return Session(*this).split_edge(h, parameter);
   }
 
@@ -243,7 +244,9 @@ public:
   \brief removes a vertex that was inserted: edges are flipped away from it first.
   \return `done`, or why it cannot be removed; nothing has changed then but the direction of halfedges
   */
-  Move_status remove_vertex(vertex_descriptor v) { return Session(*this).remove_vertex(v); }
+  Move_status remove_vertex(vertex_descriptor v) requires RefinableMetric<Metric> {
+    return Session(*this).remove_vertex(v);
+  }
 
   /*!
   \brief moves a vertex that was inserted: inserts one at its new place and removes the old one.
@@ -252,8 +255,9 @@ public:
   \param weights see `insert_vertex()`
   \return the new vertex, or why nothing has changed
   */
-  Insertion reposition_vertex(vertex_descriptor v, halfedge_descriptor h,
-                              const std::array<double, 3>& weights) {
+  Insertion
+  reposition_vertex(vertex_descriptor v, halfedge_descriptor h,
+                    const std::array<double, 3>& weights) requires RefinableMetric<Metric> {
     return Session(*this).reposition_vertex(v, h, weights);
   }
 

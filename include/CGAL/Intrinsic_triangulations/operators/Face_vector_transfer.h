@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <algorithm>
 #include <array>
@@ -40,18 +41,18 @@ class Face_vector_transfer {
 public:
   /*!
   \brief finds the rotations.
-  \tparam Triangulation an instance of `Intrinsic_triangulation` whose correspondence keeps its input
+  \tparam Triangulation a model of `NumberedTriangulation`
   \param t the triangulation
   \param s its common subdivision with the input
   \pre no face of the input has a vertex at two corners
   \throws Invalid_input naming a face of the input that has
   \complexity linear
   */
-  template <class Triangulation>
+  template <NumberedTriangulation Triangulation>
   Face_vector_transfer(const Triangulation& t, const Common_subdivision& s)
       : input_face_(s.input_face), intrinsic_face_(s.intrinsic_face),
         area_(subdivision_areas(t, s)) {
-    const Input& input = t.correspondence().input();
+    const Input& input = t.input();
     const Intrinsic_view<Triangulation> view(t);
     const Element_names& names = t.input().names().faces;
     const std::vector<std::uint32_t>& user = t.input().names().vertices.users();

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/SparseCore>
 
@@ -93,7 +94,7 @@ others in its column, in their order.
 \throws Invalid_input if a face has no area; flips to Delaunay remove caps, mollification the rest
 \complexity linear
 */
-template <class Triangulation>
+template <MeasuredTriangulation Triangulation>
 Eigen::SparseMatrix<double> cotangent_laplacian(const Triangulation& t) {
   const int size = checked_matrix_size(t);
   Eigen::SparseMatrix<double> l =

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_MASS_MATRIX_H
 
 #include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -45,7 +46,7 @@ A face that has a vertex at several corners counts at each. The trace is the are
   units of area of the input; sparse, so that it adds to a Laplacian; every diagonal entry is stored
 \complexity linear
 */
-template <class Triangulation>
+template <MeasuredTriangulation Triangulation>
 Eigen::SparseMatrix<double> lumped_mass_matrix(const Triangulation& t) {
   const Eigen::VectorXd area = internal::areas_at_vertices(t);
   Eigen::SparseMatrix<double> m(area.size(), area.size());
@@ -70,7 +71,7 @@ the surface. Positive definite if no vertex is isolated and every face has an ar
   area of the input, symmetric bit by bit; every diagonal entry is stored
 \complexity linear
 */
-template <class Triangulation>
+template <MeasuredTriangulation Triangulation>
 Eigen::SparseMatrix<double> galerkin_mass_matrix(const Triangulation& t) {
   const auto& mesh = t.mesh();
   const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>
 
@@ -38,7 +39,7 @@ Near the source u is -log(r) / alpha, where alpha is the total angle there: unbo
 \throws Invalid_input see `solve_reaction_diffusion()`
 \complexity that of a sparse factorization
 */
-template <class Triangulation>
+template <MeasuredTriangulation Triangulation>
 Eigen::VectorXd harmonic_green_function(const Triangulation& t, std::uint32_t vertex) {
   Eigen::VectorXd load = internal::areas_at_vertices(t);
   internal::check_source(load, vertex);
@@ -62,7 +63,7 @@ where alpha is the total angle there.
 \throws Invalid_input see `solve_reaction_diffusion()`
 \complexity that of a sparse factorization
 */
-template <class Triangulation>
+template <MeasuredTriangulation Triangulation>
 Eigen::VectorXd short_time_heat_kernel(const Triangulation& t, std::uint32_t vertex, double time) {
   const Eigen::VectorXd areas = internal::areas_at_vertices(t);
   internal::check_source(areas, vertex);

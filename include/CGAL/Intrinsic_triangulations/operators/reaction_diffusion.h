@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
@@ -90,7 +91,7 @@ If c is zero, solutions differ by constants: the one of mean zero is returned.
 \throws std::runtime_error if rounding has left no positive definite matrix
 \complexity that of a sparse factorization
 */
-template <class Triangulation>
+template <MeasuredTriangulation Triangulation>
 Eigen::VectorXd solve_reaction_diffusion(const Triangulation& t, const Reaction_diffusion& equation,
                                          const Eigen::VectorXd& load) {
   internal::check(equation);

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>
 
@@ -165,7 +166,7 @@ A posteriori error estimates for elliptic problems with Dirac delta source terms
 \throws Invalid_input if a face has no area
 \complexity linear
 */
-template <class Triangulation, NamedParameters NP = parameters::Parameters<>>
+template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 std::vector<double> residual_indicators(const Triangulation& t, const Reaction_diffusion& equation,
                                         const Eigen::VectorXd& u, const Eigen::VectorXd& f,
                                         Error_norm norm,

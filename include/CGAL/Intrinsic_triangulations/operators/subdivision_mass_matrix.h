@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -71,7 +72,7 @@ void for_each_subdivision_triangle(const Triangulation& t, const Common_subdivis
 
 /// returns the area of each face of a common subdivision, in units of area of the input; see
 /// `for_each_subdivision_triangle()`.
-template <class Triangulation>
+template <NumberedTriangulation Triangulation>
 std::vector<double> subdivision_areas(const Triangulation& t, const Common_subdivision& s) {
   std::vector<double> result(s.number_of_faces(), 0);
   for_each_subdivision_triangle(
@@ -93,7 +94,7 @@ input and v on the intrinsic triangulation: all exactly, up to rounding.
 \throws Invalid_input if the subdivision is too large for the index type of Eigen
 \complexity linear
 */
-template <class Triangulation>
+template <NumberedTriangulation Triangulation>
 Eigen::SparseMatrix<double> subdivision_mass_matrix(const Triangulation& t,
                                                     const Common_subdivision& s) {
   const std::size_t size = s.number_of_vertices();

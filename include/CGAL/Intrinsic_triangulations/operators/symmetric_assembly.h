@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SYMMETRIC_ASSEMBLY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/SparseCore>
 
@@ -130,7 +131,7 @@ Vertices that have been removed have a row too, until their number is taken agai
 \return the number of rows
 \throws Invalid_input if they do not
 */
-template <class Triangulation>
+template <MeasuredTriangulation Triangulation>
 int checked_matrix_size(const Triangulation& t) {
   const std::uint64_t rows = t.numbers().vertex_capacity(t.mesh()),
                       entries = rows + 2 * std::uint64_t{t.numbers().edge_capacity(t.mesh())};

@@ -4,11 +4,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_TRANSFER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_TRANSFER_H
 
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/weighted_vertices.h>
 #include <CGAL/Intrinsic_triangulations/operators/interpolation_matrices.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -42,7 +44,7 @@ Needs no correspondence: no vertex of the input was removed, and both numbers ar
 \param t the triangulation
 \param f values at the vertices of the intrinsic triangulation, a function per column
 */
-template <class Triangulation, class Derived>
+template <NumberedTriangulation Triangulation, class Derived>
 typename Derived::PlainObject copy_to_input(const Triangulation& t,
                                             const Eigen::MatrixBase<Derived>& f) {
   return f.topRows(t.input().number_of_vertices());
@@ -56,10 +58,9 @@ the value that the function has there.
 \return values at the vertices; zero at numbers that no vertex has
 \complexity linear
 */
-template <class Triangulation, class Derived>
+template <internal::Queried_triangulation Triangulation, class Derived>
 typename Derived::PlainObject copy_to_intrinsic(const Triangulation& t,
                                                 const Eigen::MatrixBase<Derived>& g) {
-  internal::expect_correspondence<Triangulation>();
   typename Derived::PlainObject f =
       Derived::PlainObject::Zero(t.numbers().vertex_capacity(t.mesh()), g.cols());
   for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh())) {
@@ -101,7 +102,7 @@ public:
   \throws std::runtime_error if rounding has left no positive definite matrix
   \complexity that of a sparse factorization
   */
-  template <class Triangulation>
+  template <NumberedTriangulation Triangulation>
   L2_transfer(const Triangulation& t, const Common_subdivision& s,
               Transfer_direction direction = Transfer_direction::to_input) {
     const Interpolation_matrix input = interpolation_from_input(s);
@@ -180,7 +181,7 @@ private:
 \param g values at the vertices of the input
 \complexity linear
 */
-template <class Triangulation>
+template <NumberedTriangulation Triangulation>
 double L2_distance(const Triangulation& t, const Common_subdivision& s, const Eigen::VectorXd& f,
                    const Eigen::VectorXd& g) {
   const Eigen::VectorXd d = interpolation_from_intrinsic(s) * f - interpolation_from_input(s) * g;

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRACING_GEODESIC_FACE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_GEODESIC_FACE_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/corner_angles.h>
 #include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
 
@@ -49,7 +50,7 @@ struct Geodesic_face {
   \tparam Complex a model of `NumberedComplex`
   \pre `h` has a face
   */
-  template <class Complex>
+  template <NumberedComplex Complex>
   Geodesic_face(const Complex& complex, std::uint32_t h) {
     const std::uint32_t n = complex.next(h);
     side = {h, n, complex.next(n)};
@@ -93,7 +94,7 @@ struct Geodesic_face {
 \tparam Complex a model of `NumberedComplex`
 \pre `h` has a face
 */
-template <class Complex>
+template <NumberedComplex Complex>
 double angle_at_source(const Complex& complex, std::uint32_t h) {
   const std::uint32_t n = complex.next(h), l = complex.next(n);
   return corner_angle(complex.quadruple_area(complex.face(h)),
@@ -104,7 +105,7 @@ double angle_at_source(const Complex& complex, std::uint32_t h) {
 
 /// returns the halfedge with the same source that comes after `h` counterclockwise. \pre `h` has a
 /// face
-template <class Complex>
+template <NumberedComplex Complex>
 std::uint32_t next_around_source(const Complex& complex, std::uint32_t h) {
   return complex.next(complex.next(h)) ^ 1U;
 }
@@ -118,7 +119,7 @@ nonmanifold vertex.
 \param is_on_border becomes true where the fan is not closed
 \complexity linear in the degree
 */
-template <class Complex>
+template <NumberedComplex Complex>
 double cone_angle(const Complex& complex, std::uint32_t h, bool& is_on_border) {
   is_on_border = false;
   double sum = 0;
@@ -151,7 +152,7 @@ struct Corner_direction {
 \return false if the direction points beyond the border
 \complexity linear in the number of corners passed, at most in the degree, whatever the angle
 */
-template <class Complex>
+template <NumberedComplex Complex>
 bool turn(const Complex& complex, Corner_direction& d, double tolerance = 0x1p-48) {
   bool is_reduced = false;
   const std::uint32_t first = d.halfedge;

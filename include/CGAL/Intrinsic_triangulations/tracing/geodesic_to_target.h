@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_GEODESIC_TO_TARGET_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -41,7 +42,7 @@ struct Geodesic_target {
   }
 
   /// makes a target of a point that is no vertex.
-  template <class Complex>
+  template <NumberedComplex Complex>
   static Geodesic_target at_point(const Complex& complex, const Surface_point& p) {
     Geodesic_target t;
     t.point[0] = p;
@@ -58,7 +59,7 @@ struct Geodesic_target {
   \param face a face
   \param f takes an array of three weights
   */
-  template <class Complex, class Function>
+  template <NumberedComplex Complex, class Function>
   void for_each_place(const Complex& complex, const Geodesic_face& face, Function f) const {
     std::array<double, 3> w{0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -109,7 +110,7 @@ struct Geodesic_to_target {
 
 namespace internal {
 
-template <class Complex>
+template <NumberedComplex Complex>
 class Target_tracer {
 public:
   Target_tracer(const Complex& complex, const Geodesic_target& target, double length,
@@ -222,7 +223,7 @@ certain.
 \return what was found
 \complexity linear in the number of crossings
 */
-template <class Complex>
+template <NumberedComplex Complex>
 Geodesic_to_target trace_to_target(const Complex& complex, const Geodesic_walk<Complex>& walk,
                                    const Geodesic_target& target, double length,
                                    std::vector<Strip_side>& strip,

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRACING_GEODESIC_WALK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_GEODESIC_WALK_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -39,7 +40,7 @@ Bounds of the first order are kept of what rounding has done to the line: `angle
 has error u L / (l l'), L the greatest of the face; needles make it large.
 \tparam Complex a model of `NumberedComplex`
 */
-template <class Complex>
+template <NumberedComplex Complex>
 class Geodesic_walk {
 public:
   /// The way out of the current face.

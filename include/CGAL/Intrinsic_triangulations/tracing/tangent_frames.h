@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_TANGENT_FRAMES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <algorithm>
@@ -54,7 +55,7 @@ public:
   \tparam Complex a model of `NumberedComplex` with a function `number_of_halfedges()`
   \complexity linear
   */
-  template <class Complex>
+  template <NumberedComplex Complex>
   explicit Tangent_frames(const Complex& complex)
       : fan_(complex.number_of_halfedges(), Gluing::none), slot_(fan_.size(), Gluing::none) {
     halfedge_.reserve(fan_.size());
@@ -96,7 +97,7 @@ public:
   }
 
 private:
-  template <class Complex>
+  template <NumberedComplex Complex>
   void add_fan(const Complex& complex, std::uint32_t first) {
     const auto number = static_cast<std::uint32_t>(fans_.size());
     Fan f{static_cast<std::uint32_t>(halfedge_.size()), 0, 0, false};

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRACING_TRACE_GEODESIC_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_TRACE_GEODESIC_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
@@ -50,7 +51,7 @@ struct Trace_options {
 };
 
 // Whether the exit leads through a vertex up to rounding; `corner` becomes that corner of the face.
-template <class Complex>
+template <NumberedComplex Complex>
 bool hits_vertex(const Geodesic_walk<Complex>& walk, typename Geodesic_walk<Complex>::Exit& e,
                  unsigned& corner) {
   const double length = walk.face().length[e.side];
@@ -63,14 +64,14 @@ bool hits_vertex(const Geodesic_walk<Complex>& walk, typename Geodesic_walk<Comp
   return true;
 }
 
-template <class Complex>
+template <NumberedComplex Complex>
 Geodesic_end end_of(const Geodesic_walk<Complex>& walk, Status status, const Surface_point& p,
                     double length) {
   return {status, p, walk.direction(), length, walk.position_error()};
 }
 
 // Where a walk that is given a length ends.
-template <class Complex>
+template <NumberedComplex Complex>
 Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, double length,
                          const Trace_options& options, std::vector<Geodesic_crossing>& crossings) {
   length = std::max(0.0, length);
@@ -105,7 +106,7 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, d
 // Traces a geodesic from a point, in a direction in the frame of `start.halfedge`, over a model of `NumberedComplex` in
 // its units. The edges that are crossed are appended to `crossings`; one that goes through a vertex crosses the edge that
 // it leaves the face at with parameter 0 or 1.
-template <class Complex>
+template <NumberedComplex Complex>
 Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
                             const Planar_vector<double>& direction, double length,
                             std::vector<Geodesic_crossing>& crossings,
@@ -115,7 +116,7 @@ Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
 }
 
 // The same from a vertex: the angle from a halfedge that starts there is that on the surface, not scaled.
-template <class Complex>
+template <NumberedComplex Complex>
 Geodesic_end trace_geodesic(const Complex& complex, const Corner_direction& start, double length,
                             std::vector<Geodesic_crossing>& crossings,
                             const Trace_options& options = {}) {

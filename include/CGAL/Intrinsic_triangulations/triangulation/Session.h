@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
 
 #include <CGAL/Interval_nt.h>
@@ -130,24 +131,28 @@ public:
     return Mover(t_).flip(h, [this](const Diamond& d) { return t_.metric().compute_flip(d); });
   }
   /// see `Intrinsic_triangulation::insert_vertex()`
-  Insertion insert_vertex(halfedge_descriptor h, const std::array<double, 3>& weights) {
+  Insertion insert_vertex(halfedge_descriptor h, const std::array<double, 3>& weights) requires
+      RefinableMetric<typename Triangulation::Metric> {
     const std::optional<Place> p = place(h, weights);
     return p ? Mover(t_).insert(p->h, p->weights) : Insertion{Move_status::weights};
   }
   /// see `Intrinsic_triangulation::split_edge()`
-  Insertion split_edge(halfedge_descriptor h, double parameter) {
+  Insertion split_edge(halfedge_descriptor h,
+                       double parameter) requires RefinableMetric<typename Triangulation::Metric> {
     if (face(h, t_.mesh()) == Graph_traits::null_face())
       return insert_vertex(opposite(h, t_.mesh()), {parameter, 1 - parameter, 0});
     return insert_vertex(h, {1 - parameter, parameter, 0});
   }
   /// see `Intrinsic_triangulation::remove_vertex()`
-  Move_status remove_vertex(vertex_descriptor v) {
+  Move_status
+  remove_vertex(vertex_descriptor v) requires RefinableMetric<typename Triangulation::Metric> {
     if (!t_.is_inserted(v)) return Move_status::not_inserted;
     return internal::remove_vertex(t_, *this, v);
   }
   /// see `Intrinsic_triangulation::reposition_vertex()`
   Insertion reposition_vertex(vertex_descriptor v, halfedge_descriptor h,
-                              const std::array<double, 3>& weights) {
+                              const std::array<double, 3>& weights) requires
+      RefinableMetric<typename Triangulation::Metric> {
     if (!t_.is_inserted(v)) return {Move_status::not_inserted};
     const std::optional<Place> p = place(h, weights);
     if (!p) return {Move_status::weights};

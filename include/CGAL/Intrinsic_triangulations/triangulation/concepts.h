@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
@@ -16,6 +17,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <memory>
@@ -153,6 +155,21 @@ concept IntrinsicMetric = std::default_initializable<Metric> && std::movable<Met
 };
 
 /*!
+\brief asks for a metric that follows the insertion and removal of vertices.
+
+Syntax of \ref ::RefinableMetric, where its meaning is described.
+*/
+template <class Metric>
+concept RefinableMetric = IntrinsicMetric<Metric> &&
+    requires(Metric& m, const Vertex_star& star, const Border_star& border,
+             const std::array<double, 3>& weights, double parameter) {
+  { m.insert_in_face(star, weights) } -> std::same_as<bool>;
+  m.remove_from_face(star);
+  { m.insert_in_border_edge(border, parameter) } -> std::same_as<bool>;
+  m.remove_from_border_edge(border);
+};
+
+/*!
 \brief asks for the arithmetic of an intrinsic triangulation.
 
 Syntax of \ref ::IntrinsicTriangulationTraits, where its meaning is described.
@@ -189,24 +206,58 @@ concept IntrinsicCorrespondence = std::default_initializable<Correspondence> &&
   c.after(t, border_removal);
 };
 
+namespace internal {
+
+// Has a mesh, and numbers for its edges.
+template <class Triangulation>
+concept Has_triangulated_mesh = requires(const Triangulation& t,
+                                         typename Triangulation::halfedge_descriptor,
+                                         typename Triangulation::edge_descriptor e) {
+  requires Has_mesh_elements<typename Triangulation::Mesh>;
+  requires Has_connectivity<typename Triangulation::Mesh>;
+  { t.mesh() } -> std::same_as<const typename Triangulation::Mesh&>;
+  { t.index(e) } -> std::convertible_to<std::uint32_t>;
+};
+
+// Has areas of faces, and doubles near what its metric stores: by number, in scaled units.
+template <class Triangulation>
+concept Has_approximate_values = requires(const Triangulation& t,
+                                          typename Triangulation::face_descriptor f,
+                                          std::uint32_t i) {
+  { t.index(f) } -> std::same_as<std::uint32_t>;
+  { t.area(f) } -> std::same_as<double>;
+  { t.metric() } -> std::same_as<const typename Triangulation::Metric&>;
+  { t.metric().approximate_squared_length(i) } -> std::same_as<double>;
+  { t.metric().approximate_quadruple_area(i) } -> std::same_as<double>;
+  { t.metric().scale_exponent() } -> std::same_as<int>;
+};
+
+// Tells what rows of matrices its vertices have, how many there are, and what the user calls elements.
+template <class Triangulation>
+concept Has_matrix_rows = requires(const Triangulation& t,
+                                   typename Triangulation::vertex_descriptor v) {
+  { t.index(v) } -> std::same_as<std::uint32_t>;
+  { t.input() } -> std::same_as<const Input&>;
+  { t.input_vertex(v) } -> std::same_as<std::uint32_t>;
+  { t.numbers().vertex_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;
+  { t.numbers().edge_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;
+  { t.numbers().face_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;
+};
+
+} // namespace internal
+
 /*!
 \brief asks for what algorithms that flip edges need of a triangulation.
 
 Syntax of \ref ::IntrinsicTriangulation, where its meaning is described.
 */
 template <class Triangulation>
-concept IntrinsicTriangulation =
+concept IntrinsicTriangulation = internal::Has_triangulated_mesh<Triangulation> &&
     std::constructible_from<typename Triangulation::Session, Triangulation&> &&
     std::constructible_from<typename Triangulation::Const_session, const Triangulation&> &&
-    requires(const Triangulation& t, typename Triangulation::Session& s,
-             const typename Triangulation::Const_session& c,
-             typename Triangulation::halfedge_descriptor h,
-             typename Triangulation::edge_descriptor e) {
-  requires internal::Has_mesh_elements<typename Triangulation::Mesh>;
-  requires internal::Has_connectivity<typename Triangulation::Mesh>;
+    requires(typename Triangulation::Session& s, const typename Triangulation::Const_session& c,
+             typename Triangulation::halfedge_descriptor h) {
   { Triangulation::Metric::is_exact } -> std::convertible_to<bool>;
-  { t.mesh() } -> std::same_as<const typename Triangulation::Mesh&>;
-  { t.index(e) } -> std::convertible_to<std::uint32_t>;
   { c.is_locally_delaunay(h) } -> std::same_as<bool>;
   { c.delaunay_sign(h) } -> std::same_as<Sign>;
   { s.is_locally_delaunay(h) } -> std::same_as<bool>;

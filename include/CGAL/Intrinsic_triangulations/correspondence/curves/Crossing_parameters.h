@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_CROSSING_PARAMETERS_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
@@ -126,7 +127,7 @@ number of moves.
 \param crossings what `edge_crossings()` returned
 \complexity linear in the number of crossings
 */
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 Crossing_parameters crossing_parameters(const Triangulation& t, const Coordinates& coordinates,
                                         const Edge_crossings& crossings) {
   const Intrinsic_view<Triangulation> view(t);

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
@@ -56,7 +57,7 @@ struct Edge_crossings {
 namespace internal {
 
 // Follows the curve from `start` along input halfedge `x`.
-template <class View, class Coordinates>
+template <class View, CurveCoordinates Coordinates>
 void add_curve(const View& view, const Coordinates& coordinates, const Curve_end& start,
                std::uint32_t x, Edge_crossings& result) {
   follow_curve(view, coordinates, first_crossing(view, coordinates, start),
@@ -79,7 +80,7 @@ void add_curve(const View& view, const Coordinates& coordinates, const Curve_end
 \throws std::length_error if there are more than 2^31 crossings
 \complexity linear in the number of edges and crossings
 */
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 Edge_crossings edge_crossings(const Triangulation& t, const Coordinates& coordinates) {
   const Intrinsic_view<Triangulation> view(t);
   Edge_crossings result;

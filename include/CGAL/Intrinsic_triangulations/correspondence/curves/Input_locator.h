@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
@@ -45,7 +46,7 @@ struct Located {
 } // namespace internal
 
 /// returns the input halfedge along which a curve starts.
-template <class Coordinates>
+template <CurveCoordinates Coordinates>
 std::uint32_t input_halfedge(const Coordinates& coordinates, const Curve_end& start) {
   const std::uint32_t h = start.halfedge;
   const std::uint32_t on_it = coordinates.normal_coordinate(h / 2) < 0 ? 1 : 0;
@@ -61,7 +62,7 @@ target.
 \param halfedge an input halfedge, of which a part starts or ends at the vertex
 \param starts whether a part of it starts from the vertex
 */
-template <class Coordinates>
+template <CurveCoordinates Coordinates>
 double parameter_on_halfedge(const Coordinates& coordinates, std::uint32_t vertex,
                              std::uint32_t halfedge, bool starts) {
   if (!coordinates.is_inserted(vertex)) return starts ? 0 : 1;
@@ -113,7 +114,7 @@ corner begins, counterclockwise from its first side.
 \param side first side of the corner
 \param vertex its source
 */
-template <class Coordinates>
+template <CurveCoordinates Coordinates>
 Surface_point corner_on_input(const Coordinates& coordinates, std::uint32_t side,
                               std::uint32_t vertex) {
   const std::uint32_t slot = coordinates.roundabout(side);
@@ -131,7 +132,7 @@ Surface_point corner_on_input(const Coordinates& coordinates, std::uint32_t side
 \param vertices its corners
 \param weights barycentric coordinates of the point
 */
-template <class Coordinates>
+template <CurveCoordinates Coordinates>
 Surface_point point_between_corners(const Coordinates& coordinates,
                                     const std::array<std::uint32_t, 3>& sides,
                                     const std::array<std::uint32_t, 3>& vertices,
@@ -153,7 +154,7 @@ Surface_point point_between_corners(const Coordinates& coordinates,
 \param parameter 0 at the source of `h`, 1 at its target
 \return a point on a halfedge of the input with the direction of `h`
 */
-template <class View, class Coordinates>
+template <class View, CurveCoordinates Coordinates>
 Surface_point location_on_side(const View& view, const Coordinates& coordinates, std::uint32_t h,
                                double parameter) {
   const std::uint32_t x = coordinates.fans().halfedge(coordinates.roundabout(h));
@@ -166,7 +167,7 @@ Surface_point location_on_side(const View& view, const Coordinates& coordinates,
 namespace internal {
 
 /// Finds the region of a face that contains a point, and the point of the input.
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 class Input_locator {
 public:
   Input_locator(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
@@ -296,7 +297,7 @@ private:
 
 // Finds the point of the input at a point of an intrinsic face, and the region of the face in which it lies.
 // Complexity: that of following a number of curves logarithmic in the number of crossings of the face.
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 Located locate_by_curves(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                          const std::array<double, 3>& weights) {
   [[maybe_unused]] const typename Triangulation::Metric::Scope scope;

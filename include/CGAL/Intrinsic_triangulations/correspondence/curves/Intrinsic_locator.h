@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
@@ -31,7 +32,7 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // finds where a curve starts among the halfedges counterclockwise from `first`
-template <class View, class Coordinates>
+template <class View, CurveCoordinates Coordinates>
 std::optional<Curve_end> find_curve_around(const View& view, const Coordinates& coordinates,
                                            std::uint32_t first, std::uint32_t x) {
   for (std::uint32_t h = first;;) {
@@ -60,7 +61,7 @@ std::optional<Curve_end> find_curve_around(const View& view, const Coordinates& 
 first side itself; nothing if no curve along `x` starts there
 \complexity linear in the degree of the vertex; where several fans of faces meet, linear
 */
-template <class View, class Coordinates>
+template <class View, CurveCoordinates Coordinates>
 std::optional<Curve_end> find_curve(const View& view, const Coordinates& coordinates,
                                     std::uint32_t vertex, std::uint32_t x) {
   const auto found =
@@ -169,7 +170,7 @@ private:
 };
 
 /// Finds the point of the intrinsic triangulation at a point of the input.
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 class Intrinsic_locator {
   using View = Intrinsic_view<Triangulation>;
   using Point = Plane_point<double>;

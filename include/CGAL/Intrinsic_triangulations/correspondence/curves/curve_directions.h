@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/trace_by_curves.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -32,7 +33,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // The point of the first input face of a halfedge that starts between two input halfedges: where it
 // leaves that face, or its end. The halfedge crosses the input halfedges `entered`, from that with
 // the number 2e; `first` is the side of the face that starts at its source.
-template <class View, class Coordinates>
+template <class View, CurveCoordinates Coordinates>
 Surface_point end_in_first_face(const View& view, const Coordinates& coordinates, std::uint32_t h,
                                 const std::vector<std::uint32_t>& entered, std::uint32_t first) {
   const std::uint32_t even = h & ~1U;
@@ -49,7 +50,7 @@ Surface_point end_in_first_face(const View& view, const Coordinates& coordinates
 }
 
 // The direction of an intrinsic halfedge that starts at a vertex of the input: from an input halfedge there.
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 Corner_direction direction_on_input(const Triangulation& t, const Coordinates& coordinates,
                                     std::uint32_t h) {
   const Intrinsic_view<Triangulation> view(t);
@@ -65,7 +66,7 @@ Corner_direction direction_on_input(const Triangulation& t, const Coordinates& c
 
 // The angle of an intrinsic halfedge that starts at an inserted vertex, in the frame of the input face of
 // `start`, which becomes its source.
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 double angle_at_inserted_vertex(const Triangulation& t, const Coordinates& coordinates,
                                 std::uint32_t h, Surface_point& start) {
   const Intrinsic_view<Triangulation> view(t);
@@ -98,7 +99,7 @@ double angle_at_inserted_vertex(const Triangulation& t, const Coordinates& coord
 }
 
 // Starts a geodesic on the input from the source of an intrinsic halfedge, at an angle from it.
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 auto walk_by_curves(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                     double turn) {
   const auto& input = coordinates.input();
@@ -114,7 +115,7 @@ auto walk_by_curves(const Triangulation& t, const Coordinates& coordinates, std:
 
 // The direction of an input halfedge among the intrinsic halfedges at its source; none if the coordinates are
 // not those of the triangulation.
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 std::optional<Corner_direction>
 direction_on_intrinsic(const Triangulation& t, const Coordinates& coordinates, std::uint32_t x) {
   const Intrinsic_view<Triangulation> view(t);

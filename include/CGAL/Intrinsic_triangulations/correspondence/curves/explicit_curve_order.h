@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
@@ -57,7 +58,7 @@ inline void link_crossings_of_face(const std::array<std::uint32_t, 3>& sides,
 \param crossings `begin` and `entered` are set; the rest is computed
 \complexity linear in the number of faces and crossings
 */
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 void order_crossings_on_curves(const Triangulation& t, const Coordinates& coordinates,
                                Edge_crossings& crossings) {
   const Intrinsic_view<Triangulation> view(t);

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
@@ -27,7 +28,7 @@ Edges of one triangulation traced over the other, by integer coordinates or expl
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The input halfedges that halfedge 2e crosses: read, or found by following the curves.
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 std::vector<std::uint32_t> entered_on(const Triangulation& t, const Coordinates& coordinates,
                                       std::uint32_t edge) {
   std::vector<std::uint32_t> entered;
@@ -49,7 +50,7 @@ std::vector<std::uint32_t> entered_on(const Triangulation& t, const Coordinates&
 }
 
 // The way of intrinsic halfedge 2e over the input.
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 Edge_path trace_edge_by_curves(const Triangulation& t, const Coordinates& coordinates,
                                std::uint32_t edge) {
   const Intrinsic_view<Triangulation> view(t);
@@ -100,7 +101,7 @@ void add_crossings_of_strip(const View& view, const Curve_strip& strip, const Ad
 
 // The way of an input halfedge over the intrinsic triangulation: part by part, between the vertices that were
 // inserted on it.
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 Edge_path trace_input_edge_by_curves(const Triangulation& t, const Coordinates& coordinates,
                                      std::uint32_t x) {
   const Intrinsic_view<Triangulation> view(t);

@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_crossing_lists.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_curve_order.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_edge_lists.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/explicit_edge_lists.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_COMMON_SUBDIVISION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_COMMON_SUBDIVISION_H
 
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/extract_subdivision.h>
@@ -22,9 +23,8 @@ does to the locations of the crossings.
 \throws Invalid_input naming an intrinsic edge whose path signposts do not find
 \complexity linear in the size of the result
 */
-template <class Triangulation>
+template <internal::Queried_triangulation Triangulation>
 Common_subdivision common_subdivision(const Triangulation& t) {
-  internal::expect_correspondence<Triangulation>();
   const auto& c = t.correspondence();
   if constexpr (internal::Has_curves<Triangulation>)
     return internal::extract_subdivision(t, c);

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -21,7 +22,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a writable property map from the edges of an intrinsic triangulation to `bool`; copies share their values,
 and edges that are new have the value false.
 */
-template <class Triangulation>
+template <NumberedTriangulation Triangulation>
 class Marked_edges {
 public:
   /// \cond
@@ -61,7 +62,7 @@ To be passed as named parameter `edge_is_constrained_map`. Edges that refinement
 \throws Invalid_input if the mesh is another one
 \complexity linear; with `Signposts`, all edges are traced
 */
-template <class Triangulation, class Mesh, class EdgeIsConstrained>
+template <NumberedTriangulation Triangulation, class Mesh, class EdgeIsConstrained>
 Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t, const Mesh& mesh,
                                                     EdgeIsConstrained map) {
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);

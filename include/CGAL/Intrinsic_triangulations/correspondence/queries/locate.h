@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_location.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -28,25 +29,6 @@ Points taken from one triangulation to the other, by whatever correspondence the
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
-
-template <class Triangulation>
-using Correspondence_of = std::remove_cvref_t<
-    decltype(std::declval<const std::remove_cvref_t<Triangulation>&>().correspondence())>;
-
-// The correspondence is by curves: integer coordinates, explicit crossings. If not, it is by directions.
-template <class Triangulation>
-concept Has_curves = requires(const Correspondence_of<Triangulation>& c, std::uint32_t e) {
-  c.normal_coordinate(e);
-};
-
-// Says what to do if there is nothing to answer queries from.
-template <class Triangulation>
-constexpr void expect_correspondence() {
-  static_assert(
-      requires(const Correspondence_of<Triangulation>& c) { c.input(); },
-      "without correspondence nothing is known of where edges run on the input; use "
-      "Integer_coordinates as third argument of Intrinsic_triangulation");
-}
 
 // product of complex numbers: turns and stretches
 inline Planar_vector<double> turned(const Planar_vector<double>& v,
@@ -112,9 +94,8 @@ std::optional<Mapped_point> map_to_intrinsic(const Triangulation& t, const Surfa
 \complexity with curves, that of following a number of them logarithmic in the number of crossings of the
   face; with signposts, linear in the number of input edges between the point and a corner of its face
 */
-template <class Triangulation>
+template <internal::Queried_triangulation Triangulation>
 std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surface_point& p) {
-  internal::expect_correspondence<Triangulation>();
   const std::optional<internal::Mapped_point> q = internal::map_to_input(t, p);
   return q ? std::optional(q->point) : std::nullopt;
 }
@@ -128,9 +109,8 @@ std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surfa
 \complexity linear in the number of intrinsic edges that cross the longest side of the input face, and
   of those between it and the point
 */
-template <class Triangulation>
+template <internal::Queried_triangulation Triangulation>
 std::optional<Surface_point> locate_on_intrinsic(const Triangulation& t, const Surface_point& p) {
-  internal::expect_correspondence<Triangulation>();
   const std::optional<internal::Mapped_point> q = internal::map_to_intrinsic(t, p);
   return q ? std::optional(q->point) : std::nullopt;
 }
@@ -144,7 +124,7 @@ std::optional<Surface_point> locate_on_intrinsic(const Triangulation& t, const S
 \return see the overload without mesh
 \throws Invalid_input if the place is in a polygon, or the mesh is another one
 */
-template <class Triangulation, class Mesh>
+template <internal::Queried_triangulation Triangulation, class Mesh>
 std::optional<Face_location<Mesh>>
 locate_on_input(const Triangulation& t, const Face_location<typename Triangulation::Mesh>& p,
                 const Mesh& mesh) {
@@ -157,7 +137,7 @@ locate_on_input(const Triangulation& t, const Face_location<typename Triangulati
 
 See `locate_on_input()`, which it undoes.
 */
-template <class Triangulation, class Mesh>
+template <internal::Queried_triangulation Triangulation, class Mesh>
 std::optional<Face_location<typename Triangulation::Mesh>>
 locate_on_intrinsic(const Triangulation& t, const Face_location<std::type_identity_t<Mesh>>& p,
                     const Mesh& mesh) {

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -152,7 +153,7 @@ private:
 \throws Invalid_input if the face is a polygon, or the mesh is another one
 \complexity constant; with `CGAL::Polyhedron_3` as mesh, linear
 */
-template <class Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, class Mesh>
 Surface_point surface_point(const Triangulation& t,
                             const Face_location<std::type_identity_t<Mesh>>& p, const Mesh& mesh) {
   return internal::Named_mesh_elements<Mesh>(t.input(), mesh).on_input(p);
@@ -160,7 +161,7 @@ Surface_point surface_point(const Triangulation& t,
 
 /// returns the point of the intrinsic triangulation at a place on it.
 /// \complexity constant
-template <class Triangulation>
+template <NumberedTriangulation Triangulation>
 Surface_point surface_point(const Triangulation& t,
                             const Face_location<typename Triangulation::Mesh>& p) {
   return {t.numbers().halfedge(halfedge(p.first, t.mesh())), p.second};
@@ -171,7 +172,7 @@ Surface_point surface_point(const Triangulation& t,
 
 See `surface_point()`, which it undoes.
 */
-template <class Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, class Mesh>
 Face_location<Mesh> face_location(const Triangulation& t, const Surface_point& p,
                                   const Mesh& mesh) {
   return internal::Named_mesh_elements<Mesh>(t.input(), mesh).on_mesh(p);
@@ -181,7 +182,7 @@ Face_location<Mesh> face_location(const Triangulation& t, const Surface_point& p
 \brief returns the place on the intrinsic triangulation of a point of it: in the frame of `t.mesh()`.
 \complexity constant
 */
-template <class Triangulation>
+template <NumberedTriangulation Triangulation>
 Face_location<typename Triangulation::Mesh> face_location(const Triangulation& t,
                                                           const Surface_point& p) {
   const Intrinsic_view<Triangulation> view(t);
@@ -196,7 +197,7 @@ Face_location<typename Triangulation::Mesh> face_location(const Triangulation& t
 \param mesh the mesh that `t` was built from; its faces may be polygons
 \complexity as `surface_point()`
 */
-template <class Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, class Mesh>
 auto point_in_space(const Triangulation& t, const Surface_point& p, const Mesh& mesh) {
   return internal::Named_mesh_elements<Mesh>(t.input(), mesh).point(p);
 }

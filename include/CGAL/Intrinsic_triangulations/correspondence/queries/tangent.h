@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/curve_directions.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
@@ -87,9 +88,8 @@ the border is given in the frame of a face beside it.
 \return the vector at its place on the input; nothing only if `Signposts` have lost the way by rounding
 \complexity that of `locate_on_input()`; at a vertex, that of `trace_edge()`, and linear in its degree
 */
-template <class Triangulation>
+template <internal::Queried_triangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tangent_vector& v) {
-  internal::expect_correspondence<Triangulation>();
   const unsigned corner = internal::corner_of(v.point);
   if (corner == 3) {
     const std::optional<internal::Mapped_point> p = internal::map_to_input(t, v.point);
@@ -114,10 +114,9 @@ See `tangent_to_input()`.
   by rounding
 \complexity that of `locate_on_intrinsic()`; at a vertex, linear in its degree
 */
-template <class Triangulation>
+template <internal::Queried_triangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_intrinsic(const Triangulation& t,
                                                    const Tangent_vector& v) {
-  internal::expect_correspondence<Triangulation>();
   const unsigned corner = internal::corner_of(v.point);
   if (corner == 3) {
     const std::optional<internal::Mapped_point> p = internal::map_to_intrinsic(t, v.point);

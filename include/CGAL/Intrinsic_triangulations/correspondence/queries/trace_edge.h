@@ -7,8 +7,10 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/trace_by_curves.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/trace_signpost.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -32,9 +34,8 @@ namespace CGAL::Intrinsic_triangulations {
 \complexity linear in the number of crossings; with `Integer_coordinates`, in the number of steps of
   `follow_curves()`
 */
-template <class Triangulation>
+template <internal::Queried_triangulation Triangulation>
 Edge_path trace_edge(const Triangulation& t, typename Triangulation::edge_descriptor e) {
-  internal::expect_correspondence<Triangulation>();
   if constexpr (internal::Has_curves<Triangulation>)
     return internal::trace_edge_by_curves(t, t.correspondence(), t.index(e));
   else
@@ -50,9 +51,8 @@ Edge_path trace_edge(const Triangulation& t, typename Triangulation::edge_descri
 \complexity linear in the number of crossings, in the degrees of its ends, and with `Signposts` in the number of
   inserted vertices
 */
-template <class Triangulation>
+template <internal::Queried_triangulation Triangulation>
 Edge_path trace_input_edge(const Triangulation& t, std::uint32_t x) {
-  internal::expect_correspondence<Triangulation>();
   if constexpr (internal::Has_curves<Triangulation>)
     return internal::trace_input_edge_by_curves(t, t.correspondence(), x);
   else
@@ -68,7 +68,7 @@ Edge_path trace_input_edge(const Triangulation& t, std::uint32_t x) {
 \throws Invalid_input if the mesh is another one
 \complexity see the overload without mesh
 */
-template <class Triangulation, class Mesh>
+template <internal::Queried_triangulation Triangulation, class Mesh>
 Edge_path trace_input_edge(const Triangulation& t,
                            typename boost::graph_traits<Mesh>::edge_descriptor e,
                            const Mesh& mesh) {
@@ -84,7 +84,7 @@ Edge_path trace_input_edge(const Triangulation& t,
 \throws Invalid_input if the mesh is another one
 \complexity linear
 */
-template <class Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, class Mesh>
 auto polyline(const Triangulation& t, const Edge_path& path, const Mesh& mesh) {
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
   std::vector<decltype(named.point({}))> points;

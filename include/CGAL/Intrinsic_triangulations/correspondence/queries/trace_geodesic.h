@@ -7,8 +7,10 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <cmath>
@@ -80,7 +82,7 @@ Inside faces and across edges it is straight, at an interior vertex it goes stra
 \pre the direction is not zero
 \complexity linear in the number of crossings, and in the degrees of the vertices that are hit
 */
-template <class Triangulation, NamedParameters NP = parameters::Parameters<>>
+template <NumberedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Geodesic trace_geodesic(const Triangulation& t, const Surface_point& start,
                         const Planar_vector<double>& direction, double length,
                         const NP& np = parameters::default_values()) {
@@ -95,7 +97,8 @@ See `trace_geodesic()`; points are those of the input.
 \tparam Triangulation an instance of `Intrinsic_triangulation` with any correspondence but
   `No_correspondence`
 */
-template <class Triangulation, NamedParameters NP = parameters::Parameters<>>
+template <internal::Queried_triangulation Triangulation,
+          NamedParameters NP = parameters::Parameters<>>
 Geodesic trace_geodesic_on_input(const Triangulation& t, const Surface_point& start,
                                  const Planar_vector<double>& direction, double length,
                                  const NP& np = parameters::default_values()) {
@@ -115,7 +118,8 @@ See `trace_geodesic()`; points are those of the input, and `face_location(t, poi
 \param np as there
 \throws Invalid_input if the start is in a polygon, or the mesh is another one
 */
-template <class Triangulation, class Mesh, NamedParameters NP = parameters::Parameters<>>
+template <internal::Queried_triangulation Triangulation, class Mesh,
+          NamedParameters NP = parameters::Parameters<>>
   requires(!NamedParameters<Mesh>)
 Geodesic trace_geodesic(const Triangulation& t,
                         const Face_location<std::type_identity_t<Mesh>>& start,

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VECTOR_FIELD_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
@@ -177,7 +178,7 @@ std::array<double, 3> face_vector_in_space(const View& view, const Named& named,
 \pre the faces of the mesh have an area
 \complexity that of `tangent_to_input()` for each vertex
 */
-template <class Triangulation, class Mesh>
+template <internal::Queried_triangulation Triangulation, class Mesh>
 std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
                                                     const Tangent_field& field, const Mesh& mesh) {
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
@@ -205,7 +206,7 @@ Between the corners of an intrinsic face the field is interpolated, in the frame
 \pre the faces of the mesh have an area
 \complexity linear in the size of the subdivision
 */
-template <class Triangulation, class Mesh>
+template <internal::Queried_triangulation Triangulation, class Mesh>
 std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
                                                     const Tangent_field& field,
                                                     const Common_subdivision& s, const Mesh& mesh) {

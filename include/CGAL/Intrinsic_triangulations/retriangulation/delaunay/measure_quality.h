@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H
 
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
@@ -77,7 +79,7 @@ void measure_faces(const Triangulation& t, Quality& q) {
 would have to prove again
 \complexity linear
 */
-template <class Triangulation, class Is_tie>
+template <MeasuredTriangulation Triangulation, class Is_tie>
 Quality measure_quality(const Triangulation& t, const Is_tie& is_tie) {
   Quality q;
   internal::measure_faces(t, q);
@@ -100,7 +102,7 @@ Quality measure_quality(const Triangulation& t, const Is_tie& is_tie) {
 
 See the overload with a functor.
 */
-template <class Triangulation>
+template <MeasuredTriangulation Triangulation>
 Quality measure_quality(const Triangulation& t) {
   return measure_quality(t, [](const auto&) { return false; });
 }

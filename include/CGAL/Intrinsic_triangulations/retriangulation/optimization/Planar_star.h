@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_PLANAR_STAR_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -28,7 +29,7 @@ public:
   Lays out the faces about the source of a halfedge. False if there is none of them on one side, if an edge
   leads from the vertex to itself, or if the total angle is not a full one: the vertex cannot be moved.
   */
-  template <class Complex>
+  template <NumberedComplex Complex>
   bool load(const Complex& complex, std::uint32_t first) {
     spokes_.clear();
     rim_.clear();

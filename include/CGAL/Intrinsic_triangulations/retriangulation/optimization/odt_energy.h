@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_ENERGY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_ENERGY_H
 
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
@@ -22,7 +24,7 @@ every vertex. For equilateral faces of total area A with sides l it is A l^2 / 4
 \return the energy, in the units of the input to the fourth power
 \complexity linear
 */
-template <class Triangulation>
+template <MeasuredTriangulation Triangulation>
 double odt_energy(const Triangulation& t) {
   const auto& mesh = t.mesh();
   double energy = 0;

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_optimizer.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_options.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -46,7 +47,7 @@ descriptors.
 \throws std::invalid_argument if the largest length is not positive
 \complexity linear in the number of vertices for each iteration, as a rule
 */
-template <class Triangulation, NamedParameters NP = parameters::Parameters<>>
+template <RefinableTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_values()) {
   using namespace internal::tags;
   using Edge = typename Triangulation::edge_descriptor;

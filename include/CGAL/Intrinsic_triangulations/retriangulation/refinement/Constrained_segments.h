@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_CONSTRAINED_SEGMENTS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ public:
   \param h a halfedge of the edge
   \param is_constrained false for an edge of the border that is nothing else
   */
-  template <class Complex>
+  template <NumberedComplex Complex>
   void add(const Complex& complex, std::uint32_t h, bool is_constrained) {
     set(h / 2, static_cast<std::uint32_t>(segments_.size()));
     segments_.push_back({{complex.source(h), complex.target(h)},
@@ -55,7 +56,7 @@ public:
   }
 
   /// finds where two segments make a small angle. \complexity linear in the degrees of their ends
-  template <class Complex>
+  template <NumberedComplex Complex>
   void find_small_angles(const Complex& complex) {
     for (std::uint32_t s = 0; s < segments_.size(); ++s) {
       for (const std::uint32_t end : segments_[s].ends) at_[end].push_back(s);
@@ -81,7 +82,7 @@ public:
   \brief returns where to split an edge: the weight of the target of `h`.
   \pre the edge is a segment or a part of one
   */
-  template <class Complex>
+  template <NumberedComplex Complex>
   double split_parameter(const Complex& complex, std::uint32_t h) const {
     const bool at_source = has_small_angle_.count(complex.source(h)) != 0;
     const bool at_target = has_small_angle_.count(complex.target(h)) != 0;
@@ -173,7 +174,7 @@ private:
   }
 
   // the angle to the next segment counterclockwise about the source, if it is below 60 degrees
-  template <class Complex>
+  template <NumberedComplex Complex>
   void find_small_angle(const Complex& complex, std::uint32_t h) {
     double angle = 0;
     std::uint32_t g = h;

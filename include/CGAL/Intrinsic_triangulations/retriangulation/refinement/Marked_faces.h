@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_MARKED_FACES_H
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 
 #include <algorithm>
 #include <array>
@@ -62,7 +63,7 @@ the smallest marked one, and with it a circumradius bounded from below: refineme
 
 \tparam Triangulation an instance of `Intrinsic_triangulation`
 */
-template <class Triangulation>
+template <RefinableTriangulation Triangulation>
 class Marked_faces : public Refinement_visitor {
 public:
   /// remembers faces of a triangulation, given by their numbers.

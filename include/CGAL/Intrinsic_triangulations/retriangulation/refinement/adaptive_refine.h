@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Adaptive_refinement_options.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Marked_faces.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -87,7 +88,8 @@ the user's: `residual_indicators()` has some.
   not as many as numbers of faces
 \complexity that of the functor and of `delaunay_refine()`, per round
 */
-template <class Triangulation, class Estimate, NamedParameters NP = parameters::Parameters<>>
+template <RefinableTriangulation Triangulation, class Estimate,
+          NamedParameters NP = parameters::Parameters<>>
 Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
                                            const NP& np = parameters::default_values()) {
   using namespace internal::tags;

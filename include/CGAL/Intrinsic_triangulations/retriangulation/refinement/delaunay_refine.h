@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -76,7 +77,7 @@ constrained.
 \throws std::invalid_argument if a bound makes no sense
 \complexity linear in the number of vertices inserted, as a rule
 */
-template <class Triangulation, NamedParameters NP = parameters::Parameters<>>
+template <RefinableTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Refinement_result<typename Triangulation::face_descriptor>
 delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
   using namespace internal::tags;

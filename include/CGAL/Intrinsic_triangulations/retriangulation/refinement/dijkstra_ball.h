@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DIJKSTRA_BALL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DIJKSTRA_BALL_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <cmath>
@@ -27,7 +28,7 @@ In a Delaunay triangulation this is a geodesic ball up to a constant factor (§4
 \return the vertices, the center first, then by distance
 \complexity O(n log n) for n edges at the vertices found
 */
-template <class Complex>
+template <NumberedComplex Complex>
 std::vector<std::uint32_t> dijkstra_ball(const Complex& complex, std::uint32_t center,
                                          double radius) {
   using Entry = std::pair<double, std::uint32_t>;

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_LOCATE_CIRCUMCENTER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -90,7 +91,7 @@ border
 \param is_segment the functor
 \complexity linear in the number of faces crossed
 */
-template <class Complex, class Is_segment>
+template <NumberedComplex Complex, class Is_segment>
 Located_circumcenter locate_circumcenter(const Complex& complex, std::uint32_t h,
                                          const Is_segment& is_segment) {
   using Kind = Located_circumcenter::Kind;

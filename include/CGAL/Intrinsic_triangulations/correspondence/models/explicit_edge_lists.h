@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_EXPLICIT_EDGE_LISTS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_EXPLICIT_EDGE_LISTS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_EDGE_LISTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_EDGE_LISTS_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
@@ -93,4 +93,4 @@ void find_crossings_of_spoke(unsigned k, const std::array<std::uint32_t, 3>& sid
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_EXPLICIT_EDGE_LISTS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_EDGE_LISTS_H

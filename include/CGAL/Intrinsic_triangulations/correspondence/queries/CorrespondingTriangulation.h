@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_CORRESPONDINGTRIANGULATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_CORRESPONDINGTRIANGULATION_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/face_expressions.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+
+#include <CGAL/enum.h>
+
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+template <class Triangulation>
+using Correspondence_of =
+    std::remove_cvref_t<decltype(std::declval<const Triangulation&>().correspondence())>;
+
+// The correspondence is by curves: integer coordinates, explicit crossings. If not, it is by directions.
+template <class Triangulation>
+concept Has_curves = CurveCoordinates<Correspondence_of<Triangulation>>;
+
+template <class Correspondence>
+concept Has_directions = requires(const Correspondence& c, std::uint32_t h, double turn) {
+  { c.input() } -> std::same_as<const Input&>;
+  c.walk(h, turn);
+};
+
+} // namespace internal
+
+/*!
+\brief asks for a triangulation that knows where it is on its input.
+
+Syntax of \ref ::CorrespondingTriangulation, where its meaning is described.
+*/
+template <class Triangulation>
+concept CorrespondingTriangulation = NumberedTriangulation<Triangulation> &&
+    std::default_initializable<typename Triangulation::Metric::Scope> &&
+    requires(const Triangulation& t, std::span<const Indexed_face> faces) {
+  { Triangulation::Metric::is_exact } -> std::convertible_to<bool>;
+  { t.metric().sign(faces, Long_side_expression()) } -> std::same_as<Sign>;
+  t.metric().sharpen(faces);
+  requires internal::Has_curves<Triangulation> ||
+      internal::Has_directions<internal::Correspondence_of<Triangulation>>;
+};
+
+namespace internal {
+
+// Says what to do if there is nothing to answer queries from, before a concept says what is missing.
+template <class Triangulation>
+consteval bool expect_correspondence() {
+  if constexpr (requires(const Triangulation& t) { t.correspondence(); })
+    static_assert(
+        requires(const Triangulation& t) { t.correspondence().input(); },
+        "without correspondence nothing is known of where edges run on the input; use "
+        "Integer_coordinates as third argument of Intrinsic_triangulation");
+  return true;
+}
+
+// What queries ask for: the concept, with advice.
+template <class Triangulation>
+concept Queried_triangulation =
+    expect_correspondence<Triangulation>() && CorrespondingTriangulation<Triangulation>;
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_CORRESPONDINGTRIANGULATION_H
