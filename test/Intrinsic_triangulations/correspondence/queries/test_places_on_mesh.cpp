@@ -317,6 +317,15 @@ TEST(Renumbered_meshes, Keep_their_places_and_edges) {
   }
 }
 
+TEST(Places_without_correspondence, Are_refused) {
+  const Surface_mesh mesh = user_mesh<Surface_mesh>(meshes::potato(1, 6));
+  const IT::Intrinsic_triangulation<> t(mesh);
+  const IT::Face_location<Surface_mesh> place{*faces(mesh).begin(), {0.2, 0.3, 0.5}};
+  EXPECT_THROW(IT::surface_point(t, place, mesh), IT::Invalid_input);
+  EXPECT_THROW(IT::face_location(t, IT::Surface_point(), mesh), IT::Invalid_input);
+  EXPECT_THROW(IT::point_in_space(t, IT::Surface_point(), mesh), IT::Invalid_input);
+}
+
 TEST(Polygons, Have_edges_but_no_places) {
   Surface_mesh mesh;
   std::vector<Surface_mesh::Vertex_index> v;

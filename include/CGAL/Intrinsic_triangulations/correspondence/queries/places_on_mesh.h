@@ -143,6 +143,16 @@ private:
   Mesh_adaptor<Mesh> number_;
 };
 
+// The input of a triangulation, if it has kept its surface.
+template <class Triangulation>
+const Input& kept_input(const Triangulation& t) {
+  if (!t.input().has_surface())
+    throw Invalid_input(Element_kind::none, 0,
+                        "a triangulation without correspondence does not keep the faces of its "
+                        "input; use Integer_coordinates as its third argument");
+  return t.input();
+}
+
 } // namespace internal
 
 /*!
@@ -150,13 +160,13 @@ private:
 \param t the triangulation
 \param p the place, in a triangle
 \param mesh the mesh that `t` was built from
-\throws Invalid_input if the face is a polygon, or the mesh is another one
+\throws Invalid_input if the face is a polygon, the mesh is another one, or `t` has no correspondence
 \complexity constant; with `CGAL::Polyhedron_3` as mesh, linear
 */
 template <NumberedTriangulation Triangulation, class Mesh>
 Surface_point surface_point(const Triangulation& t,
                             const Face_location<std::type_identity_t<Mesh>>& p, const Mesh& mesh) {
-  return internal::Named_mesh_elements<Mesh>(t.input(), mesh).on_input(p);
+  return internal::Named_mesh_elements<Mesh>(internal::kept_input(t), mesh).on_input(p);
 }
 
 /// returns the point of the intrinsic triangulation at a place on it.
@@ -175,7 +185,7 @@ See `surface_point()`, which it undoes.
 template <NumberedTriangulation Triangulation, class Mesh>
 Face_location<Mesh> face_location(const Triangulation& t, const Surface_point& p,
                                   const Mesh& mesh) {
-  return internal::Named_mesh_elements<Mesh>(t.input(), mesh).on_mesh(p);
+  return internal::Named_mesh_elements<Mesh>(internal::kept_input(t), mesh).on_mesh(p);
 }
 
 /*!
@@ -199,7 +209,7 @@ Face_location<typename Triangulation::Mesh> face_location(const Triangulation& t
 */
 template <NumberedTriangulation Triangulation, class Mesh>
 auto point_in_space(const Triangulation& t, const Surface_point& p, const Mesh& mesh) {
-  return internal::Named_mesh_elements<Mesh>(t.input(), mesh).point(p);
+  return internal::Named_mesh_elements<Mesh>(internal::kept_input(t), mesh).point(p);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
