@@ -262,7 +262,7 @@ public:
   }
 
 private:
-  friend internal::Mover<Intrinsic_triangulation>;
+  friend class internal::Mover<Intrinsic_triangulation>;
   friend Session;
 
   static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
