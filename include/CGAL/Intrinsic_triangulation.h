@@ -43,7 +43,7 @@ Predicates and moves are members for single calls. Many of them in a row run fas
 \tparam Traits_ a model of `IntrinsicTriangulationTraits`: `Exact_euclidean_traits`,
   `Euclidean_traits<FT>`
 \tparam Correspondence_ a model of `IntrinsicCorrespondence`
-\cgalModels{IntrinsicTriangulation}
+\cgalModels{RefinableTriangulation}
 */
 template <MutableDeltaComplex Mesh_ = Gluing_map,
           IntrinsicTriangulationTraits Traits_ = Exact_euclidean_traits,
@@ -263,7 +263,7 @@ public:
 
 private:
   /// \cond
-  friend internal::Mover<Intrinsic_triangulation>;
+  friend class internal::Mover<Intrinsic_triangulation>;
   friend Session;
   /// \endcond
 

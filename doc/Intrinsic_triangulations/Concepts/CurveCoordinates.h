@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class CurveCoordinates Integer_coordinates.h <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+\class CurveCoordinates CurveCoordinates.h <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 \cgalConcept
 
 The concept `CurveCoordinates` describes a correspondence that knows, as integers, how the input's edges run over the
@@ -44,6 +44,9 @@ All that asks where things are on the other triangulation is written over this c
 \cgalHeading{Complexity}
 
 Constant time for all functions.
+
+The C++20 concept \itc{CurveCoordinates} in CurveCoordinates.h checks the syntax; that the observer of moves is one too, the
+triangulation that owns it checks.
 */
 class CurveCoordinates {
 public:

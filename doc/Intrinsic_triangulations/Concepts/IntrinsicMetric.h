@@ -40,12 +40,12 @@ its value.
 | \itf{check_delaunay}, `delaunay_sign()`, `flip_status()` | `sign` of a diamond |
 | `flip_edge()` | also `compute_flip`, `store_flip` |
 | `squared_length()` and `area()` of the triangulation | `approximate_squared_length`, `approximate_quadruple_area`, `scale_exponent` |
-| `insert_vertex()`, `remove_vertex()` | also `compute_flip_to_zero_area`, `insert_in_face`, `insert_in_border_edge`, `remove_from_face`, `remove_from_border_edge` |
+| `insert_vertex()`, `remove_vertex()` | also `compute_flip_to_zero_area`, and what \ref ::RefinableMetric adds |
 | \itf{delaunay_refine} | also `sign` of faces |
 | \itf{locate_on_input}, insertion with \itc{Integer_coordinates} and \itc{Explicit_crossings} | also `sign` of faces, `sharpen` |
 | \itf{cotangent_laplacian}, \itf{measure_quality} | `cotangent_weight` |
 
-The C++20 concept asks for what flips and Laplacians need; what moves of vertices need is asked for where it is used.
+The C++20 concept asks for what flips and Laplacians need; \ref ::RefinableMetric for what moves of vertices need.
 
 \cgalHeading{Invariants}
 
@@ -106,27 +106,6 @@ public:
   compute_flip_to_zero_area(const CGAL::Intrinsic_triangulations::Diamond& d) const;
   /// stores the values that a flip makes, under the numbers that were there before.
   void store_flip(const CGAL::Intrinsic_triangulations::Diamond& d, const Flipped& values);
-
-  /*!
-  \brief computes the values at a vertex inserted in a face, and stores them.
-  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one are stored
-  \param weights barycentric coordinates, multiples of 2^-52 that sum to 1
-  \return whether it was done; if not, nothing has changed
-  */
-  bool insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
-                      const std::array<double, 3>& weights);
-  /// stores the values of a face from which a vertex is removed, in place of the first face of the star.
-  void remove_from_face(const CGAL::Intrinsic_triangulations::Vertex_star& s);
-  /*!
-  \brief computes the values at a vertex inserted on a border edge, and stores them.
-  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge and face
-  \param parameter weight of `j`
-  \return whether it was done; if not, nothing has changed
-  */
-  bool insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s,
-                             double parameter);
-  /// stores the values of a border edge and its face from which a vertex is removed.
-  void remove_from_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s);
 
   /*!
   \brief returns the sign of an expression in the values of faces.

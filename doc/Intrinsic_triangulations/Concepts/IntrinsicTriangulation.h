@@ -27,9 +27,9 @@ other reasons, can be a model.
 | \itf{is_delaunay} | `mesh`, `Const_session::is_locally_delaunay` |
 | \itf{check_delaunay} | `mesh`, `Const_session::delaunay_sign` |
 | \itf{certify_delaunay} | an \itc{Integer_only_triangulation}, or an \itc{Intrinsic_triangulation} with \itc{Integer_coordinates} |
-| \itf{lumped_mass_matrix}, \itf{galerkin_mass_matrix} | also `face_descriptor`, `area`, `input_vertex`, `numbers`, as `Intrinsic_triangulation` has them |
-| \itf{cotangent_laplacian} and what solves equations with it | these, `metric`, and `Const_session::cotangent_weight` |
-| refinement, queries, common subdivisions | all of `Intrinsic_triangulation`: "an instance of" it, their pages say |
+| measures and operators | \ref ::MeasuredTriangulation, which asks for no flips |
+| refinement | \ref ::RefinableTriangulation |
+| queries, common subdivisions | \ref ::CorrespondingTriangulation |
 
 \cgalHeading{Invariants}
 

@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class NumberedComplex geodesic_face.h <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+\class NumberedComplex NumberedComplex.h <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 \cgalConcept
 
 The concept `NumberedComplex` describes a triangulated surface with a metric that is read by the numbers of its
@@ -38,6 +38,8 @@ Those of \ref ::MutableDeltaComplex on connectivity and of \ref ::IntrinsicMetri
 \cgalHeading{Complexity}
 
 Constant time for all functions.
+
+The C++20 concept \itc{NumberedComplex} in NumberedComplex.h checks the syntax.
 */
 class NumberedComplex {
 public:

@@ -205,6 +205,11 @@ TEST(Archetypes, numbered_triangulation_is_enough_for_places_and_transfer) {
   EXPECT_EQ(IT::L2_distance(t, s, f, g), IT::L2_distance(all, s, f, g));
   EXPECT_EQ(IT::copy_to_input(t, f), IT::copy_to_input(all, f));
   const IT::Face_vector_transfer vectors(t, s);
+  archetypes::Wrapped unchanged(mesh);
+  const archetypes::Numbered_triangulation u(unchanged);
+  const auto marked = IT::constrained_input_edges(
+      u, mesh, CGAL::Static_boolean_property_map<Surface_mesh::Edge_index, true>());
+  for (const auto e : edges(u.mesh())) EXPECT_TRUE(get(marked, e));
 }
 
 TEST(Archetypes, corresponding_triangulation_is_enough_for_queries) {
@@ -240,6 +245,9 @@ TEST(Archetypes, curve_coordinates_and_complexes_are_enough_for_what_follows_cur
   const archetypes::Curves curves(all.correspondence());
   const IT::Edge_crossings crossings = IT::edge_crossings(all, curves);
   EXPECT_EQ(crossings.begin, IT::edge_crossings(all, all.correspondence()).begin);
+  const IT::Crossing_parameters places = IT::crossing_parameters(all, curves, crossings);
+  EXPECT_EQ(places.on_intrinsic,
+            IT::crossing_parameters(all, all.correspondence(), crossings).on_intrinsic);
   const archetypes::Complex complex(all.input());
   std::vector<IT::Geodesic_crossing> geodesic;
   const auto end =

@@ -87,7 +87,7 @@ weight are stored. With exact traits weights that are zero (cocircular faces) ar
 the pattern too is that of the Delaunay tessellation alone. Each diagonal entry is minus the sum of the
 others in its column, in their order.
 
-\tparam Triangulation a model of `IntrinsicTriangulation`
+\tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation, whose predicates may sharpen stored values
 \return a compressed matrix with a row and column per vertex, in the numbering of the input, without
   dimension

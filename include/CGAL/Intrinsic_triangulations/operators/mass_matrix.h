@@ -40,7 +40,7 @@ at each vertex, on the diagonal.
 
 A face that has a vertex at several corners counts at each. The trace is the area of the surface.
 
-\tparam Triangulation a model of `IntrinsicTriangulation`
+\tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \return a compressed diagonal matrix with a row and column per vertex, in the numbering of the input, in
   units of area of the input; sparse, so that it adds to a Laplacian; every diagonal entry is stored
@@ -65,7 +65,7 @@ a vertex at several corners counts with every pair of its corners, as this asks:
 to itself adds twice 1/12 of the area of its faces to M_ii. The sum of all entries is the area of
 the surface. Positive definite if no vertex is isolated and every face has an area.
 
-\tparam Triangulation a model of `IntrinsicTriangulation`
+\tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \return a compressed matrix with a row and column per vertex, in the numbering of the input, in units of
   area of the input, symmetric bit by bit; every diagonal entry is stored

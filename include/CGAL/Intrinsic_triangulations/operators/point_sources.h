@@ -31,7 +31,7 @@ inline void check_source(const Eigen::VectorXd& areas, std::uint32_t vertex) {
 is the area of the surface (Fig. 26 of the course). On the border, the flux is zero.
 
 Near the source u is -log(r) / alpha, where alpha is the total angle there: unbounded, but square integrable.
-\tparam Triangulation a model of `IntrinsicTriangulation`
+\tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation of a connected surface
 \param vertex the source, in the numbering of the input
 \return values at the vertices, in the numbering of the input
@@ -54,7 +54,7 @@ u - time div grad u = delta (Fig. 26 of the course). On the border, the flux is 
 
 The integral of u is 1. It decays like exp(-r / sqrt(time)), and near the source it is -log(r) / (alpha time),
 where alpha is the total angle there.
-\tparam Triangulation a model of `IntrinsicTriangulation`
+\tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \param vertex the source, in the numbering of the input
 \param time the time, in units of area of the input

@@ -80,7 +80,7 @@ flux. A point source at a vertex adds its strength to the load b there.
 
 If c is zero, solutions differ by constants: the one of mean zero is returned.
 
-\tparam Triangulation a model of `IntrinsicTriangulation`
+\tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \param equation the coefficients
 \param load b, in the numbering of the input

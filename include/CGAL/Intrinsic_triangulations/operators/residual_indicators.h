@@ -153,7 +153,7 @@ indicators, since the bound compares with an interpolant that is exact at vertic
 A posteriori error estimates for elliptic problems with Dirac delta source terms, Numerische Mathematik 105,
 2006): f is the density without them.
 
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \param equation the coefficients
 \param u the solution, at the vertices in the numbering of the input

@@ -86,7 +86,7 @@ std::vector<double> subdivision_areas(const Triangulation& t, const Common_subdi
 With the matrices of `interpolation_matrices.h`, P_ext^T M_S P_ext is the mass matrix of the input, P_int^T
 M_S P_int that of the intrinsic triangulation, and u^T P_ext^T M_S P_int v the integral of u v for u on the
 input and v on the intrinsic triangulation: all exactly, up to rounding.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \param s its common subdivision with the input
 \return a compressed matrix with a row and column per vertex of the subdivision, in units of area of the

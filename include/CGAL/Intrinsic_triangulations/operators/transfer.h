@@ -94,7 +94,7 @@ class L2_transfer {
 public:
   /*!
   \brief assembles and factors the system.
-  \tparam Triangulation an instance of `Intrinsic_triangulation`
+  \tparam Triangulation a model of `NumberedTriangulation`
   \param t the triangulation
   \param s its common subdivision with the input
   \param direction where functions are taken to

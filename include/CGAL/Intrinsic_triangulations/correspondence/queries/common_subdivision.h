@@ -16,8 +16,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 Its connectivity follows from integers alone: it is that of a subdivision of both, whatever rounding
 does to the locations of the crossings.
-\tparam Triangulation an instance of `Intrinsic_triangulation` with the correspondence
-  `Integer_coordinates`, `Explicit_crossings` or `Signposts`
+\tparam Triangulation a model of `CorrespondingTriangulation`
 \param t the triangulation
 \throws std::length_error if there are more than 2^31 crossings
 \throws Invalid_input naming an intrinsic edge whose path signposts do not find

@@ -86,8 +86,7 @@ std::optional<Mapped_point> map_to_intrinsic(const Triangulation& t, const Surfa
 
 /*!
 \brief finds the point of the input at a point of the intrinsic triangulation.
-\tparam Triangulation an instance of `Intrinsic_triangulation` with any correspondence but
-  `No_correspondence`
+\tparam Triangulation a model of `CorrespondingTriangulation`
 \param t the triangulation
 \param p a point of it
 \return the point; nothing only if `Signposts` have lost the way by rounding

@@ -81,8 +81,7 @@ Tangent_vector at_start(const Walk& walk, double length, double turn = 0) {
 
 At vertices angles are those on the surface: they are not scaled. A vector that points out of the surface at
 the border is given in the frame of a face beside it.
-\tparam Triangulation an instance of `Intrinsic_triangulation` with any correspondence but
-  `No_correspondence`
+\tparam Triangulation a model of `CorrespondingTriangulation`
 \param t the triangulation
 \param v the vector
 \return the vector at its place on the input; nothing only if `Signposts` have lost the way by rounding

@@ -26,8 +26,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief traces an intrinsic edge over the input.
-\tparam Triangulation an instance of `Intrinsic_triangulation` with any correspondence but
-  `No_correspondence`
+\tparam Triangulation a model of `CorrespondingTriangulation`
 \param t the triangulation
 \param e the edge
 \return its way, from the source of its halfedge `2 * t.index(e)`

@@ -67,7 +67,7 @@ Geodesic trace_scaled(const Complex& complex, int scale_exponent, const Surface_
 \brief traces a geodesic over the intrinsic triangulation (§2.4.2 of the course): the exponential map.
 
 Inside faces and across edges it is straight, at an interior vertex it goes straightest, at the border it stops.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `NumberedTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation
 \param start a point of it
@@ -94,8 +94,7 @@ Geodesic trace_geodesic(const Triangulation& t, const Surface_point& start,
 \brief traces a geodesic over the input.
 
 See `trace_geodesic()`; points are those of the input.
-\tparam Triangulation an instance of `Intrinsic_triangulation` with any correspondence but
-  `No_correspondence`
+\tparam Triangulation a model of `CorrespondingTriangulation`
 */
 template <internal::Queried_triangulation Triangulation,
           NamedParameters NP = parameters::Parameters<>>

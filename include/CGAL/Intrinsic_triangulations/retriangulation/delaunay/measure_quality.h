@@ -72,7 +72,7 @@ void measure_faces(const Triangulation& t, Quality& q) {
 
 /*!
 \brief measures the shapes of all faces.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `MeasuredTriangulation`
 \tparam Is_tie a functor from edges to `bool`
 \param t the triangulation
 \param is_tie tells which edges are known to be cocircular: their weight is zero, which exact traits

@@ -19,7 +19,7 @@ namespace CGAL::Intrinsic_triangulations {
 On a flat face the error is the sum of b_i b_j L_ij over its sides, in barycentric coordinates b, whose
 integral is A (L_ij + L_jk + L_ki) / 12: the energy is intrinsic. Delaunay flips lower it, and so does
 every vertex. For equilateral faces of total area A with sides l it is A l^2 / 4.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \return the energy, in the units of the input to the fourth power
 \complexity linear

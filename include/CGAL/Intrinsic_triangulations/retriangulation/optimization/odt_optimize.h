@@ -30,7 +30,7 @@ some smaller angles than `delaunay_refine()` leaves. The vertices of the input s
 what it was; so do vertices inserted on the border and on constrained edges. Moved vertices get new
 descriptors.
 
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `RefinableTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation; it may have been refined before
 \param np optional named parameters:

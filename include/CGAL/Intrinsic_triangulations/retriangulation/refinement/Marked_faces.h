@@ -61,7 +61,7 @@ bad while it is there: until its circumcenter is inserted, or a vertex close by.
 to stand between the same vertices is bad too if it is not smaller. All bad faces have at least the area of
 the smallest marked one, and with it a circumradius bounded from below: refinement ends.
 
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `RefinableTriangulation`
 */
 template <RefinableTriangulation Triangulation>
 class Marked_faces : public Refinement_visitor {

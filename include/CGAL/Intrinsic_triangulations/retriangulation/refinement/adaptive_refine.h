@@ -64,7 +64,7 @@ bulk of the error, and makes them smaller by Delaunay refinement. Before the fir
 made Delaunay and brought to the least angle, on which constants of error estimates depend. The estimate is
 the user's: `residual_indicators()` has some.
 
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `RefinableTriangulation`
 \tparam Estimate a functor called with `Triangulation&`, of which it changes nothing but the precision of
   values; it returns a `std::vector<double>` of error indicators, at the numbers of faces, of size
   `t.numbers().face_capacity(t.mesh())`. Their squares sum to that of the error.

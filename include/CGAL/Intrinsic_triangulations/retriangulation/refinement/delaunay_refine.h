@@ -56,7 +56,7 @@ and listed. So are faces where the triangulation refuses an insertion. All other
 the criteria; with exact traits that is certain, and so is that every edge is locally Delaunay unless it is
 constrained.
 
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `RefinableTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation
 \param np optional named parameters:

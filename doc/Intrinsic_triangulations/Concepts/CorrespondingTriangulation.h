@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Read by doxygen only.
+
+/*!
+\class CorrespondingTriangulation CorrespondingTriangulation.h <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
+\cgalConcept
+
+The concept `CorrespondingTriangulation` describes a triangulation that knows where it is on its input. The same queries
+answer for every correspondence: integer coordinates, explicit crossings, signposts.
+
+\cgalRefines{\ref ::NumberedTriangulation}
+
+\cgalHasModel{\itc{Intrinsic_triangulation} with any correspondence but \itc{No_correspondence}}
+
+\cgalHeading{Which operation needs what}
+
+| operation | needs |
+|---|---|
+| \itf{locate_on_input}, \itf{locate_on_intrinsic}, \itf{tangent_to_input}, \itf{tangent_to_intrinsic} | `correspondence`, `Metric::sign`, `Metric::sharpen`, `Metric::Scope` |
+| \itf{trace_edge}, \itf{trace_input_edge}, \itf{polyline}, \itf{trace_geodesic_on_input} | `correspondence` |
+| \itf{common_subdivision} | `correspondence` |
+| \itf{copy_to_intrinsic}, \itf{vectors_in_space} | also `is_inserted`, `input_vertex` |
+
+\cgalHeading{Invariants}
+
+What the correspondence says is true of the mesh and the metric as they are.
+
+\cgalHeading{Complexity}
+
+Constant time for everything but `Metric::sign`.
+
+The C++20 concept \itc{CorrespondingTriangulation} in CorrespondingTriangulation.h checks the syntax.
+*/
+class CorrespondingTriangulation {
+public:
+  /// Decides on which side of a curve a point lies.
+  class Metric {
+  public:
+    /// Default constructible; lives around every use of the metric.
+    typedef unspecified_type Scope;
+    /// Whether signs are exact.
+    static bool is_exact;
+    /// returns the sign of an expression in the values of faces; see \ref ::IntrinsicMetric.
+    template <class Expression>
+    CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
+                    const Expression& expression) const;
+    /// makes the doubles that the approximate values of faces are accurate, as far as the metric can.
+    void sharpen(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces) const;
+  };
+
+  /// returns the correspondence: a model of \ref ::CurveCoordinates, or \itc{Signposts}.
+  unspecified_type correspondence() const;
+};

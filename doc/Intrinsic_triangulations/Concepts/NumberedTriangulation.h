@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Read by doxygen only.
+
+/*!
+\class NumberedTriangulation NumberedTriangulation.h <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+\cgalConcept
+
+The concept `NumberedTriangulation` describes a triangulation whose elements have numbers, and can be found by them, with
+values by number and an input that names its elements: what \itc{Intrinsic_view} reads.
+
+\cgalHasModel{\itc{Intrinsic_triangulation}}
+
+\cgalHeading{Which operation needs what}
+
+| operation | needs |
+|---|---|
+| \itf{surface_point}, \itf{face_location}, \itf{point_in_space} | `mesh`, `numbers`, `input` |
+| \itf{trace_geodesic} | also values of `Metric` |
+| \itf{constrained_input_edges}, \itc{Marked_edges} | `index`, `input`; a correspondence if there is one |
+| \itf{subdivision_areas}, \itf{subdivision_mass_matrix}, \itc{L2_transfer}, \itf{L2_distance}, \itc{Face_vector_transfer} | also `area` |
+| \itf{copy_to_input} | `input` |
+
+\cgalHeading{Invariants}
+
+Halfedges `2e` and `2e + 1` are the sides of edge `e`. Values are those of \ref ::NumberedComplex.
+
+\cgalHeading{Complexity}
+
+Constant time for everything.
+
+The C++20 concept \itc{NumberedTriangulation} in NumberedTriangulation.h checks the syntax.
+*/
+class NumberedTriangulation {
+public:
+  /// The connectivity: the part of \ref ::MutableDeltaComplex that reads.
+  typedef unspecified_type Mesh;
+  /// Vertex of the mesh.
+  typedef unspecified_type vertex_descriptor;
+  /// Halfedge of the mesh.
+  typedef unspecified_type halfedge_descriptor;
+  /// Edge of the mesh.
+  typedef unspecified_type edge_descriptor;
+  /// Face of the mesh.
+  typedef unspecified_type face_descriptor;
+
+  /// Stores the values, by number.
+  class Metric {
+  public:
+    /// returns a double near the squared length of an edge, in scaled units.
+    double approximate_squared_length(std::uint32_t edge) const;
+    /// returns a double near four times the area of a face, in scaled units.
+    double approximate_quadruple_area(std::uint32_t face) const;
+    /// returns the exponent of the power of two that lengths are scaled by.
+    int scale_exponent() const;
+  };
+
+  /// returns the connectivity.
+  const Mesh& mesh() const;
+  /// returns the number of a vertex.
+  std::uint32_t index(vertex_descriptor v) const;
+  /// returns the number of an edge.
+  std::uint32_t index(edge_descriptor e) const;
+  /// returns the number of a face.
+  std::uint32_t index(face_descriptor f) const;
+  /// returns the area of a face, in the units of the input.
+  double area(face_descriptor f) const;
+  /// returns the row of a vertex in matrices: its number in the user's mesh, or one that follows those.
+  std::uint32_t input_vertex(vertex_descriptor v) const;
+  /// returns the surface that the triangulation was built from, for the names of its elements.
+  const CGAL::Intrinsic_triangulations::Input& input() const;
+  /// tells whether a vertex was inserted.
+  bool is_inserted(vertex_descriptor v) const;
+  /// returns the metric.
+  const Metric& metric() const;
+  /// returns the numbers of elements, by `vertex(v)`, `halfedge(h)`, `face(f)`; the elements with given numbers, by
+  /// `vertex_at(i)`, `halfedge_at(i)`, `face_at(i)`; and bounds: `vertex_capacity(mesh)`, `edge_capacity(mesh)`,
+  /// `face_capacity(mesh)`.
+  unspecified_type numbers() const;
+};
