@@ -139,6 +139,23 @@ public:
     return false;
   }
 
+  /*!
+  \brief tells whether on both sides of a segment a vertex is opposite that is across a small angle, at the
+  same distance from its corner as an end of the segment: opposite angles are acute then, whatever rounding
+  makes of slivers.
+  \param view the triangulation
+  \param h a halfedge of the segment
+  */
+  template <NumberedComplex View>
+  bool is_between_shells(const View& view, std::uint32_t h) const {
+    const std::uint32_t a = view.source(h), b = view.target(h);
+    for (const std::uint32_t side : {h, view.opposite(h)}) {
+      const std::uint32_t k = view.target(view.next(side));
+      if (!are_across_small_angle(a, k, 0) && !are_across_small_angle(b, k, 0)) return false;
+    }
+    return true;
+  }
+
 private:
   struct Segment {
     std::array<std::uint32_t, 2> ends;

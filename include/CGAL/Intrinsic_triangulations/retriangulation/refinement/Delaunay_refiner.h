@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/refined_faces.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -114,16 +115,11 @@ private:
 
   void touch(Face f) { touched_.push_back(f); }
 
-  Indexed_face indexed(Face f) const {
-    const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_);
-    return {t_.index(f), {number(h) / 2, number(n) / 2, number(next(n, mesh_)) / 2}};
-  }
-
   Face_state state(Face f) {
     const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_), l = next(n, mesh_);
     const auto corner = [this](Halfedge g) { return t_.index(source(g, mesh_)); };
     const Face_state s =
-        test_(t_.metric(), indexed(f), {corner(h), corner(n), corner(l)}, segments_);
+        test_(t_.metric(), indexed_face(t_, f), {corner(h), corner(n), corner(l)}, segments_);
     if (s != Face_state::bad && is_bad_for_visitor(f)) return Face_state::bad;
     return s;
   }
@@ -135,26 +131,8 @@ private:
       return session_.suspended([&] { return visitor_.is_bad(t_, f); });
   }
 
-  Face_values<double> approximation(Face f) const {
-    const Indexed_face i = indexed(f);
-    const auto& m = t_.metric();
-    return {{m.approximate_squared_length(i.edges[0]), m.approximate_squared_length(i.edges[1]),
-             m.approximate_squared_length(i.edges[2])},
-            m.approximate_quadruple_area(i.face)};
-  }
-
-  static double squared_circumradius(const Face_values<double>& v) {
-    const auto& [l, a] = v;
-    return l[0] / a * l[1] * (l[2] / a);
-  }
-
-  double priority(Face f) const {
-    if (options_.order == Refinement_order::first_come) return 0;
-    const Face_values<double> v = approximation(f);
-    if (options_.order == Refinement_order::largest_first) return squared_circumradius(v);
-    const auto& [l, a] = v;
-    return (l[0] + l[1] + l[2] - 2 * std::min({l[0], l[1], l[2]})) / a;
-  }
+  Face_values<double> approximation(Face f) const { return approximate_values(t_, f); }
+  double priority(Face f) const { return refinement_priority(options_.order, approximation(f)); }
 
   // puts the faces that changed into the queue, or takes them out
   void check_touched() {
@@ -223,7 +201,7 @@ private:
     ++result_.counts.circumcenters;
     set_free(t_.index(n.vertex), true);
     suspect_star(n.vertex);
-    if (!flip() || keeps_distance(n.vertex, distance)) return true;
+    if (!flip() || keeps_distance(t_, n.vertex, distance)) return true;
     remove(n.vertex);
     flip();
     return false;
@@ -236,15 +214,6 @@ private:
     const Face_values<double> v = approximation(f);
     const auto& l = v.squared_lengths;
     return (1 - 0x1p-10) * std::min({l[0], l[1], l[2], squared_circumradius(v)});
-  }
-
-  // edges from the vertex to itself may be shorter, about vertices of small angle
-  bool keeps_distance(Vertex v, double squared) const {
-    bool keeps = true;
-    for_each_outgoing(v, mesh_, [&](Halfedge h) {
-      keeps = keeps && (target(h, mesh_) == v || view_.squared_length(number(h) / 2) >= squared);
-    });
-    return keeps;
   }
 
   // leaves the faces alone that wait to be looked at, until they change again
@@ -283,24 +252,11 @@ private:
     while (is_going_on_ && !encroached_.empty()) {
       const Halfedge h = encroached_.back();
       encroached_.pop_back();
-      if (is_segment(h) && !session_.is_locally_delaunay(h) && !is_between_shells(h) &&
-          may_insert())
+      if (is_segment(h) && !session_.is_locally_delaunay(h) &&
+          !segments_.is_between_shells(view_, number(h)) && may_insert())
         split(h);
     }
     return is_going_on_;
-  }
-
-  // Whether on both sides of a segment a vertex is opposite that is across a small angle, at the same
-  // distance from its corner as an end of the segment: opposite angles are acute then, whatever rounding
-  // makes of slivers.
-  bool is_between_shells(Halfedge h) const {
-    const std::uint32_t a = t_.index(source(h, mesh_)), b = t_.index(target(h, mesh_));
-    for (const Halfedge side : {h, opposite(h, mesh_)}) {
-      const std::uint32_t k = t_.index(target(next(side, mesh_), mesh_));
-      if (!segments_.are_across_small_angle(a, k, 0) && !segments_.are_across_small_angle(b, k, 0))
-        return false;
-    }
-    return true;
   }
 
   bool flip() { return flipper_.run(*this); }
@@ -351,28 +307,14 @@ private:
                                   }),
                    touched_.end());
     for (const std::uint32_t f : old) queue_.remove(f);
-    if (!rim.empty()) suspect_inside(rim, old.size());
+    // the faces of a polygon that was a star: two less than the star had
+    if (!rim.empty() && old.size() > 2)
+      for (const Halfedge h : faces_inside(t_, rim, old.size() - 2)) suspect_face(h);
   }
 
   void suspect_face(Halfedge h) {
     touch(face(h, mesh_));
     for (int k = 0; k < 3; ++k, h = next(h, mesh_)) flipper_.push(h);
-  }
-
-  // all faces of a polygon that was a star: two less than the star had
-  void suspect_inside(const std::vector<Halfedge>& rim, std::size_t star) {
-    std::vector<Halfedge> stack{rim.front()};
-    std::vector<std::uint32_t> seen;
-    while (!stack.empty() && seen.size() + 2 < star) {
-      const Halfedge h = stack.back();
-      stack.pop_back();
-      const std::uint32_t f = t_.index(face(h, mesh_));
-      if (std::find(seen.begin(), seen.end(), f) != seen.end()) continue;
-      seen.push_back(f);
-      suspect_face(h);
-      for (Halfedge g = next(h, mesh_); g != h; g = next(g, mesh_))
-        if (std::find(rim.begin(), rim.end(), g) == rim.end()) stack.push_back(opposite(g, mesh_));
-    }
   }
 
   // ---- the end
@@ -381,12 +323,7 @@ private:
     for (const Face f : faces(mesh_)) {
       const Face_state s = state(f);
       if (s == Face_state::good) continue;
-      const Unsatisfied_reason reason = s == Face_state::needle ? Unsatisfied_reason::needle
-                                        : s == Face_state::small_angle
-                                            ? Unsatisfied_reason::small_angle
-                                        : is_going_on_ ? Unsatisfied_reason::refused
-                                                       : Unsatisfied_reason::stopped;
-      result_.unsatisfied.push_back({f, reason});
+      result_.unsatisfied.push_back({f, unsatisfied_reason(s, !is_going_on_)});
     }
   }
 
