@@ -22,6 +22,7 @@
 #include <CGAL/Gmpfi.h>
 #include <CGAL/Interval_nt.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -40,7 +41,7 @@ the errors of all flips before. Most of the others are zero, which a `Diamond_ze
 computed in intervals of 128 bits, and the precision is doubled until the sign shows, which must happen if the
 value is proven not to be zero. One that is only probably zero counts as zero at 1024 bits.
 
-Among inserted vertices, and for diamonds that cannot be unfolded and faces that make none, values are computed
+Where a diamond or a face cannot be unfolded, or inserted vertices are defined by many others, values are computed
 by the moves instead, from 512 bits on, since errors grow with the moves. They are remembered, so that every move
 is evaluated once, as a rule.
 */
@@ -64,7 +65,7 @@ public:
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
             Predicate_statistics& statistics) {
     unfold(input, history, left, right);
-    if (!is_simple())
+    if (!diamond_)
       return internal::escalated_sign(
           history_bits, [&] { return values(input, history, left, right); }, true,
           [&] { return decide(input, history, left, right, expression); }, expression, better,
@@ -81,8 +82,10 @@ public:
       ++statistics.escalations[53];
       return get_certain(s);
     }
+    const bool is_short_ = is_short(*diamond_);
     return internal::escalated_sign(
-        first_bits, [&] { return values(input, *diamond_); },
+        is_short_ ? first_bits : history_bits,
+        [&] { return is_short_ ? values(input, *diamond_) : values(input, history, left, right); },
         internal::tests_zero_first(diamond_->triangles.size(), value),
         [&] { return is_zero_(input, *diamond_, expression); }, expression, better, statistics);
   }
@@ -102,7 +105,7 @@ public:
   /*!
   \brief returns the sign of an expression in the values of faces, each from a side on.
 
-  Here values are computed in 512 bits first, and tested for zero if the sign does not show.
+  Here values are tested for zero only if their sign does not show in the first precision.
   \param input the input
   \param history the moves since
   \param sides the first side of each face
@@ -114,8 +117,19 @@ public:
   Sign sign(const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides,
             const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
             Predicate_statistics& statistics) {
+    const std::vector<Unfolded_diamond> unfolded = unfold(input, history, sides);
+    if (!unfolded.empty()) {
+      const auto in_doubles = face_values<Interval_nt<false>>(doubles_.of(input), unfolded);
+      const Uncertain<Sign> s = CGAL::sign(expression(std::span(in_doubles)));
+      if (is_certain(s)) {
+        better = in_doubles;
+        ++statistics.escalations[53];
+        return get_certain(s);
+      }
+    }
     return internal::escalated_sign(
-        history_bits, [&] { return values(input, history, sides); }, false,
+        unfolded.empty() ? history_bits : first_bits,
+        [&] { return values(input, history, sides, unfolded); }, false,
         [&] { return History_zero_test(input, history, sides).for_faces(expression); },
         [&](const auto& faces) { return expression(std::span(faces.data(), faces.size())); },
         better, statistics);
@@ -139,14 +153,18 @@ public:
   \param input the input
   \param history the moves since
   \param sides the first side of each face
-  \param bits the precision: errors grow with the number of moves
+  \param bits the precision; 53: doubles. Faces that cannot be unfolded get 512 at least, as errors grow with the
+  number of moves
   */
   std::vector<Face_values<Interval_nt<false>>> enclosures(const Input_metric& input,
                                                           const Flip_history& history,
                                                           const std::vector<Side>& sides,
                                                           unsigned bits) {
-    const Gmpfi_precision precision(bits);
-    return internal::intervals(values(input, history, sides));
+    const std::vector<Unfolded_diamond> unfolded = unfold(input, history, sides);
+    if (bits == 53 && !unfolded.empty())
+      return face_values<Interval_nt<false>>(doubles_.of(input), unfolded);
+    const Gmpfi_precision precision(unfolded.empty() ? std::max(bits, history_bits) : bits);
+    return internal::intervals(values(input, history, sides, unfolded));
   }
 
   /*!
@@ -156,9 +174,10 @@ public:
   Diamond_values<Interval_nt<false>> enclosure(const Input_metric& input,
                                                const Flip_history& history, Side left, Side right) {
     unfold(input, history, left, right);
-    const Gmpfi_precision precision(2 * (is_simple() ? first_bits : history_bits));
-    return internal::intervals(is_simple() ? values(input, *diamond_)
-                                           : values(input, history, left, right));
+    const bool unfolds = diamond_ && is_short(*diamond_);
+    const Gmpfi_precision precision(2 * (unfolds ? first_bits : history_bits));
+    return internal::intervals(unfolds ? values(input, *diamond_)
+                                       : values(input, history, left, right));
   }
 
 private:
@@ -181,8 +200,24 @@ private:
     if (diamond_ && !is_zero_.is_defined(input, *diamond_)) diamond_.reset();
   }
 
-  // whether the diamond was unfolded, and no inserted vertex is in its corners
-  bool is_simple() const { return diamond_ && diamond_->combinations.empty(); }
+  // unfolds faces, if all of them can be and are short
+  std::vector<Unfolded_diamond> unfold(const Input_metric& input, const Flip_history& history,
+                                       const std::vector<Side>& sides) {
+    if (unfolding_.size() > maximal_memory) unfolding_ = {};
+    std::vector<Unfolded_diamond> result;
+    for (const Side& s : sides) {
+      std::optional<Unfolded_diamond> face = unfolding_.face(history, s);
+      if (!face || !is_short(*face) || !is_zero_.is_defined(input, *face)) return {};
+      result.push_back(*std::move(face));
+    }
+    return result;
+  }
+
+  // Whether inserted vertices that are defined by inserted vertices are few enough to be computed each time
+  // they are met, and not once for all.
+  static bool is_short(const Unfolded_diamond& d) {
+    return d.combinations.size() <= std::max<std::size_t>(32, 2 * d.triangles.size());
+  }
 
   template <class Expression>
   Zero_answer decide(const Input_metric& input, const Flip_history& history, Side left, Side right,
@@ -212,6 +247,26 @@ private:
                                Side right) {
     const auto faces = values(input, history, {left, right});
     return diamond_values(faces[0], faces[1]);
+  }
+
+  // each face is the one on the left of its diamond
+  template <class FT, class Values>
+  static std::vector<Face_values<FT>> face_values(const Values& input,
+                                                  const std::vector<Unfolded_diamond>& faces) {
+    std::vector<Face_values<FT>> result;
+    for (const Unfolded_diamond& f : faces) {
+      const Diamond_values<FT> v = f.values<FT>(input);
+      result.push_back({{v.ij, v.jk, v.ki}, v.area_f});
+    }
+    return result;
+  }
+
+  // of faces that were unfolded, or not
+  std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,
+                                         const std::vector<Side>& sides,
+                                         const std::vector<Unfolded_diamond>& unfolded) {
+    return unfolded.empty() ? values(input, history, sides)
+                            : face_values<Gmpfi>(intervals().faces.of(input), unfolded);
   }
 
   std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,

@@ -28,6 +28,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -137,12 +138,15 @@ public:
   \complexity constant per face if they are narrow, else linear in the number of moves that made them
   */
   void sharpen(std::span<const Indexed_face> faces) const {
-    const auto are_narrow = [&] {
-      return std::all_of(faces.begin(), faces.end(),
-                         [this](const Indexed_face& f) { return is_narrow(f); });
-    };
-    for (unsigned bits = 512; bits <= 2048 && !are_narrow(); bits *= 2)
-      refine(faces, evaluation_.enclosures(*input_, history(), versions_.sides(faces), bits));
+    std::vector<Indexed_face> wide;
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(wide),
+                 [this](const Indexed_face& f) { return !is_narrow(f); });
+    for (const unsigned bits : {53U, 128U, 512U, 1024U, 2048U}) {
+      if (wide.empty()) return;
+      statistics_.sharpenings[bits] += wide.size();
+      refine(wide, evaluation_.enclosures(*input_, history(), versions_.sides(wide), bits));
+      std::erase_if(wide, [this](const Indexed_face& f) { return is_narrow(f); });
+    }
   }
 
   /*!

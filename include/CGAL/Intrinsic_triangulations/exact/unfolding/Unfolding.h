@@ -46,26 +46,24 @@ public:
   \complexity linear in the number of ancestors not seen yet, times the length of paths
   */
   std::optional<Unfolded_diamond> diamond(const Flip_history& history, Side left, Side right) {
-    const auto is_known = [&](std::uint32_t n) {
-      return history.is_flip(n) ? flips_.count(n) != 0 : moves_.count(n) != 0;
-    };
-    for (const std::uint32_t n : history.ancestors(left.face, right.face, is_known))
-      if (history.is_flip(n))
-        flips_.emplace(n, flip(history, history.left_parent(n), history.right_parent(n)));
-      else
-        moves_.emplace(n, vertex_move(history, n));
+    develop_ancestors(history, left.face, right.face);
     if (is_too_long(history, left) || is_too_long(history, right)) return std::nullopt;
-    const Path t = transition(history, left, right);
-    std::array<Corner, 4> corners{start(history, left), start(history, next_side(left)),
-                                  start(history, last_side(left)),
-                                  start(history, last_side(right))};
-    corners[3].path = product(t, corners[3].path);
-    for (Corner& c : corners) c.trim();
-    while (internal::move_base(corners)) {
-    }
-    return unfold_corners(corners, [this](std::uint32_t n) -> const Developed_insertion& {
-      return moves_.at(n).vertex;
-    });
+    const Corner k = start(history, last_side(left));
+    Corner m = start(history, last_side(right));
+    m.path = product(transition(history, left, right), m.path);
+    return unfold({start(history, left), start(history, next_side(left)), k, m});
+  }
+
+  /*!
+  \brief finds input triangles that reach the corners of a face, as a diamond whose corner m is i.
+  \return the triangles, or nothing, see `diamond()`
+  \complexity likewise
+  */
+  std::optional<Unfolded_diamond> face(const Flip_history& history, Side s) {
+    develop_ancestors(history, s.face, s.face);
+    if (is_too_long(history, s)) return std::nullopt;
+    const Corner i = start(history, s);
+    return unfold({i, start(history, next_side(s)), start(history, last_side(s)), i});
   }
 
   /// returns the number of moves that are remembered.
@@ -89,6 +87,26 @@ private:
   };
 
   static constexpr std::uint32_t none = 0xffffffffU;
+
+  void develop_ancestors(const Flip_history& history, std::uint32_t a, std::uint32_t b) {
+    const auto is_known = [&](std::uint32_t n) {
+      return history.is_flip(n) ? flips_.count(n) != 0 : moves_.count(n) != 0;
+    };
+    for (const std::uint32_t n : history.ancestors(a, b, is_known))
+      if (history.is_flip(n))
+        flips_.emplace(n, flip(history, history.left_parent(n), history.right_parent(n)));
+      else
+        moves_.emplace(n, vertex_move(history, n));
+  }
+
+  std::optional<Unfolded_diamond> unfold(std::array<Corner, 4> corners) const {
+    for (Corner& c : corners) c.trim();
+    while (internal::move_base(corners)) {
+    }
+    return unfold_corners(corners, [this](std::uint32_t n) -> const Developed_insertion& {
+      return moves_.at(n).vertex;
+    });
+  }
 
   std::uint32_t base(const Flip_history& history, std::uint32_t version) const {
     if (history.is_input(version)) return version;
