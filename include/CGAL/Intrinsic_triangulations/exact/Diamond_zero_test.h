@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -67,6 +68,22 @@ public:
         return decide_uniform_polynomial(input, diamond, expression);
     if (faces_.size() > maximal_memory) faces_ = {};
     return Field_zero_test(input, faces_)(value_of(diamond, expression));
+  }
+
+  /// decides about an expression in the values of faces, each the left one of its diamond; see `Field_zero_test`.
+  template <class Expression>
+  Zero_answer of_faces(const Input_metric& input, const std::vector<Unfolded_diamond>& faces,
+                       const Expression& expression) {
+    if (faces_.size() > maximal_memory) faces_ = {};
+    return Field_zero_test(input, faces_)([&](const auto& input_faces) {
+      using Number = typename std::decay_t<decltype(input_faces)>::Number;
+      std::vector<Face_values<Number>> values;
+      for (const Unfolded_diamond& f : faces) {
+        const Diamond_values<Number> v = f.template values<Number>(input_faces);
+        values.push_back({{v.ij, v.jk, v.ki}, v.area_f});
+      }
+      return expression(std::span(values.data(), values.size()));
+    });
   }
 
   /// tells whether a diamond can be unfolded: no triangle is entered by a side without length.

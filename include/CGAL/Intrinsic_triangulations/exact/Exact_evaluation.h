@@ -51,30 +51,22 @@ public:
   using Side = Face_side;
 
   /*!
-  \brief returns the sign of an expression in the values of the diamond between two sides.
+  \brief returns the sign of an expression in the values of a diamond that is unfolded.
   \param input the input, always the same
-  \param history the moves since, always the same but for new moves
-  \param left side on the left
-  \param right side on the right, glued to `left`
+  \param diamond the diamond; no triangle is entered by a side without length
   \param expression a model of `DiamondExpression`
   \param better set to intervals that contain the values, about as small as doubles allow, if any were computed
   \param statistics counts how the sign was decided
   */
   template <class Expression>
-  Sign sign(const Input_metric& input, const Flip_history& history, Side left, Side right,
+  Sign sign(const Input_metric& input, const Unfolded_diamond& diamond,
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
             Predicate_statistics& statistics) {
-    unfold(input, history, left, right);
-    if (!diamond_)
-      return internal::escalated_sign(
-          history_bits, [&] { return values(input, history, left, right); }, true,
-          [&] { return decide(input, history, left, right, expression); }, expression, better,
-          statistics);
-    if (is_tie_of_strip(input, *diamond_, expression)) {
+    if (is_tie_of_strip(input, diamond, expression)) {
       ++statistics.certified_zero;
       return ZERO;
     }
-    const auto in_doubles = diamond_->values<Interval_nt<false>>(doubles_.of(input));
+    const auto in_doubles = diamond.values<Interval_nt<false>>(doubles_.of(input));
     const Interval_nt<false> value = expression(in_doubles);
     const Uncertain<Sign> s = CGAL::sign(value);
     if (is_certain(s)) {
@@ -82,20 +74,16 @@ public:
       ++statistics.escalations[53];
       return get_certain(s);
     }
-    const bool is_short_ = is_short(*diamond_);
     return internal::escalated_sign(
-        is_short_ ? first_bits : history_bits,
-        [&] { return is_short_ ? values(input, *diamond_) : values(input, history, left, right); },
-        internal::tests_zero_first(diamond_->triangles.size(), value),
-        [&] { return is_zero_(input, *diamond_, expression); }, expression, better, statistics);
+        first_bits, [&] { return values(input, diamond); },
+        internal::tests_zero_first(diamond.triangles.size(), value),
+        [&] { return is_zero_(input, diamond, expression); }, expression, better, statistics);
   }
 
   /*!
   \brief returns the sign of an expression in the values of a diamond that is unfolded, which doubles have left open.
-  \param input the input, always the same
-  \param diamond the diamond; no triangle is entered by a side without length
-  \param expression a model of `DiamondExpression`
-  \param statistics counts how the sign was decided
+
+  Parameters are as above.
   */
   // not inline: see `extern template`
   template <class Expression>
@@ -103,35 +91,77 @@ public:
             const Expression& expression, Predicate_statistics& statistics);
 
   /*!
-  \brief returns the sign of an expression in the values of faces, each from a side on.
-
-  Here values are tested for zero only if their sign does not show in the first precision.
-  \param input the input
-  \param history the moves since
-  \param sides the first side of each face
+  \brief returns the sign of an expression in the values of faces that are unfolded, each the left one of its diamond.
+  \param input the input, always the same
+  \param faces the faces
   \param expression a model of `FaceExpression`
   \param better set to intervals that contain the values, about as small as doubles allow
   \param statistics counts how the sign was decided
   */
   template <class Expression>
+  Sign sign(const Input_metric& input, const std::vector<Unfolded_diamond>& faces,
+            const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
+            Predicate_statistics& statistics) {
+    better = face_values<Interval_nt<false>>(doubles_.of(input), faces);
+    const auto value_of = [&expression](const auto& values) {
+      return expression(std::span(values.data(), values.size()));
+    };
+    const Uncertain<Sign> s = CGAL::sign(value_of(better));
+    if (is_certain(s)) {
+      ++statistics.escalations[53];
+      return get_certain(s);
+    }
+    return internal::escalated_sign(
+        first_bits, [&] { return face_values<Gmpfi>(intervals().faces.of(input), faces); }, false,
+        [&] { return is_zero_.of_faces(input, faces, expression); }, value_of, better, statistics);
+  }
+
+  /// computes intervals that contain the values of faces that are unfolded, with so many bits; 53: doubles.
+  std::vector<Face_values<Interval_nt<false>>>
+  enclosures(const Input_metric& input, const std::vector<Unfolded_diamond>& faces, unsigned bits) {
+    if (bits == 53) return face_values<Interval_nt<false>>(doubles_.of(input), faces);
+    const Gmpfi_precision precision(bits);
+    return internal::intervals(face_values<Gmpfi>(intervals().faces.of(input), faces));
+  }
+
+  /// computes intervals that contain the values of a diamond that is unfolded, about as small as doubles allow.
+  Diamond_values<Interval_nt<false>> enclosure(const Input_metric& input,
+                                               const Unfolded_diamond& diamond) {
+    const Gmpfi_precision precision(2 * first_bits);
+    return internal::intervals(values(input, diamond));
+  }
+
+  /*!
+  \brief returns the sign of an expression in the values of the diamond between two sides.
+  \param input the input, always the same
+  \param history the flips since, always the same but for new ones
+  \param left side on the left
+  \param right side on the right, glued to `left`
+  \param expression, better, statistics see above
+  */
+  template <class Expression>
+  Sign sign(const Input_metric& input, const Flip_history& history, Side left, Side right,
+            const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+            Predicate_statistics& statistics) {
+    unfold(input, history, left, right);
+    if (diamond_) return sign(input, *diamond_, expression, better, statistics);
+    return internal::escalated_sign(
+        history_bits, [&] { return values(input, history, left, right); }, true,
+        [&] { return History_zero_test(input, history, left, right)(expression); }, expression,
+        better, statistics);
+  }
+
+  /// returns the sign of an expression in the values of faces, each from a side on; see above.
+  template <class Expression>
   Sign sign(const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides,
             const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
             Predicate_statistics& statistics) {
-    const std::vector<Unfolded_diamond> unfolded = unfold(input, history, sides);
-    if (!unfolded.empty()) {
-      const auto in_doubles = face_values<Interval_nt<false>>(doubles_.of(input), unfolded);
-      const Uncertain<Sign> s = CGAL::sign(expression(std::span(in_doubles)));
-      if (is_certain(s)) {
-        better = in_doubles;
-        ++statistics.escalations[53];
-        return get_certain(s);
-      }
-    }
+    const std::vector<Unfolded_diamond> faces = unfold(input, history, sides);
+    if (!faces.empty()) return sign(input, faces, expression, better, statistics);
     return internal::escalated_sign(
-        unfolded.empty() ? history_bits : first_bits,
-        [&] { return values(input, history, sides, unfolded); }, false,
+        history_bits, [&] { return values(input, history, sides); }, false,
         [&] { return History_zero_test(input, history, sides).for_faces(expression); },
-        [&](const auto& faces) { return expression(std::span(faces.data(), faces.size())); },
+        [&](const auto& values) { return expression(std::span(values.data(), values.size())); },
         better, statistics);
   }
 
@@ -145,39 +175,30 @@ public:
   Zero_answer zero_answer(const Input_metric& input, const Flip_history& history, Side left,
                           Side right, const Expression& expression) {
     unfold(input, history, left, right);
-    return decide(input, history, left, right, expression);
+    if (!diamond_) return History_zero_test(input, history, left, right)(expression);
+    if (is_tie_of_strip(input, *diamond_, expression)) return Zero_answer::zero;
+    return is_zero_(input, *diamond_, expression);
   }
 
-  /*!
-  \brief computes intervals that contain the values of faces, each from a side on.
-  \param input the input
-  \param history the moves since
-  \param sides the first side of each face
-  \param bits the precision; 53: doubles. Faces that cannot be unfolded get 512 at least, as errors grow with the
-  number of moves
-  */
+  /// computes intervals that contain the values of faces, each from a side on; in 512 bits at least if they cannot be
+  /// unfolded, as errors grow with the number of flips.
   std::vector<Face_values<Interval_nt<false>>> enclosures(const Input_metric& input,
                                                           const Flip_history& history,
                                                           const std::vector<Side>& sides,
                                                           unsigned bits) {
-    const std::vector<Unfolded_diamond> unfolded = unfold(input, history, sides);
-    if (bits == 53 && !unfolded.empty())
-      return face_values<Interval_nt<false>>(doubles_.of(input), unfolded);
-    const Gmpfi_precision precision(unfolded.empty() ? std::max(bits, history_bits) : bits);
-    return internal::intervals(values(input, history, sides, unfolded));
+    const std::vector<Unfolded_diamond> faces = unfold(input, history, sides);
+    if (!faces.empty()) return enclosures(input, faces, bits);
+    const Gmpfi_precision precision(std::max(bits, history_bits));
+    return internal::intervals(values(input, history, sides));
   }
 
-  /*!
-  \brief computes intervals that contain the values of the diamond between two sides, about as small
-  as doubles allow.
-  */
+  /// computes intervals that contain the values of the diamond between two sides, about as small as doubles allow.
   Diamond_values<Interval_nt<false>> enclosure(const Input_metric& input,
                                                const Flip_history& history, Side left, Side right) {
     unfold(input, history, left, right);
-    const bool unfolds = diamond_ && is_short(*diamond_);
-    const Gmpfi_precision precision(2 * (unfolds ? first_bits : history_bits));
-    return internal::intervals(unfolds ? values(input, *diamond_)
-                                       : values(input, history, left, right));
+    if (diamond_) return enclosure(input, *diamond_);
+    const Gmpfi_precision precision(2 * history_bits);
+    return internal::intervals(values(input, history, left, right));
   }
 
 private:
@@ -200,31 +221,17 @@ private:
     if (diamond_ && !is_zero_.is_defined(input, *diamond_)) diamond_.reset();
   }
 
-  // unfolds faces, if all of them can be and are short
+  // unfolds faces, if all of them can be
   std::vector<Unfolded_diamond> unfold(const Input_metric& input, const Flip_history& history,
                                        const std::vector<Side>& sides) {
     if (unfolding_.size() > maximal_memory) unfolding_ = {};
     std::vector<Unfolded_diamond> result;
     for (const Side& s : sides) {
       std::optional<Unfolded_diamond> face = unfolding_.face(history, s);
-      if (!face || !is_short(*face) || !is_zero_.is_defined(input, *face)) return {};
+      if (!face || !is_zero_.is_defined(input, *face)) return {};
       result.push_back(*std::move(face));
     }
     return result;
-  }
-
-  // Whether inserted vertices that are defined by inserted vertices are few enough to be computed each time
-  // they are met, and not once for all.
-  static bool is_short(const Unfolded_diamond& d) {
-    return d.combinations.size() <= std::max<std::size_t>(32, 2 * d.triangles.size());
-  }
-
-  template <class Expression>
-  Zero_answer decide(const Input_metric& input, const Flip_history& history, Side left, Side right,
-                     const Expression& expression) {
-    if (!diamond_) return History_zero_test(input, history, left, right)(expression);
-    if (is_tie_of_strip(input, *diamond_, expression)) return Zero_answer::zero;
-    return is_zero_(input, *diamond_, expression);
   }
 
   // whether an expression is proven to be zero in integers of fixed size, which takes a microsecond
@@ -259,14 +266,6 @@ private:
       result.push_back({{v.ij, v.jk, v.ki}, v.area_f});
     }
     return result;
-  }
-
-  // of faces that were unfolded, or not
-  std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,
-                                         const std::vector<Side>& sides,
-                                         const std::vector<Unfolded_diamond>& unfolded) {
-    return unfolded.empty() ? values(input, history, sides)
-                            : face_values<Gmpfi>(intervals().faces.of(input), unfolded);
   }
 
   std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,

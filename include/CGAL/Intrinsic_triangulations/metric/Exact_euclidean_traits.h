@@ -9,6 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Face_versions.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
@@ -135,7 +137,7 @@ public:
   /*!
   \brief makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-40 of the
   value, except for areas of thin faces, which get as accurate as 2048 bits allow.
-  \complexity constant per face if they are narrow, else linear in the number of moves that made them
+  \complexity constant per face if they are narrow, else linear in the number of input triangles under it
   */
   void sharpen(std::span<const Indexed_face> faces) const {
     std::vector<Indexed_face> wide;
@@ -144,7 +146,9 @@ public:
     for (const unsigned bits : {53U, 128U, 512U, 1024U, 2048U}) {
       if (wide.empty()) return;
       statistics_.sharpenings[bits] += wide.size();
-      refine(wide, evaluation_.enclosures(*input_, history(), versions_.sides(wide), bits));
+      refine(wide, unfolder_ != nullptr
+                       ? evaluation_.enclosures(*input_, unfolded(wide), bits)
+                       : evaluation_.enclosures(*input_, history(), versions_.sides(wide), bits));
       std::erase_if(wide, [this](const Indexed_face& f) { return is_narrow(f); });
     }
   }
@@ -179,29 +183,33 @@ public:
   */
   BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) {
     store(d, n);
-    versions_.flip(d);
+    if (unfolder_ == nullptr) versions_.flip(d);
   }
 
   /*!
-  \brief computes the values at a vertex inserted in a face, and stores them.
+  \brief defines values by the input under faces from now on, not by the history of flips, which is forgotten.
+  \param unfolder unfolds the input; must be given again to copies of this metric, and outlive its use
+  */
+  void define_by_places(Input_unfolder& unfolder) {
+    unfolder_ = &unfolder;
+    versions_ = {};
+  }
+  /// tells whether values are defined by places of vertices on the input.
+  bool is_defined_by_places() const { return unfolder_ != nullptr; }
+
+  /*!
+  \brief stores the values at a vertex inserted in a face.
   \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one
   are stored
-  \param weights barycentric coordinates of the vertex, see `representable_weights()`
-  \return whether it was done: refused if a length would be zero, as it can be in faces without area
+  \param values of its spokes and faces, narrow
+  \pre `is_defined_by_places()`
   */
-  bool insert_in_face(const Vertex_star& s, const std::array<double, 3>& weights) {
-    const Indexed_face whole{s.faces[0], s.sides};
-    const auto values =
-        new_values(whole, [&](const auto& face) { return inserted_in_face(face, weights); });
-    if (!values) return false;
-    versions_.insert_in_face(s, weights);
-    store(s.spokes, s.faces, *values);
-    return true;
+  void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values) {
+    store(s.spokes, s.faces, {values, approximations(values)});
   }
 
   /// stores the values of a face from which a vertex is removed.
   void remove_from_face(const Vertex_star& s) {
-    versions_.remove_from_face(s);
     const auto [f, g, h] = s.faces;
     store({}, std::span(&f, 1),
           {removed_from_face(quadruple_area(f), quadruple_area(g), quadruple_area(h)),
@@ -210,29 +218,23 @@ public:
   }
 
   /*!
-  \brief computes the values at a vertex inserted on a border edge, and stores them.
+  \brief stores the values at a vertex inserted on a border edge.
   \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge
   and face
-  \param parameter weight of `j`
-  \return whether it was done: refused if a length would be zero
+  \param values those at the vertex as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip
   */
-  bool insert_in_border_edge(const Border_star& s, double parameter) {
-    const Indexed_face whole{s.f, {s.ip, s.jk, s.ki}};
-    const auto values = new_values(
-        whole, [&](const auto& face) { return inserted_in_border_edge(face, parameter); });
-    if (!values) return false;
-    versions_.insert_in_border_edge(s, parameter);
-    store(std::array{s.ip, s.pj, s.pk}, std::array{s.f, s.g}, *values);
-    return true;
+  void insert_in_border_edge(const Border_star& s, const Vertex_move_values<FT>& values) {
+    const auto& [l, a] = values;
+    const Vertex_move_values<FT> on_border{{l[0], l[1], l[2]}, {a[2], a[1], FT(0)}};
+    store(std::array{s.ip, s.pj, s.pk}, std::array{s.f, s.g},
+          {on_border, approximations(on_border)});
   }
 
   /// stores the values of a border edge and its face from which a vertex is removed.
   void remove_from_border_edge(const Border_star& s) {
     const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
-    const New_values values{removed_from_border_edge(enclosure(d)),
-                            removed_from_border_edge(approximation(d))};
-    versions_.remove_from_border_edge(s, d);
-    store(std::array{s.ip}, std::array{s.f}, values);
+    store(std::array{s.ip}, std::array{s.f},
+          {removed_from_border_edge(enclosure(d)), removed_from_border_edge(approximation(d))});
   }
 
   /// returns s, where coordinates are scaled by 2^s.
@@ -256,8 +258,10 @@ public:
     const Sign s = sign(d, Delaunay_expression());
     if (s == ZERO) return 0;
     if (is_vague(quadruple_area(d.f)) || is_vague(quadruple_area(d.g)))
-      refine(d, evaluation_.enclosure(*input_, history(), versions_.left_side(d),
-                                      versions_.right_side(d)));
+      refine(d, unfolder_ != nullptr
+                    ? evaluation_.enclosure(*input_, unfolder_->diamond(d))
+                    : evaluation_.enclosure(*input_, history(), versions_.left_side(d),
+                                            versions_.right_side(d)));
     const double weight =
         cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
     return s == POSITIVE ? std::max(weight, 0.0) : std::min(weight, 0.0);
@@ -272,19 +276,18 @@ private:
             Intrinsic_triangulations::quadruple_areas<FT>(input.metric())};
   }
 
-  // what a function makes of a face, if lengths are not zero
-  template <class Function>
-  std::optional<New_values> new_values(const Indexed_face& face, const Function& function) const {
-    const Face_values<FT> old = enclosure(face);
-    if (is_vague(old.quadruple_area) ||
-        std::any_of(old.squared_lengths.begin(), old.squared_lengths.end(), is_vague))
-      sharpen(std::span(&face, 1));
-    const New_values result{function(enclosure(face)), function(approximation(face))};
+  static Vertex_move_values<double> approximations(const Vertex_move_values<FT>& values) {
+    Vertex_move_values<double> result{};
     for (std::size_t k = 0; k < 3; ++k) {
-      if (result.first.squared_lengths[k].inf() > 0) continue;
-      const auto length = [&](const auto& faces) { return function(faces[0]).squared_lengths[k]; };
-      if (sign(std::span(&face, 1), length) != POSITIVE) return std::nullopt;
+      result.squared_lengths[k] = CGAL::to_double(values.squared_lengths[k]);
+      result.quadruple_areas[k] = CGAL::to_double(values.quadruple_areas[k]);
     }
+    return result;
+  }
+
+  std::vector<Unfolded_diamond> unfolded(std::span<const Indexed_face> faces) const {
+    std::vector<Unfolded_diamond> result;
+    for (const Indexed_face& f : faces) result.push_back(unfolder_->face(f));
     return result;
   }
 
@@ -297,6 +300,7 @@ private:
 
   Face_versions versions_;
   std::shared_ptr<const Input_metric> input_; // immutable, shared by copies
+  Input_unfolder* unfolder_ = nullptr;        // if vertices were inserted
   mutable Exact_evaluation evaluation_;       // remembers
   mutable Predicate_statistics statistics_;   // counts
 };
@@ -304,15 +308,20 @@ private:
 template <class Expression>
 Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expression) const {
   ++statistics_.filter_failures;
-  const Flip_history& history = versions_.history();
-  const Face_side left = versions_.left_side(d), right = versions_.right_side(d);
-  if (history.is_input(left.face) && history.is_input(right.face))
-    if (const std::optional<Sign> s = input_diamond_sign(*input_, left, right, expression)) {
-      ++(*s == ZERO ? statistics_.certified_zero : statistics_.integer);
-      return *s;
-    }
   Diamond_values<FT> better = enclosure(d);
-  const Sign s = evaluation_.sign(*input_, history, left, right, expression, better, statistics_);
+  Sign s{};
+  if (unfolder_ != nullptr) {
+    s = evaluation_.sign(*input_, unfolder_->diamond(d), expression, better, statistics_);
+  } else {
+    const Face_side left = versions_.left_side(d), right = versions_.right_side(d);
+    if (history().is_input(left.face) && history().is_input(right.face))
+      if (const std::optional<Sign> of_input =
+              input_diamond_sign(*input_, left, right, expression)) {
+        ++(*of_input == ZERO ? statistics_.certified_zero : statistics_.integer);
+        return *of_input;
+      }
+    s = evaluation_.sign(*input_, history(), left, right, expression, better, statistics_);
+  }
   refine(d, better);
   return s;
 }
@@ -322,8 +331,10 @@ Sign Exact_euclidean_metric::exact_sign(std::span<const Indexed_face> faces,
                                         std::vector<Face_values<FT>>& values,
                                         const Expression& expression) const {
   ++statistics_.filter_failures;
-  const Sign s =
-      evaluation_.sign(*input_, history(), versions_.sides(faces), expression, values, statistics_);
+  const Sign s = unfolder_ != nullptr
+                     ? evaluation_.sign(*input_, unfolded(faces), expression, values, statistics_)
+                     : evaluation_.sign(*input_, history(), versions_.sides(faces), expression,
+                                        values, statistics_);
   refine(faces, values);
   return s;
 }

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_INPUT_UNFOLDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_INPUT_UNFOLDER_H
+
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief unfolds the input triangles over which diamonds and faces of a triangulation lie, for a metric whose vertices
+are places on the input.
+*/
+class Input_unfolder {
+public:
+  virtual ~Input_unfolder() = default;
+  /// returns the input triangles under a diamond, valid until the next call.
+  virtual const Unfolded_diamond& diamond(const Diamond& d) = 0;
+  /// returns those under a face, as a diamond whose corner m is i, valid until the next call.
+  virtual const Unfolded_diamond& face(const Indexed_face& f) = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_INPUT_UNFOLDER_H
