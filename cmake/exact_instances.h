@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/formulas/face_expressions.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 

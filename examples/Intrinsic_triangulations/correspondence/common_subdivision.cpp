@@ -5,8 +5,8 @@
 // three statements. Usage: common_subdivision [MESH.off [OUT.vtp]]
 
 #include <CGAL/Intrinsic_triangulations.h>
-#include <CGAL/Intrinsic_triangulations/operators/interpolation_matrices.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -3,9 +3,8 @@
 
 #include "transferred_meshes.h"
 
-#include <CGAL/Intrinsic_triangulations/operators/interpolation_matrices.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 
 #include <gtest/gtest.h>
 

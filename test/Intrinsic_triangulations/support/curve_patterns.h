@@ -4,7 +4,7 @@
 #ifndef TEST_INTRINSIC_TRIANGULATIONS_CURVE_PATTERNS_H
 #define TEST_INTRINSIC_TRIANGULATIONS_CURVE_PATTERNS_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 
 namespace curve_patterns {
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
 #include "meshes.h"

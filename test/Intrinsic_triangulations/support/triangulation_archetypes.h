@@ -6,7 +6,7 @@
 
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>

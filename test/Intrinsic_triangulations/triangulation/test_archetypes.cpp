@@ -25,7 +25,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/point_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
-#include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations/operators/transfer.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>

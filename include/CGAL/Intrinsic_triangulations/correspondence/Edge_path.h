@@ -6,12 +6,36 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <cstdint>
 #include <vector>
 
+/*!
+\file
+Points and edges of one triangulation, and where they are on the other.
+*/
+
 namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a point of the other triangulation, and how vectors are taken there: a direction in two frames.
+*/
+struct Mapped_point {
+  /// The point.
+  Surface_point point;
+  /// The direction in the frame of the halfedge that the point was given with.
+  Planar_vector<double> given{1, 0};
+  /// The direction in the frame of `point.halfedge`.
+  Planar_vector<double> found{1, 0};
+
+  /// takes a tangent vector from the frame where the point was given to that of `point.halfedge`.
+  Planar_vector<double> transfer(const Planar_vector<double>& v) const {
+    const double along = planar_dot(given, v), left = planar_cross(given, v);
+    return {found[0] * along - found[1] * left, found[1] * along + found[0] * left};
+  }
+};
 
 /// A point of an edge that is traced over the other triangulation.
 struct Path_point {

@@ -7,7 +7,15 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+
+/*!
+\file
+The values of a face, and bounds on its shape as signs of polynomials in these: what refinement asks of the
+arithmetic.
+*/
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -47,6 +55,50 @@ Diamond_values<FT> diamond_values(const Face_values<FT>& left, const Face_values
           right.squared_lengths[1], right.squared_lengths[2], left.quadruple_area,
           right.quadruple_area};
 }
+
+/*!
+\brief evaluates to a value that is positive iff the angle opposite a side is smaller than a bound.
+
+With the side ij and the corner k, cot k = (L_jk + L_ki - L_ij) / a, which falls as the angle grows.
+*/
+struct Small_angle_expression {
+  std::size_t side; ///< the side opposite the corner: 0, 1 or 2
+  double cotangent; ///< cotangent of the bound
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(std::span<const Face_values<FT>> faces) const {
+    const auto& [l, a] = faces[0];
+    return l[(side + 1) % 3] + l[(side + 2) % 3] - l[side] - FT(cotangent) * a;
+  }
+};
+
+/*!
+\brief evaluates to a value that is positive iff the circumradius of a face exceeds a bound.
+
+R = l_ij l_jk l_ki / a.
+*/
+struct Large_circumradius_expression {
+  double squared_radius; ///< square of the bound
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(std::span<const Face_values<FT>> faces) const {
+    const auto& [l, a] = faces[0];
+    return l[0] * l[1] * l[2] - FT(squared_radius) * a * a;
+  }
+};
+
+/*!
+\brief evaluates to a value that is positive iff a side of a face is longer than a bound.
+*/
+struct Long_side_expression {
+  std::size_t side;      ///< the side: 0, 1 or 2
+  double squared_length; ///< square of the bound
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(std::span<const Face_values<FT>> faces) const {
+    return faces[0].squared_lengths[side] - FT(squared_length);
+  }
+};
 
 } // namespace CGAL::Intrinsic_triangulations
 

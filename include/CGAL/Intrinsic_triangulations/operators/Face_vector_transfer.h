@@ -8,9 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <algorithm>
@@ -55,13 +55,17 @@ public:
     const Input& input = t.input();
     const Intrinsic_view<Triangulation> view(t);
     const Element_names& names = t.input().names().faces;
-    const std::vector<std::uint32_t>& user = t.input().names().vertices.users();
     for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
       const std::uint32_t g = names.here(input_face_[f]);
-      const Frame from(view, view.halfedge_of_face(intrinsic_face_[f]));
-      const Frame to(input, input.halfedge_of_face(g));
-      const std::array<std::uint32_t, 3> corners = corners_of(input, g, user, input_face_[f]);
-      rotation_.push_back(rotation(view, s, f, from, to, corners));
+      const std::uint32_t base = view.halfedge_of_face(intrinsic_face_[f]);
+      const Geodesic_face from(view, base), to(input, input.halfedge_of_face(g));
+      const std::array<std::uint32_t, 3> corners = corners_of(input, g, input_face_[f]);
+      rotation_.push_back(
+          internal::fitting_rotation(s.face_begin[f], s.face_begin[f + 1], [&](std::size_t c) {
+            const auto p = from.position(internal::corner_in_face(view, s, base, c)),
+                       q = to.position(weights_on_input(s.on_input(s.corner[c]), corners));
+            return std::array{Complex(p[0], p[1]), Complex(q[0], q[1])};
+          }));
     }
     input_faces_ = input.mesh().number_of_faces();
     intrinsic_faces_ = bound(intrinsic_face_);
@@ -86,64 +90,19 @@ public:
 private:
   using Complex = std::complex<double>;
 
-  // positions of the corners of a face, the first at the origin, the second on the real axis
-  struct Frame {
-    template <class View>
-    Frame(const View& view, std::uint32_t h) : base(h) {
-      const std::uint32_t jk = view.next(h), ki = view.next(jk);
-      const Planar_triangle<double> layout =
-          planar_layout(view.squared_length(h / 2), view.squared_length(jk / 2),
-                        view.squared_length(ki / 2), view.quadruple_area(view.face(h)));
-      for (std::size_t k = 0; k < 3; ++k) corner[k] = {layout[k][0], layout[k][1]};
-    }
-    Complex at(const std::array<double, 3>& w) const {
-      return w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2];
-    }
-    std::uint32_t base;
-    std::array<Complex, 3> corner;
-  };
-
   static std::size_t bound(const std::vector<std::uint32_t>& numbers) {
     return numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end()) + std::size_t{1};
   }
 
   static std::array<std::uint32_t, 3> corners_of(const Input& input, std::uint32_t face,
-                                                 const std::vector<std::uint32_t>& user,
                                                  std::uint32_t user_face) {
-    std::array<std::uint32_t, 3> v;
-    std::uint32_t h = input.halfedge_of_face(face);
-    for (std::uint32_t& i : v) {
-      i = user.empty() ? input.source(h) : user[input.source(h)];
-      h = input.next(h);
-    }
+    std::array<std::uint32_t, 3> v = sides_of_face(input, input.halfedge_of_face(face));
+    for (std::uint32_t& i : v) i = input.names().vertices.user(input.source(i));
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
       throw Invalid_input(Element_kind::face, user_face,
                           "face " + std::to_string(user_face) +
                               " has a vertex at two corners: its frame has no name; subdivide it");
     return v;
-  }
-
-  // The rotation that fits the corners best: the direction of sum conj(p) q, both from their means.
-  template <class View>
-  static Complex rotation(const View& view, const Common_subdivision& s, std::size_t f,
-                          const Frame& from, const Frame& to,
-                          const std::array<std::uint32_t, 3>& corners) {
-    std::array<Complex, 2> mean{};
-    const std::size_t begin = s.face_begin[f], size = s.face_begin[f + 1] - begin;
-    Complex sum = 0;
-    for (const bool last : {false, true})
-      for (std::size_t c = begin; c < begin + size; ++c) {
-        const Complex p = from.at(internal::corner_in_face(view, s, from.base, c));
-        const Complex q = to.at(weights_on_input(s.on_input(s.corner[c]), corners));
-        if (last)
-          sum += std::conj(p - mean[0]) * (q - mean[1]);
-        else {
-          mean[0] += p / static_cast<double>(size);
-          mean[1] += q / static_cast<double>(size);
-        }
-      }
-    const double length = std::abs(sum);
-    return length > 0 ? sum / length : Complex(1);
   }
 
   static std::array<double, 3> weights_on_input(const Weighted_vertices& w,

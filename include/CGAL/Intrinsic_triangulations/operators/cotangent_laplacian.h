@@ -8,12 +8,12 @@
 #include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -98,16 +98,12 @@ template <MeasuredTriangulation Triangulation>
 Eigen::SparseMatrix<double> cotangent_laplacian(const Triangulation& t) {
   const int size = checked_matrix_size(t);
   Eigen::SparseMatrix<double> l =
-      symmetric_matrix_with_zero_diagonal(internal::cotangent_entries(t), size);
+      symmetric_matrix(internal::cotangent_entries(t), Eigen::VectorXd::Zero(size));
   for (int c = 0; c < size; ++c) {
+    double& diagonal = l.coeffRef(c, c);
     double sum = 0;
-    double* diagonal = nullptr;
-    for (Eigen::SparseMatrix<double>::InnerIterator i(l, c); i; ++i)
-      if (i.row() == c)
-        diagonal = &i.valueRef();
-      else
-        sum -= i.value();
-    *diagonal = sum;
+    for (Eigen::SparseMatrix<double>::InnerIterator i(l, c); i; ++i) sum -= i.value();
+    diagonal = sum;
   }
   return l;
 }

@@ -48,11 +48,7 @@ A face that has a vertex at several corners counts at each. The trace is the are
 */
 template <MeasuredTriangulation Triangulation>
 Eigen::SparseMatrix<double> lumped_mass_matrix(const Triangulation& t) {
-  const Eigen::VectorXd area = internal::areas_at_vertices(t);
-  Eigen::SparseMatrix<double> m(area.size(), area.size());
-  m.setIdentity();
-  for (Eigen::Index i = 0; i < area.size(); ++i) m.valuePtr()[i] = area[i] / 3;
-  return m;
+  return symmetric_matrix({}, internal::areas_at_vertices(t) / 3);
 }
 
 /*!
@@ -89,12 +85,7 @@ Eigen::SparseMatrix<double> galerkin_mass_matrix(const Triangulation& t) {
     else
       entries.push_back({i, j, area / 12});
   }
-  Eigen::SparseMatrix<double> m =
-      symmetric_matrix_with_zero_diagonal(entries, static_cast<int>(diagonal.size()));
-  for (int c = 0; c < m.outerSize(); ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(m, c); i; ++i)
-      if (i.row() == c) i.valueRef() = diagonal[c];
-  return m;
+  return symmetric_matrix(entries, diagonal);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -9,6 +9,7 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -41,33 +42,6 @@ inline bool is_symmetric(const Eigen::SparseMatrix<double>& m) {
   return true;
 }
 
-// collects numbers as text and hands them on in blocks
-class Number_writer {
-public:
-  explicit Number_writer(std::ostream& out) : out_(out) {}
-  void integer(std::int64_t i, char end) { append(end, i); }
-  // 17 significant digits tell any two doubles apart
-  void real(double x, char end) { append(end, x, std::chars_format::general, 17); }
-  void flush() {
-    out_.write(buffer_, static_cast<std::streamsize>(used_));
-    used_ = 0;
-  }
-
-private:
-  template <class... Arguments>
-  void append(char end, Arguments... arguments) {
-    if (used_ + 32 > sizeof(buffer_)) flush();
-    char* const last =
-        std::to_chars(buffer_ + used_, buffer_ + sizeof(buffer_) - 1, arguments...).ptr;
-    *last = end;
-    used_ = static_cast<std::size_t>(last + 1 - buffer_);
-  }
-
-  std::ostream& out_;
-  std::size_t used_ = 0;
-  char buffer_[1 << 14];
-};
-
 } // namespace internal
 
 /*!
@@ -95,18 +69,26 @@ inline void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<dou
     out << "% " << comment.substr(from, to - from) << '\n';
     from = to + 1;
   }
-  internal::Number_writer write(out);
-  write.integer(m.rows(), ' ');
-  write.integer(m.cols(), ' ');
-  write.integer(count, '\n');
+  std::string text; // goes to the stream in blocks
+  const auto write = [&](char end, auto... number) {
+    std::array<char, 32> digits;
+    char* const last = std::to_chars(digits.data(), digits.data() + digits.size(), number...).ptr;
+    text.append(digits.data(), last) += end;
+    if (text.size() < std::size_t{1} << 14U) return;
+    out << text;
+    text.clear();
+  };
+  write(' ', m.rows());
+  write(' ', m.cols());
+  write('\n', count);
   for (Eigen::Index c = 0; c < m.outerSize(); ++c)
     for (Iterator i(m, c); i; ++i) {
       if (symmetric && i.row() < c) continue;
-      write.integer(i.row() + 1, ' ');
-      write.integer(c + 1, ' ');
-      write.real(i.value(), '\n');
+      write(' ', i.row() + 1);
+      write(' ', c + 1);
+      write('\n', i.value(), std::chars_format::general, 17); // tells any two doubles apart
     }
-  write.flush();
+  out << text;
   if (!out) throw std::runtime_error("the matrix cannot be written completely");
 }
 

@@ -7,9 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -48,8 +47,8 @@ public:
     for (const Symmetric_entry& e : sorted_by_row(entries)) append(e);
   }
 
-  // writes both triangles and a zero diagonal
-  Eigen::SparseMatrix<double> mirrored() {
+  // writes both triangles and the diagonal
+  Eigen::SparseMatrix<double> mirrored(const Eigen::VectorXd& diagonal) {
     const int size = static_cast<int>(below_.size());
     Eigen::SparseMatrix<double> m(size, size);
     int* const outer = m.outerIndexPtr();
@@ -62,7 +61,7 @@ public:
     for (int c = 0; c < size; ++c) {
       int& to = left_[number(c)];
       inner[to] = c;
-      value[to++] = 0;
+      value[to++] = diagonal[c];
       std::size_t from = number(start_[number(c)]);
       for (const int end = to + below_[number(c)]; to < end; ++to, ++from) {
         inner[to] = row_[from];
@@ -110,19 +109,30 @@ private:
 } // namespace internal
 
 /*!
-\brief assembles a symmetric sparse matrix whose diagonal is stored, as zeros, in every row.
+\brief assembles a symmetric sparse matrix whose diagonal is stored in every row, zeros included.
 
 Equal pairs add up, in the order given. The matrix is symmetric bit by bit.
 \param entries entries off the diagonal
-\param size number of rows and of columns
+\param diagonal those on it
 \return the matrix, compressed
-\pre `0 <= i, j < size` and `i != j` for every entry
+\pre `0 <= i, j < diagonal.size()` and `i != j` for every entry
 \complexity linear in size and number of entries
 */
-inline Eigen::SparseMatrix<double>
-symmetric_matrix_with_zero_diagonal(const std::vector<Symmetric_entry>& entries, int size) {
-  return internal::Lower_triangle(entries, size).mirrored();
+inline Eigen::SparseMatrix<double> symmetric_matrix(const std::vector<Symmetric_entry>& entries,
+                                                    const Eigen::VectorXd& diagonal) {
+  return internal::Lower_triangle(entries, static_cast<int>(diagonal.size())).mirrored(diagonal);
 }
+
+namespace internal {
+
+// throws Invalid_input if a number exceeds what the index type of `Eigen::SparseMatrix` can count
+inline void expect_countable(std::uint64_t number, const std::string& has) {
+  if (number > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
+    throw Invalid_input(Element_kind::none, 0,
+                        has + ", more than Eigen's index type can count; split the mesh");
+}
+
+} // namespace internal
 
 /*!
 \brief checks that the numbers of rows and of entries fit the index type of `Eigen::SparseMatrix`.
@@ -135,10 +145,8 @@ template <MeasuredTriangulation Triangulation>
 int checked_matrix_size(const Triangulation& t) {
   const std::uint64_t rows = t.numbers().vertex_capacity(t.mesh()),
                       entries = rows + 2 * std::uint64_t{t.numbers().edge_capacity(t.mesh())};
-  if (entries > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
-    throw Invalid_input(Element_kind::none, 0,
-                        "a matrix of the mesh has " + std::to_string(entries) +
-                            " entries, more than Eigen's index type can count; split the mesh");
+  internal::expect_countable(entries,
+                             "a matrix of the mesh has " + std::to_string(entries) + " entries");
   return static_cast<int>(rows);
 }
 

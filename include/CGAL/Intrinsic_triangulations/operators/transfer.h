@@ -7,9 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/weighted_vertices.h>
-#include <CGAL/Intrinsic_triangulations/operators/interpolation_matrices.h>
-#include <CGAL/Intrinsic_triangulations/operators/subdivision_mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <Eigen/SparseCholesky>

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/formulas/corner_angles.h>
 #include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -33,6 +32,21 @@ inline double planar_cross(const Planar_vector<double>& a, const Planar_vector<d
   return a[0] * b[1] - a[1] * b[0];
 }
 
+/// returns the sides of the face of `h`, from `h` on.
+template <class Complex>
+std::array<std::uint32_t, 3> sides_of_face(const Complex& complex, std::uint32_t h) {
+  const std::uint32_t n = complex.next(h);
+  return {h, n, complex.next(n)};
+}
+
+/// returns the squared lengths of the sides of the face of `h`, from `h` on.
+template <class Complex>
+std::array<double, 3> squared_lengths_of_face(const Complex& complex, std::uint32_t h) {
+  const auto [ij, jk, ki] = sides_of_face(complex, h);
+  return {complex.squared_length(ij / 2), complex.squared_length(jk / 2),
+          complex.squared_length(ki / 2)};
+}
+
 /*!
 \brief is a face laid out in the plane, in the frame of one of its halfedges: the source is at the
 origin, the target on the positive x-axis, the apex above.
@@ -51,11 +65,8 @@ struct Geodesic_face {
   \pre `h` has a face
   */
   template <NumberedComplex Complex>
-  Geodesic_face(const Complex& complex, std::uint32_t h) {
-    const std::uint32_t n = complex.next(h);
-    side = {h, n, complex.next(n)};
-    const double ij = complex.squared_length(side[0] / 2), jk = complex.squared_length(side[1] / 2),
-                 ki = complex.squared_length(side[2] / 2);
+  Geodesic_face(const Complex& complex, std::uint32_t h) : side(sides_of_face(complex, h)) {
+    const auto [ij, jk, ki] = squared_lengths_of_face(complex, h);
     length = {std::sqrt(ij), std::sqrt(jk), std::sqrt(ki)};
     const double two_l = 2 * length[0];
     if (two_l > 0) {
@@ -73,6 +84,12 @@ struct Geodesic_face {
     const unsigned n = (corner + 1) % 3, p = (corner + 2) % 3;
     return {weights[p] * edge[p][0] - weights[n] * edge[corner][0],
             weights[p] * edge[p][1] - weights[n] * edge[corner][1]};
+  }
+
+  /// returns where a point is.
+  Planar_vector<double> position(const std::array<double, 3>& weights) const {
+    const Planar_vector<double> back = to_corner(weights, 0);
+    return {0 - back[0], 0 - back[1]};
   }
 
   /// returns a direction relative to side `s`: along it, and to the left of it.
@@ -96,11 +113,8 @@ struct Geodesic_face {
 */
 template <NumberedComplex Complex>
 double angle_at_source(const Complex& complex, std::uint32_t h) {
-  const std::uint32_t n = complex.next(h), l = complex.next(n);
-  return corner_angle(complex.quadruple_area(complex.face(h)),
-                      twice_inner_product(complex.squared_length(h / 2),
-                                          complex.squared_length(n / 2),
-                                          complex.squared_length(l / 2)));
+  const auto [ij, jk, ki] = squared_lengths_of_face(complex, h);
+  return corner_angle(complex.quadruple_area(complex.face(h)), twice_inner_product(ij, jk, ki));
 }
 
 /// returns the halfedge with the same source that comes after `h` counterclockwise. \pre `h` has a

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <utility>
@@ -104,10 +103,6 @@ public:
   double angle_error() const { return angle_error_; }
   /// returns a bound on the distance between the entry and the point where it should be.
   double position_error() const { return position_error_; }
-  /// tells whether the line starts into the face from the source of its first side.
-  bool is_at_corner() const { return origin_ == Origin::corner; }
-  /// tells whether the line came into the face through its first side.
-  bool is_on_first_side() const { return origin_ == Origin::side; }
 
   /// returns how far a point of the face is along the line and to the left of it, seen from the
   /// entry, given the vector to it.
@@ -217,9 +212,7 @@ private:
 
   // Bound on the error of the angle at the source of `h`.
   double corner_error(std::uint32_t h) const {
-    const std::uint32_t n = complex_->next(h), l = complex_->next(n);
-    const double ij = complex_->squared_length(h / 2), jk = complex_->squared_length(n / 2),
-                 ki = complex_->squared_length(l / 2);
+    const auto [ij, jk, ki] = squared_lengths_of_face(*complex_, h);
     return ij > 0 && ki > 0 ? 4 * unit * std::max({ij, jk, ki}) / std::sqrt(ij * ki) : 0;
   }
 

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_REFINABLETRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/formulas/face_expressions.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>

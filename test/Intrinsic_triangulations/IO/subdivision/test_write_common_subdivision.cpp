@@ -5,9 +5,8 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/for_each_subdivision_edge.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_edge_polylines.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/OBJ.h>

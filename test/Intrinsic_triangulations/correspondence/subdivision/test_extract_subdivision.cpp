@@ -7,7 +7,7 @@
 #include "meshes.h"
 #include "subdivision_oracle.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/for_each_subdivision_edge.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_DRAWN_EDGES_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/for_each_subdivision_edge.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 
 #include <algorithm>
 #include <array>

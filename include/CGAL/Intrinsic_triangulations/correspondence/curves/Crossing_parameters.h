@@ -35,8 +35,6 @@ namespace internal {
 /// A point in the plane of doubles.
 using Point = Plane_point<double>;
 
-inline double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-
 /// Unfolds the input triangles along an intrinsic edge; keeps its memory from edge to edge.
 template <class Input>
 class Edge_strip {
@@ -86,13 +84,7 @@ private:
 
   // the point of a face whose halfedge runs from `s` to `t`
   Point place(const Surface_point& p, const Point& s, const Point& t) const {
-    const double ij = input_.squared_length(p.halfedge / 2);
-    const std::uint32_t jk = input_.next(p.halfedge), ki = input_.next(jk);
-    const Point turn{(ij + input_.squared_length(ki / 2) - input_.squared_length(jk / 2)) /
-                         (2 * ij),
-                     input_.quadruple_area(input_.face(p.halfedge)) / (2 * ij)};
-    const Point side = t - s;
-    const Point apex = side * turn;
+    const Point side = t - s, apex = side * apex_above_side(input_, p.halfedge);
     return {s.x + p.weights[1] * side.x + p.weights[2] * apex.x,
             s.y + p.weights[1] * side.y + p.weights[2] * apex.y};
   }

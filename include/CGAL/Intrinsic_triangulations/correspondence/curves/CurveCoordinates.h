@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_CURVECOORDINATES_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 

@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_CURVE_STRIP_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
 #include <array>
@@ -16,29 +16,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/*!
-\brief is a point in the plane, in any number type.
-\tparam FT a model of `Field`
-*/
-template <class FT>
-struct Plane_point {
-  FT x; ///< first coordinate
-  FT y; ///< second coordinate
-
-  friend Plane_point operator+(const Plane_point& a, const Plane_point& b) {
-    return {a.x + b.x, a.y + b.y};
-  }
-  friend Plane_point operator-(const Plane_point& a, const Plane_point& b) {
-    return {a.x - b.x, a.y - b.y};
-  }
-  /// product of complex numbers: turns and stretches
-  friend Plane_point operator*(const Plane_point& a, const Plane_point& b) {
-    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-  }
-  /// inner product of vectors
-  friend FT dot(const Plane_point& a, const Plane_point& b) { return a.x * b.x + a.y * b.y; }
-};
 
 /*!
 \brief is the strip of faces through which a curve passes a given face, unfolded into the plane.
@@ -123,10 +100,9 @@ public:
   std::vector<Plane_point<double>> unfold_approximately(const Complex& complex) const {
     std::vector<Face_values<double>> values;
     values.reserve(faces_.size());
-    for (const Indexed_face& f : faces_)
-      values.push_back({{complex.squared_length(f.edges[0]), complex.squared_length(f.edges[1]),
-                         complex.squared_length(f.edges[2])},
-                        complex.quadruple_area(f.face)});
+    for (std::size_t n = 0; n < faces_.size(); ++n)
+      values.push_back({squared_lengths_of_face(complex, triangles_[n].entered),
+                        complex.quadruple_area(faces_[n].face)});
     return unfold<double>(values);
   }
 
@@ -180,7 +156,7 @@ public:
     const FT j(weights_[1]), k(weights_[2]);
     const Plane_point<FT> u = points[strip_.first()], d = points[strip_.last()] - u;
     const Plane_point<FT> p{j + k * points[2].x - u.x, k * points[2].y - u.y};
-    return d.x * p.y - d.y * p.x;
+    return cross(d, p);
   }
 
 private:

@@ -8,9 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -56,20 +56,40 @@ struct Edge_crossings {
 
 namespace internal {
 
-// Follows the curve from `start` along input halfedge `x`.
-template <class View, CurveCoordinates Coordinates>
-void add_curve(const View& view, const Coordinates& coordinates, const Curve_end& start,
-               std::uint32_t x, Edge_crossings& result) {
-  follow_curve(view, coordinates, first_crossing(view, coordinates, start),
-               [&](const Curve_crossing& c) {
-                 // the intrinsic halfedge that the curve leaves through is crossed by it from left
-                 // to right, and enters the face on the left of the curve
-                 const std::uint32_t i = result.crossing(c.halfedge, c.position);
-                 result.entered[i] = x ^ (c.halfedge & 1U);
-                 result.on_curve.push_back(i);
-               });
-  result.curve_begin.push_back(static_cast<std::uint32_t>(result.on_curve.size()));
-}
+// The crossings as faces see them: their numbers twice, and the last bit of the halfedge of the face.
+template <class Triangulation, CurveCoordinates Coordinates>
+struct Linked_crossings {
+  std::vector<std::uint32_t>
+      linked; // the other end of the curve in the face; none if it is at a corner
+  std::vector<std::array<std::uint32_t, 2>>
+      starts; // where curves leave their first faces, input halfedge
+
+  Linked_crossings(const Triangulation& t, const Coordinates& coordinates,
+                   const Edge_crossings& crossings)
+      : linked(2 * crossings.size(), Gluing::none) {
+    const Intrinsic_view<Triangulation> view(t);
+    const auto seen = [&](std::uint32_t h, Normal_coordinate position) {
+      return 2 * crossings.crossing(h, position) + (h & 1U);
+    };
+    for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
+      const auto s = sides_of_face(view, view.halfedge_of_face(t.index(f)));
+      const Corner_coordinates c = corner_coordinates(view, coordinates, s[0]);
+      for (unsigned k = 0; k < 3; ++k) {
+        const std::uint32_t next = s[(k + 1) % 3], last = s[(k + 2) % 3];
+        for (Normal_coordinate i = 0; i < c.cutting[k]; ++i) {
+          const Normal_coordinate from_end = coordinates.normal_coordinate(last / 2) - 1 - i;
+          const std::uint32_t a = seen(s[k], i), b = seen(last, from_end);
+          linked[a] = b;
+          linked[b] = a;
+        }
+        for (Normal_coordinate i = 0; i < c.emanating[k]; ++i) {
+          const std::uint32_t x = input_halfedge(coordinates, Curve_end{s[k], i});
+          if (x % 2 == 0) starts.push_back({seen(next, c.cutting[(k + 1) % 3] + i), x});
+        }
+      }
+    }
+  }
+};
 
 } // namespace internal
 
@@ -82,7 +102,6 @@ void add_curve(const View& view, const Coordinates& coordinates, const Curve_end
 */
 template <class Triangulation, CurveCoordinates Coordinates>
 Edge_crossings edge_crossings(const Triangulation& t, const Coordinates& coordinates) {
-  const Intrinsic_view<Triangulation> view(t);
   Edge_crossings result;
   std::uint64_t count = 0;
   for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e) {
@@ -94,14 +113,14 @@ Edge_crossings edge_crossings(const Triangulation& t, const Coordinates& coordin
   result.begin.push_back(static_cast<std::uint32_t>(count));
   result.entered.resize(count, Gluing::none);
   result.on_curve.reserve(count);
-  for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
-    std::uint32_t h = view.halfedge_of_face(t.index(f));
-    const Corner_coordinates c = corner_coordinates(view, coordinates, h);
-    for (unsigned k = 0; k < 3; ++k, h = view.next(h))
-      for (Normal_coordinate i = 0; i < c.emanating[k]; ++i) {
-        const std::uint32_t x = input_halfedge(coordinates, Curve_end{h, i});
-        if (x % 2 == 0) internal::add_curve(view, coordinates, Curve_end{h, i}, x, result);
-      }
+  const internal::Linked_crossings<Triangulation, Coordinates> all(t, coordinates, result);
+  result.curve_begin.reserve(all.starts.size() + 1);
+  for (const auto& [first, x] : all.starts) {
+    for (std::uint32_t i = first; i != Gluing::none; i = all.linked[i ^ 1U]) {
+      result.entered[i / 2] = x ^ (i & 1U); // leaves a face from left to right
+      result.on_curve.push_back(i / 2);
+    }
+    result.curve_begin.push_back(static_cast<std::uint32_t>(result.on_curve.size()));
   }
   return result;
 }

@@ -4,13 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_REGION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_REGION_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 
 #include <CGAL/enum.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -72,8 +70,7 @@ template <class Side>
 Face_region find_region(const Corner_coordinates& c, const std::array<std::uint32_t, 3>& sides,
                         Side side) {
   Face_region r;
-  for (unsigned k = 0; k < 3; ++k)
-    if (c.emanating[k] > 0) r.fan_corner = k;
+  r.fan_corner = c.fan_corner();
   for (unsigned k = 0; k < 3; ++k) {
     const auto about_corner = [&](Normal_coordinate i) {
       return side(Curve_crossing{sides[k], i});
@@ -130,9 +127,7 @@ inline bool has_region(const Corner_coordinates& c, const std::array<Normal_coor
                        bool is_on_curve) {
   Face_region middle;
   middle.cutting = c.cutting;
-  for (unsigned k = 0; k < 3; ++k)
-    if (c.emanating[k] > 0) middle.fan_corner = k;
-  const unsigned fan = middle.fan_corner;
+  const unsigned fan = middle.fan_corner = c.fan_corner();
   const auto is = [&](const Face_region& r) { return inserted_normal_coordinates(c, r) == normal; };
   for (unsigned k = 0; k < 3; ++k) { // beyond an arc about corner k, or on one
     if (normal[k] < 0 || normal[k] >= c.cutting[k]) continue;

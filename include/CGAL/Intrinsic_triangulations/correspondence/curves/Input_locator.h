@@ -5,18 +5,17 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INPUT_LOCATOR_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -37,10 +36,8 @@ namespace internal {
 
 /// A point of an intrinsic face, and where it is on the input.
 struct Located {
-  Face_region region;  ///< the region of the face
-  Surface_point point; ///< the point of the input
-  Planar_vector<double>
-      direction; ///< of the halfedge of `point`, in the frame of the intrinsic face
+  Face_region region; ///< the region of the face
+  Mapped_point place; ///< the place on the input
 };
 
 } // namespace internal
@@ -57,12 +54,12 @@ std::uint32_t input_halfedge(const Coordinates& coordinates, const Curve_end& st
 /*!
 \brief returns where a vertex is along an input halfedge that it lies on: 0 at its source, 1 at its
 target.
-\param coordinates the correspondence
+\param coordinates a correspondence that knows the location of inserted vertices
 \param vertex an intrinsic vertex
 \param halfedge an input halfedge, of which a part starts or ends at the vertex
 \param starts whether a part of it starts from the vertex
 */
-template <CurveCoordinates Coordinates>
+template <class Coordinates>
 double parameter_on_halfedge(const Coordinates& coordinates, std::uint32_t vertex,
                              std::uint32_t halfedge, bool starts) {
   if (!coordinates.is_inserted(vertex)) return starts ? 0 : 1;
@@ -87,12 +84,7 @@ Surface_point point_beside_halfedge(const Input& input, std::uint32_t halfedge, 
     x = 1 - x;
     y = -y;
   }
-  const std::uint32_t jk = input.next(halfedge), ki = input.next(jk);
-  const double ij = input.squared_length(halfedge / 2);
-  const double apex_x =
-      (ij + input.squared_length(ki / 2) - input.squared_length(jk / 2)) / (2 * ij);
-  const double apex_y = input.quadruple_area(input.face(halfedge)) / (2 * ij);
-  return {halfedge, weights_above_side({x, y}, {apex_x, apex_y})};
+  return {halfedge, weights_above_side({x, y}, apex_above_side(input, halfedge))};
 }
 
 /*!
@@ -105,6 +97,16 @@ Surface_point seen_from(const Input& input, const Surface_point& p, std::uint32_
   if (p.halfedge == base) return p;
   if (p.halfedge == input.next(base)) return {base, {w[2], w[0], w[1]}};
   return {base, {w[1], w[2], w[0]}};
+}
+
+/// returns the vector from a point of the input to another one of the same face, in the frame of the first.
+template <class Input>
+Planar_vector<double> vector_between(const Input& input, const Surface_point& from,
+                                     const Surface_point& to) {
+  const Geodesic_face face(input, from.halfedge);
+  const Planar_vector<double> a = face.to_corner(from.weights, 0),
+                              b = face.to_corner(seen_from(input, to, from.halfedge).weights, 0);
+  return {a[0] - b[0], a[1] - b[1]};
 }
 
 /*!
@@ -176,10 +178,9 @@ public:
         weights_(weights), corners_(corner_coordinates(view_, coordinates, h)) {}
 
   Located locate() const {
-    Located l;
-    l.region = find_region(corners_, sides_, [this](const Curve_crossing& c) { return side(c); });
-    locate_in_region(l);
-    return l;
+    const Face_region r =
+        find_region(corners_, sides_, [this](const Curve_crossing& c) { return side(c); });
+    return {r, place_in_region(r)};
   }
 
 private:
@@ -188,18 +189,6 @@ private:
     double x, y;            // of the point, in units of the halfedge
     Plane_point<double> direction;
   };
-
-  double height_over(const Curve_strip& strip, double& along, Plane_point<double>& d) const {
-    metric_.sharpen(strip.faces());
-    const std::vector<Plane_point<double>> points = strip.unfold_approximately(view_);
-    const Plane_point<double> u = points[strip.first()];
-    d = points[strip.last()] - u;
-    const Plane_point<double> p{weights_[1] + weights_[2] * points[2].x - u.x,
-                                weights_[2] * points[2].y - u.y};
-    const double squared = d.x * d.x + d.y * d.y;
-    along = (d.x * p.x + d.y * p.y) / squared;
-    return (d.x * p.y - d.y * p.x) / squared;
-  }
 
   // With inexact arithmetic no point counts as one on a curve.
   Sign side(const Curve_crossing& c) const {
@@ -211,71 +200,64 @@ private:
   // the point beside the input halfedge along which a curve leaves the face
   Placed_curve place(const Curve_crossing& c) const {
     const Curve_strip strip(view_, coordinates_, sides_, c);
-    Placed_curve p{};
-    double along = 0;
-    const double height = height_over(strip, along, p.direction);
-    p.halfedge = input_halfedge(coordinates_, strip.start());
+    metric_.sharpen(strip.faces());
+    const std::vector<Plane_point<double>> points = strip.unfold_approximately(view_);
+    const Plane_point<double> u = points[strip.first()], d = points[strip.last()] - u;
+    const Plane_point<double> p{weights_[1] + weights_[2] * points[2].x - u.x,
+                                weights_[2] * points[2].y - u.y};
+    const double squared = dot(d, d);
+    const std::uint32_t h = input_halfedge(coordinates_, strip.start());
     const double from =
-        parameter_on_halfedge(coordinates_, view_.source(strip.start().halfedge), p.halfedge, true);
+        parameter_on_halfedge(coordinates_, view_.source(strip.start().halfedge), h, true);
     const double to =
-        parameter_on_halfedge(coordinates_, view_.source(strip.end().halfedge), p.halfedge, false);
-    p.x = from + along * (to - from);
-    p.y = height * (to - from);
-    return p;
+        parameter_on_halfedge(coordinates_, view_.source(strip.end().halfedge), h, false);
+    return {h, from + dot(d, p) / squared * (to - from), cross(d, p) / squared * (to - from), d};
   }
 
-  void beside(const Curve_crossing& c, bool on_left, Located& l) const {
+  Mapped_point beside(const Curve_crossing& c, bool on_left) const {
     Placed_curve p = place(c);
     if (on_left != (p.y > 0)) p.y = on_left ? 0.0 : -0.0;
-    l.point = on_left ? point_beside_halfedge(coordinates_.input(), p.halfedge, p.x, p.y)
-                      : point_beside_halfedge(coordinates_.input(), p.halfedge ^ 1U, 1 - p.x, -p.y);
-    set_direction(p, l);
+    const auto& input = coordinates_.input();
+    return directed(p, on_left ? point_beside_halfedge(input, p.halfedge, p.x, p.y)
+                               : point_beside_halfedge(input, p.halfedge ^ 1U, 1 - p.x, -p.y));
   }
 
-  static void set_direction(const Placed_curve& p, Located& l) {
+  // the direction is that of the halfedge of the point, which runs along the curve or back
+  static Mapped_point directed(const Placed_curve& p, const Surface_point& point) {
     const double length = std::hypot(p.direction.x, p.direction.y);
-    const double scale = (l.point.halfedge == p.halfedge ? 1 : -1) / (length > 0 ? length : 1);
-    l.direction = {scale * p.direction.x, scale * p.direction.y};
+    const double scale = (point.halfedge == p.halfedge ? 1 : -1) / (length > 0 ? length : 1);
+    return {point, {scale * p.direction.x, scale * p.direction.y}, {1, 0}};
   }
 
-  void locate_in_region(Located& l) const {
-    const Face_region& r = l.region;
-    if (r.is_on_curve) return on_curve(l);
+  Mapped_point place_in_region(const Face_region& r) const {
+    if (r.is_on_curve) return on_curve(r);
     for (unsigned k = 0; k < 3; ++k) // beyond an arc, or on the near side of one
-      if (r.cutting[k] < corners_.cutting[k]) return beside({sides_[k], r.cutting[k]}, false, l);
+      if (r.cutting[k] < corners_.cutting[k]) return beside({sides_[k], r.cutting[k]}, false);
     if (r.fan_corner < 3) {
       const std::uint32_t side = sides_[(r.fan_corner + 1) % 3];
       const Normal_coordinate first = corners_.cutting[(r.fan_corner + 1) % 3];
-      return r.right_of_fan > 0 ? beside({side, first + r.right_of_fan - 1}, true, l)
-                                : beside({side, first}, false, l);
+      return r.right_of_fan > 0 ? beside({side, first + r.right_of_fan - 1}, true)
+                                : beside({side, first}, false);
     }
     for (unsigned k = 0; k < 3; ++k)
-      if (r.cutting[k] > 0) return beside({sides_[k], r.cutting[k] - 1}, true, l);
-    between_corners(l);
+      if (r.cutting[k] > 0) return beside({sides_[k], r.cutting[k] - 1}, true);
+    return between_corners();
   }
 
   // in a face that no curve enters: the first side's direction on the input is turned back
-  void between_corners(Located& l) const {
-    l.point = point_between_corners(coordinates_, sides_, sources(), weights_);
-    const Geodesic_face face(coordinates_.input(), l.point.halfedge);
-    const auto corner = [&](unsigned k) {
-      return face.to_corner(seen_from(coordinates_.input(),
-                                      corner_on_input(coordinates_, sides_[k], sources()[k]),
-                                      l.point.halfedge)
-                                .weights,
-                            0);
-    };
-    const Planar_vector<double> from = corner(0), to = corner(1); // both to the origin
-    const double x = from[0] - to[0], y = from[1] - to[1], length = std::hypot(x, y);
-    l.direction = {length > 0 ? x / length : 1, length > 0 ? -y / length : 0};
+  Mapped_point between_corners() const {
+    const std::array<std::uint32_t, 3> v{view_.source(sides_[0]), view_.source(sides_[1]),
+                                         view_.source(sides_[2])};
+    const auto [x, y] =
+        vector_between(coordinates_.input(), corner_on_input(coordinates_, sides_[0], v[0]),
+                       corner_on_input(coordinates_, sides_[1], v[1]));
+    const double length = std::hypot(x, y);
+    return {point_between_corners(coordinates_, sides_, v, weights_),
+            {length > 0 ? x / length : 1, length > 0 ? -y / length : 0},
+            {1, 0}};
   }
 
-  std::array<std::uint32_t, 3> sources() const {
-    return {view_.source(sides_[0]), view_.source(sides_[1]), view_.source(sides_[2])};
-  }
-
-  void on_curve(Located& l) const {
-    const Face_region& r = l.region;
+  Mapped_point on_curve(const Face_region& r) const {
     const unsigned k = r.corner;
     const bool in_fan = k == r.fan_corner;
     const Curve_crossing c =
@@ -283,8 +265,7 @@ private:
                : Curve_crossing{sides_[k], r.cutting[k]};
     const Placed_curve p = place(c);
     const double x = std::clamp(p.x, 0.0, 1.0);
-    l.point = {p.halfedge, {1 - x, x, 0}};
-    set_direction(p, l);
+    return directed(p, {p.halfedge, {1 - x, x, 0}});
   }
 
   const typename Triangulation::Metric& metric_;

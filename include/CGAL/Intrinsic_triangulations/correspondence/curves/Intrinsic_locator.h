@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 /*!
@@ -93,7 +92,7 @@ struct Placed_face {
 /// returns twice the signed area of a triangle
 inline double orientation(const Plane_point<double>& a, const Plane_point<double>& b,
                           const Plane_point<double>& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return cross(b - a, c - a);
 }
 
 /// A point of an intrinsic face, and the direction of its halfedge in the frame that the walk began with.
@@ -112,11 +111,7 @@ public:
 
   /// places the face of a halfedge on the left of a segment.
   Placed_face place(std::uint32_t h, const Point& source, const Point& target) const {
-    const std::uint32_t jk = view_.next(h), ki = view_.next(jk);
-    const double ij = view_.squared_length(h / 2);
-    const Point turn{(ij + view_.squared_length(ki / 2) - view_.squared_length(jk / 2)) / (2 * ij),
-                     view_.quadruple_area(view_.face(h)) / (2 * ij)};
-    return {h, source, target, source + (target - source) * turn};
+    return {h, source, target, source + (target - source) * apex_above_side(view_, h)};
   }
 
   /// walks straight from a point of a face to another point, and returns the latter's face.
@@ -179,35 +174,30 @@ public:
   Intrinsic_locator(const Triangulation& t, const Coordinates& coordinates)
       : view_(t), coordinates_(coordinates), walk_(view_) {}
 
-  /// finds a point of the input; `base` becomes the side of its face in whose frame the direction is.
-  std::optional<Walked> locate(const Surface_point& p, std::uint32_t& base) const {
+  /// finds a point of the input.
+  std::optional<Mapped_point> locate(const Surface_point& p) const {
     // from the longest side on which the perpendicular through the point stands
     const auto& input = coordinates_.input();
-    std::array<std::uint32_t, 3> sides = sides_of_face(input, p.halfedge);
-    std::sort(sides.begin(), sides.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return input.squared_length(a / 2) > input.squared_length(b / 2);
+    const Geodesic_face face(input, p.halfedge);
+    std::array<unsigned, 3> sides{0, 1, 2};
+    std::sort(sides.begin(), sides.end(), [&](unsigned a, unsigned b) {
+      return input.squared_length(face.side[a] / 2) > input.squared_length(face.side[b] / 2);
     });
-    for (const std::uint32_t x : sides) {
-      base = x;
-      if (const std::optional<Walked> q = locate_from(x, seen_from(input, p, x))) return q;
-    }
+    for (const unsigned k : sides)
+      if (const auto q = locate_from(face.side[k], seen_from(input, p, face.side[k]))) {
+        const double length = std::hypot(q->direction.x, q->direction.y);
+        return Mapped_point{
+            q->point,
+            face.from_relative_to(k, {1, 0}), // the side, and the same seen from there
+            {q->direction.x / length, -q->direction.y / length}};
+      }
     return std::nullopt;
   }
 
 private:
-  // where a point is above an input halfedge, in units of its length
-  Point above(const Surface_point& p) const {
-    const auto& input = coordinates_.input();
-    const double ij = input.squared_length(p.halfedge / 2);
-    const std::uint32_t jk = input.next(p.halfedge), ki = input.next(jk);
-    const double apex_x =
-        (ij + input.squared_length(ki / 2) - input.squared_length(jk / 2)) / (2 * ij);
-    const double apex_y = input.quadruple_area(input.face(p.halfedge)) / (2 * ij);
-    return {p.weights[1] + p.weights[2] * apex_x, p.weights[2] * apex_y};
-  }
-
   std::optional<Walked> locate_from(std::uint32_t x, const Surface_point& p) const {
-    const Point point = above(p);
+    const Point apex = apex_above_side(coordinates_.input(), x);
+    const Point point{p.weights[1] + p.weights[2] * apex.x, p.weights[2] * apex.y};
     std::uint32_t vertex = coordinates_.input().source(x);
     double from = 0;
     for (;;) { // over the parts of the input edge
@@ -243,7 +233,7 @@ private:
   Walked beside_strip(const Curve_end& start, const Curve_strip& strip, const Point& p) const {
     std::vector<Point> points = strip.unfold_approximately(view_);
     const Point u = points[strip.first()], d = points[strip.last()] - u;
-    const double squared = d.x * d.x + d.y * d.y;
+    const double squared = dot(d, d);
     const Point inverse{d.x / squared, -d.y / squared};
     for (Point& q : points) q = (q - u) * inverse;
     const Point from{foot(p), 0};

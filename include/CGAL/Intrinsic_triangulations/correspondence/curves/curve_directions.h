@@ -81,11 +81,8 @@ double angle_at_inserted_vertex(const Triangulation& t, const Coordinates& coord
   const Surface_point end = corner_on_input(coordinates, h ^ 1U, view.target(h));
   std::vector<std::uint32_t> entered = entered_on(t, coordinates, h / 2);
   if (entered.empty()) {
-    const Geodesic_face face(input, start.halfedge);
-    const Planar_vector<double> from = face.to_corner(start.weights, 0),
-                                to = face.to_corner(seen_from(input, end, start.halfedge).weights,
-                                                    0);
-    return std::atan2(from[1] - to[1], from[0] - to[0]);
+    const Planar_vector<double> v = vector_between(input, start, end);
+    return std::atan2(v[1], v[0]);
   }
   if (h % 2 != 0) {
     std::reverse(entered.begin(), entered.end());

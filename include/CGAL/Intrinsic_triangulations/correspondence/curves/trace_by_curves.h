@@ -10,8 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -4,12 +4,54 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_WEIGHTS_ABOVE_SIDE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_WEIGHTS_ABOVE_SIDE_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+
+/*!
+\file
+Points in the plane, and in a triangle that stands on a side from 0 to 1.
+*/
 
 namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a point in the plane, in any number type.
+\tparam FT a model of `Field`
+*/
+template <class FT>
+struct Plane_point {
+  FT x; ///< first coordinate
+  FT y; ///< second coordinate
+
+  friend Plane_point operator+(const Plane_point& a, const Plane_point& b) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  friend Plane_point operator-(const Plane_point& a, const Plane_point& b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+  /// product of complex numbers: turns and stretches
+  friend Plane_point operator*(const Plane_point& a, const Plane_point& b) {
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+  }
+  /// inner product of vectors
+  friend FT dot(const Plane_point& a, const Plane_point& b) { return a.x * b.x + a.y * b.y; }
+  /// positive if `b` is to the left of `a`
+  friend FT cross(const Plane_point& a, const Plane_point& b) { return a.x * b.y - a.y * b.x; }
+};
+
+/*!
+\brief returns where the third corner of the face of `h` is if the ends of `h` are at 0 and 1.
+\tparam Complex a model of `NumberedComplex`
+\pre `h` has a face, and a length
+*/
+template <class Complex>
+Plane_point<double> apex_above_side(const Complex& complex, std::uint32_t h) {
+  const auto [ij, jk, ki] = squared_lengths_of_face(complex, h);
+  return {(ij + ki - jk) / (2 * ij), complex.quadruple_area(complex.face(h)) / (2 * ij)};
+}
 
 /*!
 \brief computes the barycentric coordinates of a point in a triangle with corners 0, 1 and `apex`.

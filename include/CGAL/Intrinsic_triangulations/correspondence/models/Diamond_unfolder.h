@@ -5,8 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_DIAMOND_UNFOLDER_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Crossing_path.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
@@ -68,26 +67,18 @@ public:
   template <class View>
   const Unfolded_diamond& operator()(const View& view, const Integer_coordinates& coordinates,
                                      std::uint32_t h) {
-    coordinates_ = &coordinates;
-    const std::uint32_t ki = last(view, h), o = h ^ 1U;
-    left_ = corner_coordinates(view, coordinates, h);
-    const bool has_right = !view.is_border(o);
-    right_ = has_right ? corner_coordinates(view, coordinates, o) : Corner_coordinates{};
-    cross_edge(view, h);
-    for (Developed_corner& c : corners_) c.path.clear();
-    corners_[0].side = corner(view, h, true);
-    for (const std::uint32_t x : crossed_) append(corners_[1].path, entering(x));
-    corners_[1].side = corner(view, o, false);
-    reach_left(view, h, ki);
-    if (has_right)
+    reach_ends(view, coordinates, h);
+    reach_left(view, h, last(view, h));
+    if (!view.is_border(h ^ 1U)) {
+      right_ = corner_coordinates(view, coordinates, h ^ 1U);
       reach_right(view, h);
-    else
+    } else {
       corners_[3].side = corners_[0].side;
+    }
     for (Developed_corner& c : corners_) c.trim();
     while (internal::move_base(corners_)) {
     }
-    unfolder_(corners_, [this](std::uint32_t node) { return insertion(node); });
-    return unfolder_.result();
+    return unfold();
   }
 
   /*!
@@ -100,17 +91,10 @@ public:
   template <class View>
   const Unfolded_diamond& strip(const View& view, const Integer_coordinates& coordinates,
                                 std::uint32_t h) {
-    coordinates_ = &coordinates;
-    left_ = corner_coordinates(view, coordinates, h);
-    cross_edge(view, h);
-    for (Developed_corner& c : corners_) c.path.clear();
-    corners_[0].side = corner(view, h, true);
-    for (const std::uint32_t x : crossed_) append(corners_[1].path, entering(x));
-    corners_[1].side = corner(view, h ^ 1U, false);
+    reach_ends(view, coordinates, h);
     corners_[2] = corners_[0];
     corners_[3] = corners_[1];
-    unfolder_(corners_, [this](std::uint32_t node) { return insertion(node); });
-    return unfolder_.result();
+    return unfold();
   }
 
 private:
@@ -171,6 +155,23 @@ private:
     }
     const Side s = side(h);
     return {s.face, {{{{}, s}, {{}, next_side(s)}, {{}, last_side(s)}}}, weights};
+  }
+
+  const Unfolded_diamond& unfold() {
+    unfolder_(corners_, [this](std::uint32_t node) { return insertion(node); });
+    return unfolder_.result();
+  }
+
+  // finds i and j: from i, crosses the curves that cross ij
+  template <class View>
+  void reach_ends(const View& view, const Integer_coordinates& coordinates, std::uint32_t h) {
+    coordinates_ = &coordinates;
+    left_ = corner_coordinates(view, coordinates, h);
+    cross_edge(view, h);
+    for (Developed_corner& c : corners_) c.path.clear();
+    corners_[0].side = corner(view, h, true);
+    for (const std::uint32_t x : crossed_) append(corners_[1].path, entering(x));
+    corners_[1].side = corner(view, h ^ 1U, false);
   }
 
   // finds the curves that cross ij, as the input halfedges over which faces are entered

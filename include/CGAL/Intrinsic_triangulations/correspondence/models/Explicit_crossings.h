@@ -5,19 +5,12 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_CROSSINGS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_crossing_lists.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_curve_order.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/explicit_edge_lists.h>
-#include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
-
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -25,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -56,7 +48,7 @@ without following curves; see `trace_edge()`.
 
 \cgalModels{CurveCoordinates}
 */
-class Explicit_crossings {
+class Explicit_crossings : public Integer_coordinates {
 public:
   /// What the representation is called by programs.
   static constexpr const char* name = "crossings";
@@ -65,28 +57,8 @@ public:
   /// \complexity linear
   template <class Triangulation>
   void start(const Triangulation& t) {
-    integers_.start(t);
-    lists_ = internal::Crossing_lists(integers_.number_of_edges());
-  }
-
-  /// returns the input.
-  const Input& input() const { return integers_.input(); }
-  /// returns the curves at the vertices.
-  const Vertex_fans& fans() const { return integers_.fans(); }
-  /// returns the bound of the numbers of intrinsic edges.
-  std::uint32_t number_of_edges() const { return integers_.number_of_edges(); }
-  /// returns the number of crossings of an intrinsic edge, or -1 if it runs along an input edge.
-  Normal_coordinate normal_coordinate(std::uint32_t edge) const {
-    return integers_.normal_coordinate(edge);
-  }
-  /// returns the slot of the first curve counterclockwise from an intrinsic halfedge, itself included;
-  /// none if no curve starts from its source.
-  std::uint32_t roundabout(std::uint32_t halfedge) const { return integers_.roundabout(halfedge); }
-  /// tells whether a vertex was inserted.
-  bool is_inserted(std::uint32_t vertex) const { return integers_.is_inserted(vertex); }
-  /// returns where an inserted vertex is on the input, see `Integer_coordinates`.
-  const Surface_point& location(std::uint32_t inserted_vertex) const {
-    return integers_.location(inserted_vertex);
+    Integer_coordinates::start(t);
+    lists_ = internal::Crossing_lists(number_of_edges());
   }
 
   /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
@@ -110,80 +82,67 @@ public:
     const internal::Quad_sides q{{move.ij, move.jk, move.ki}, {move.ij ^ 1U, move.im, move.mj}};
     const Normals left = normals(q.left), right = normals(q.right);
     const Corner_coordinates f = corner_coordinates(left), g = corner_coordinates(right);
-    if (!integers_.before_flip(move, f, g)) return false;
+    if (!before_flip(move, f, g)) return false;
     std::vector<std::uint32_t>& list = announced_[0];
     list.clear();
     internal::find_crossings_of_flipped_edge(q, left, right, f, g, Appender{*this, list},
                                              [&] { list.push_back(along(move.ij ^ 1U)); });
     return true;
   }
-
   /// follows a flip.
   template <class Triangulation>
   void after(const Triangulation& t, const Flip& move) {
-    integers_.after(t, move);
+    Integer_coordinates::after(t, move);
     store(move.ij, announced_[0]);
   }
 
-  /// announces the insertion of a vertex in a face.
-  /// \return true
+  /// announces the insertion of a vertex in a face. \return true
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_in_face& move) {
-    if (!integers_.before(t, move)) return false;
+    Integer_coordinates::before(t, move);
     find_spokes(move.sides);
     return true;
   }
-
   /// follows the insertion of a vertex in a face.
   template <class Triangulation>
   void after(const Triangulation& t, const Insertion_in_face& move) {
-    integers_.after(t, move);
+    Integer_coordinates::after(t, move);
     lists_.grow(number_of_edges());
     for (std::size_t k = 0; k < 3; ++k) store(move.spokes[k], announced_[k]);
   }
 
-  /// announces the insertion of a vertex on the border.
-  /// \return true
+  /// announces the insertion of a vertex on the border. \return true
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_on_border& move) {
-    if (!integers_.before(t, move)) return false;
+    Integer_coordinates::before(t, move);
     find_spokes({move.ip, move.jk, move.ki});
     return true;
   }
-
   /// follows the insertion of a vertex on the border.
   template <class Triangulation>
   void after(const Triangulation& t, const Insertion_on_border& move) {
-    integers_.after(t, move);
+    Integer_coordinates::after(t, move);
     lists_.grow(number_of_edges()); // parts of the border edge are crossed by nothing
     store(move.pk ^ 1U, announced_[2]);
   }
 
-  /// announces the removal of a vertex of degree three.
-  /// \return see `Integer_coordinates`
+  /// announces the removal of a vertex of degree three. \return see `Integer_coordinates`
   template <class Triangulation>
   bool before(const Triangulation& t, const Removal_from_face& move) {
-    if (!integers_.before(t, move)) return false;
+    if (!Integer_coordinates::before(t, move)) return false;
     for (const std::uint32_t s : move.spokes) lists_.clear(s / 2);
     return true;
   }
-
-  /// announces the removal of a vertex from the border.
-  /// \return see `Integer_coordinates`
+  /// announces the removal of a vertex from the border. \return see `Integer_coordinates`
   template <class Triangulation>
   bool before(const Triangulation& t, const Removal_from_border& move) {
-    if (!integers_.before(t, move)) return false;
+    if (!Integer_coordinates::before(t, move)) return false;
     lists_.clear(move.pk / 2);
     return true;
   }
-
-  /// has followed a removal when it was announced.
-  template <class Triangulation, class Removal>
-  void after(const Triangulation&, const Removal&) {}
+  using Integer_coordinates::after; // of removals
 
 private:
-  using Normals = std::array<Normal_coordinate, 3>;
-
   // Appends input halfedges entered by a halfedge to a list.
   struct Appender {
     const Explicit_crossings& from;
@@ -201,17 +160,12 @@ private:
     }
   };
 
-  Normals normals(const std::array<std::uint32_t, 3>& sides) const {
-    return {normal_coordinate(sides[0] / 2), normal_coordinate(sides[1] / 2),
-            normal_coordinate(sides[2] / 2)};
-  }
-
   void find_spokes(const std::array<std::uint32_t, 3>& sides) {
     const Normals n = normals(sides);
     const Corner_coordinates c = corner_coordinates(n);
     for (unsigned k = 0; k < 3; ++k) {
       announced_[k].clear();
-      internal::find_crossings_of_spoke(k, sides, n, c, integers_.region_of_insertion(),
+      internal::find_crossings_of_spoke(k, sides, n, c, region_of_insertion(),
                                         Appender{*this, announced_[k]});
     }
   }
@@ -227,40 +181,10 @@ private:
     lists_.assign(h / 2, list);
   }
 
-  Integer_coordinates integers_;
   internal::Crossing_lists lists_;
   // lists of new edges of the move that has been announced
   std::array<std::vector<std::uint32_t>, 3> announced_;
 };
-
-/*!
-\brief lists for every intrinsic edge the input edges that it crosses, and for every input edge the
-crossings along it: the lists are there, and only the order along curves is to be found.
-\param t the triangulation
-\param coordinates its crossings
-\throws std::length_error if there are more than 2^31 crossings
-\complexity linear in the number of edges and crossings
-*/
-template <class Triangulation>
-Edge_crossings edge_crossings(const Triangulation& t, const Explicit_crossings& coordinates) {
-  Edge_crossings result;
-  std::size_t count = 0;
-  result.begin.reserve(coordinates.number_of_edges() + std::size_t{1});
-  for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e) {
-    result.begin.push_back(static_cast<std::uint32_t>(count));
-    count += coordinates.entered_on(e).size();
-    if (count >> 31U != 0)
-      throw std::length_error("input and intrinsic edges cross more than 2^31 times");
-  }
-  result.begin.push_back(static_cast<std::uint32_t>(count));
-  result.entered.reserve(count);
-  for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e) {
-    const std::span<const std::uint32_t> list = coordinates.entered_on(e);
-    result.entered.insert(result.entered.end(), list.begin(), list.end());
-  }
-  internal::order_crossings_on_curves(t, coordinates, result);
-  return result;
-}
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -60,13 +60,7 @@ public:
   /// \complexity linear
   template <class Triangulation>
   void start(const Triangulation& t) {
-    start(t.shared_input());
-  }
-
-  /// starts from an input that is given: every edge runs along itself.
-  /// \complexity linear
-  void start(std::shared_ptr<const Input> input) {
-    input_ = std::move(input);
+    input_ = t.shared_input();
     fans_ = Vertex_fans(*input_);
     normal_.assign(input_->number_of_halfedges() / 2, -1);
     roundabout_.resize(input_->number_of_halfedges());
@@ -100,12 +94,6 @@ public:
     return before_flip(move, corner_coordinates(normals({move.ij, move.jk, move.ki})),
                        corner_coordinates(normals({move.ij, move.im, move.mj})));
   }
-  /// announces a flip of which is known how curves run in the two faces, see
-  /// `flipped_normal_coordinate()`.
-  bool before_flip(const Flip& move, const Corner_coordinates& f, const Corner_coordinates& g) {
-    flipped_ = flipped_normal_coordinate(normal_[move.ij / 2], f, g);
-    return flipped_ <= maximal_normal_coordinate;
-  }
 
   /// returns the normal coordinate of the edge that the flip which was announced last makes.
   Normal_coordinate flipped_coordinate() const { return flipped_; }
@@ -118,16 +106,12 @@ public:
     update_roundabout(move.ij ^ 1U, move.mj, move.jk);
   }
 
-  /// announces the insertion of a vertex in a face.
-  /// \return true
+  /// announces the insertion of a vertex in a face. \return true
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_in_face& move) {
     announce_insertion(t, move.sides, move.weights);
     return true;
   }
-
-  /// returns the region of the face into which the insertion that was announced last puts the vertex.
-  const Face_region& region_of_insertion() const { return insertion_.region; }
 
   /// follows the insertion of a vertex in a face.
   template <class Triangulation>
@@ -146,8 +130,7 @@ public:
       start_curves_in_face(to);
   }
 
-  /// announces the insertion of a vertex on the border.
-  /// \return true
+  /// announces the insertion of a vertex on the border. \return true
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_on_border& move) {
     announce_insertion(t, {move.ip, move.jk, move.ki}, {1 - move.parameter, move.parameter, 0});
@@ -190,11 +173,10 @@ public:
     return true;
   }
 
-  /// announces the removal of a vertex from the border.
-  /// \return as for a removal from a face
+  /// announces the removal of a vertex from the border. \return as for a removal from a face
   template <class Triangulation>
   bool before(const Triangulation&, const Removal_from_border& move) {
-    const std::array<Normal_coordinate, 3> sides{0, normal_[move.jk / 2], normal_[move.ki / 2]};
+    const Normals sides{0, normal_[move.jk / 2], normal_[move.ki / 2]};
     if (!can_do_without(sides, {-1, -1, normal_[move.pk / 2]}, true)) return false;
     fans_.remove_fan(roundabout_[move.pj]);
     roundabout_[move.ip ^ 1U] = roundabout_[move.pj ^ 1U];
@@ -206,19 +188,30 @@ public:
   template <class Triangulation, class Removal>
   void after(const Triangulation&, const Removal&) {}
 
+protected:
+  /// \cond
+  using Normals = std::array<Normal_coordinate, 3>;
+
+  Normals normals(const std::array<std::uint32_t, 3>& sides) const {
+    return {normal_[sides[0] / 2], normal_[sides[1] / 2], normal_[sides[2] / 2]};
+  }
+  // announces a flip of which is known how curves run in the two faces
+  bool before_flip(const Flip& move, const Corner_coordinates& f, const Corner_coordinates& g) {
+    flipped_ = flipped_normal_coordinate(normal_[move.ij / 2], f, g);
+    return flipped_ <= maximal_normal_coordinate;
+  }
+  // the region of the face into which the insertion that was announced last puts the vertex
+  const Face_region& region_of_insertion() const { return insertion_.region; }
+  /// \endcond
+
 private:
   struct Insertion {
-    std::array<std::uint32_t, 3> sides;
     bool along_side = false; // on the first one, which runs along an input edge
     Face_region region;
     Surface_point location;
-    std::array<Normal_coordinate, 3> normal;
+    Normals normal;
     std::array<std::uint32_t, 3> roundabout;
   };
-
-  std::array<Normal_coordinate, 3> normals(const std::array<std::uint32_t, 3>& sides) const {
-    return {normal_[sides[0] / 2], normal_[sides[1] / 2], normal_[sides[2] / 2]};
-  }
 
   template <class Triangulation>
   void announce_insertion(const Triangulation& t, const std::array<std::uint32_t, 3>& sides,
@@ -228,22 +221,21 @@ private:
     const Corner_coordinates corners = corner_coordinates(normals(sides));
     Insertion& n = insertion_;
     n = {};
-    n.sides = sides;
     n.along_side = weights[2] == 0 && normal_[h / 2] < 0;
     if (n.along_side) {
       n.location = location_on_side(view, *this, h, weights[1]);
       n.region.cutting = corners.cutting;
       n.region.right_of_fan = corners.emanating[1];
-      for (unsigned k = 0; k < 2; ++k)
-        if (corners.emanating[k] > 0) n.region.fan_corner = k;
+      n.region.fan_corner = corners.fan_corner();
     } else {
       const internal::Located l = internal::locate_by_curves(t, *this, h, weights);
       n.region = l.region;
-      n.location = l.point;
+      n.location = l.place.point;
     }
     n.normal = inserted_normal_coordinates(corners, n.region);
     if (n.along_side) n.normal[0] = n.normal[1] = -1;
-    for (unsigned k = 0; k < 3; ++k) n.roundabout[k] = outgoing_roundabout(n, k);
+    for (unsigned k = 0; k < 3; ++k)
+      n.roundabout[k] = turned(sides[k], n.region.fan_corner == k ? n.region.right_of_fan : 0);
   }
 
   // The roundabout of an edge between the first side of a corner and the last: that of the first,
@@ -262,10 +254,6 @@ private:
     roundabout_[h] = turned(before, std::max(0, emanating));
   }
 
-  std::uint32_t outgoing_roundabout(const Insertion& n, unsigned k) const {
-    return turned(n.sides[k], n.region.fan_corner == k ? n.region.right_of_fan : 0);
-  }
-
   void grow(std::uint32_t halfedge) {
     const std::size_t edges = halfedge / 2 + 1;
     if (edges <= normal_.size()) return;
@@ -280,8 +268,7 @@ private:
   }
 
   // Whether a vertex of degree three is in a region of the face around it, or on a curve along a side.
-  static bool can_do_without(std::array<Normal_coordinate, 3> sides,
-                             std::array<Normal_coordinate, 3> to, bool is_on_curve) {
+  static bool can_do_without(Normals sides, const Normals& to, bool is_on_curve) {
     for (unsigned k = 0; k < 3; ++k) {
       const unsigned next = (k + 1) % 3, last = (k + 2) % 3;
       if (to[k] >= 0 || to[next] >= 0) continue;
@@ -295,8 +282,7 @@ private:
     return is_even_or_fan(sides, c) && has_region(c, to, is_on_curve);
   }
   // Curves that start from no corner meet two sides each.
-  static bool is_even_or_fan(const std::array<Normal_coordinate, 3>& sides,
-                             const Corner_coordinates& c) {
+  static bool is_even_or_fan(const Normals& sides, const Corner_coordinates& c) {
     const Normal_coordinate sum = crossings(sides[0]) + crossings(sides[1]) + crossings(sides[2]);
     return sum % 2 == 0 || c.emanating[0] + c.emanating[1] + c.emanating[2] > 0;
   }

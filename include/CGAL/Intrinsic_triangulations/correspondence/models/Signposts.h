@@ -6,9 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_location.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/trace_signpost.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -145,11 +146,13 @@ public:
   bool before(const Triangulation& t, const Insertion_in_face& move) {
     const std::uint32_t h = move.sides[0];
     const Intrinsic_view<Triangulation> view(t);
-    if (move.weights[2] != 0 || !place_on_edge(t, h, move.weights[1]))
-      inserted_ = internal::find_on_input(t, *this, {h, move.weights});
-    if (!inserted_.is_found) return false;
+    std::optional<Mapped_point> p;
+    if (move.weights[2] == 0) p = place_on_edge(view, h, move.weights[1]);
+    if (!p) p = internal::find_on_input(t, *this, {h, move.weights});
+    if (!p) return false;
+    inserted_ = p->point;
     const Planar_vector<double> to_source =
-        inserted_.transfer(Geodesic_face(view, h).to_corner(move.weights, 0));
+        p->transfer(Geodesic_face(view, h).to_corner(move.weights, 0));
     inserted_angle_ = std::atan2(to_source[1], to_source[0]);
     return true;
   }
@@ -175,9 +178,7 @@ public:
     const std::uint32_t g = is_inserted(i)
                                 ? location(i).halfedge
                                 : frames_->halfedge(frames_->fan(signpost_[move.ip].fan).begin);
-    const double from = is_inserted(i) ? location(i).weights[1] : 0;
-    const double to = is_inserted(j) ? location(j).weights[1] : 1;
-    place(g, from + move.parameter * (to - from));
+    inserted_ = point_between(g, i, j, move.parameter);
     return true;
   }
 
@@ -279,33 +280,28 @@ private:
   std::uint32_t add_location(std::uint32_t vertex, bool is_on_border) {
     const std::uint32_t i = vertex - input_->number_of_vertices();
     if (i >= location_.size()) location_.resize(i + std::size_t{1});
-    location_[i] = inserted_.point;
+    location_[i] = inserted_;
     return number_of_fans() + 2 * i + (is_on_border ? 1 : 0);
   }
 
-  // the next vertex will be inserted on an input edge
-  void place(std::uint32_t input_halfedge, double parameter) {
-    inserted_ = {};
-    inserted_.is_found = true;
-    inserted_.point = {input_halfedge, {1 - parameter, parameter, 0}};
+  // the point between two vertices on an input halfedge
+  Surface_point point_between(std::uint32_t h, std::uint32_t source, std::uint32_t target,
+                              double parameter) const {
+    const double from = parameter_on_halfedge(*this, source, h, true),
+                 to = parameter_on_halfedge(*this, target, h, false);
+    const double x = from + parameter * (to - from);
+    return {h, {1 - x, x, 0}};
   }
 
-  // where a vertex is on an input halfedge that an intrinsic edge from or to it runs along
-  double parameter_on(std::uint32_t input_halfedge, std::uint32_t vertex, double otherwise) const {
-    if (!is_inserted(vertex)) return otherwise;
-    const Surface_point& p = location(vertex);
-    return p.halfedge == input_halfedge ? p.weights[1] : p.weights[0];
-  }
-
-  template <class Triangulation>
-  bool place_on_edge(const Triangulation& t, std::uint32_t h, double parameter) {
-    const Intrinsic_view<Triangulation> view(t);
+  // the point of an intrinsic halfedge, if that runs along an input edge
+  template <class View>
+  std::optional<Mapped_point> place_on_edge(const View& view, std::uint32_t h,
+                                            double parameter) const {
     std::vector<Geodesic_crossing> crossings;
-    const std::uint32_t g = internal::trace_signpost(t, *this, h, crossings).along;
-    if (g == Gluing::none) return false;
-    const double from = parameter_on(g, view.source(h), 0), to = parameter_on(g, view.target(h), 1);
-    place(g, from + parameter * (to - from));
-    return true;
+    std::vector<Strip_side> strip;
+    const std::uint32_t g = internal::trace_signpost(view, *this, h, crossings, strip).along;
+    if (g == Gluing::none) return std::nullopt;
+    return Mapped_point{point_between(g, view.source(h), view.target(h), parameter)};
   }
 
   std::shared_ptr<const Input> input_;
@@ -313,7 +309,7 @@ private:
   std::vector<Signpost> signpost_;      // per intrinsic halfedge
   std::vector<std::uint32_t> outgoing_; // per fan of the input: an intrinsic halfedge of it
   std::vector<Surface_point> location_; // per inserted vertex
-  Signpost_location inserted_;          // of the vertex that is being inserted
+  Surface_point inserted_;              // of the vertex that is being inserted
   double inserted_angle_ = 0;           // from it to the source of the halfedge
 };
 

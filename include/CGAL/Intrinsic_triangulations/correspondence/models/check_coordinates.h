@@ -8,9 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Edge_traces.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <algorithm>
@@ -192,10 +191,8 @@ private:
                         b = corner_on_input(coordinates_, h ^ 1U, view_.target(h));
     if (normal(h) == 0) {
       if (input.face(a.halfedge) != input.face(b.halfedge)) return std::nan("");
-      const Geodesic_face face(input, a.halfedge);
-      const Planar_vector<double> from = face.to_corner(a.weights, 0),
-                                  to = face.to_corner(seen_from(input, b, a.halfedge).weights, 0);
-      return std::hypot(from[0] - to[0], from[1] - to[1]);
+      const Planar_vector<double> v = vector_between(input, a, b);
+      return std::hypot(v[0], v[1]);
     }
     entered_.clear();
     for (const Geodesic_crossing& c : traces_[e]) entered_.push_back(c.halfedge ^ 1U);

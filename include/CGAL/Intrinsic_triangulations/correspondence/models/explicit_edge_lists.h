@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_EDGE_LISTS_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 
 #include <algorithm>
 #include <array>

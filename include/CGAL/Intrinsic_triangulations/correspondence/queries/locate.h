@@ -4,22 +4,15 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_location.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
-#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
-#include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <type_traits>
-#include <utility>
 
 /*!
 \file
@@ -30,56 +23,21 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// product of complex numbers: turns and stretches
-inline Planar_vector<double> turned(const Planar_vector<double>& v,
-                                    const Planar_vector<double>& by) {
-  return {v[0] * by[0] - v[1] * by[1], v[0] * by[1] + v[1] * by[0]};
-}
-inline Planar_vector<double> turned_back(const Planar_vector<double>& v,
-                                         const Planar_vector<double>& by) {
-  return turned(v, {by[0], -by[1]});
-}
-
-// A point of the other triangulation, and how vectors turn from the frame of the halfedge that it was given
-// with to that of the halfedge it has there.
-struct Mapped_point {
-  Surface_point point;
-  Planar_vector<double> turn;
-};
-
 template <class Triangulation>
 std::optional<Mapped_point> map_to_input(const Triangulation& t, const Surface_point& p) {
-  const auto& c = t.correspondence();
-  if constexpr (Has_curves<Triangulation>) {
-    const Located l = locate_by_curves(t, c, p.halfedge, p.weights);
-    return Mapped_point{l.point, turned_back({1, 0}, l.direction)};
-  } else {
-    const Signpost_location l = find_on_input(t, c, p);
-    if (!l.is_found) return std::nullopt;
-    return Mapped_point{l.point, turned_back(l.found, l.given)};
-  }
+  if constexpr (Has_curves<Triangulation>)
+    return locate_by_curves(t, t.correspondence(), p.halfedge, p.weights).place;
+  else
+    return find_on_input(t, t.correspondence(), p);
 }
 
 template <class Triangulation>
 std::optional<Mapped_point> map_to_intrinsic(const Triangulation& t, const Surface_point& p) {
-  const auto& c = t.correspondence();
-  if constexpr (Has_curves<Triangulation>) {
-    std::uint32_t base = p.halfedge;
-    const std::optional<Walked> q =
-        Intrinsic_locator<Triangulation, Correspondence_of<Triangulation>>(t, c).locate(p, base);
-    if (!q) return std::nullopt;
-    const Geodesic_face face(c.input(), p.halfedge);
-    unsigned side = 0;
-    while (face.side[side] != base) ++side;
-    const Planar_vector<double> first = face.relative_to(side, {1, 0}); // seen from the base
-    const double length = std::hypot(q->direction.x, q->direction.y);
-    return Mapped_point{q->point,
-                        turned_back(first, {q->direction.x / length, q->direction.y / length})};
-  } else {
-    const Signpost_location l = find_on_intrinsic(t, c, p);
-    if (!l.is_found) return std::nullopt;
-    return Mapped_point{l.point, turned_back(l.found, l.given)};
-  }
+  if constexpr (Has_curves<Triangulation>)
+    return Intrinsic_locator<Triangulation, Correspondence_of<Triangulation>>(t, t.correspondence())
+        .locate(p);
+  else
+    return find_on_intrinsic(t, t.correspondence(), p);
 }
 
 } // namespace internal
@@ -95,7 +53,7 @@ std::optional<Mapped_point> map_to_intrinsic(const Triangulation& t, const Surfa
 */
 template <internal::Queried_triangulation Triangulation>
 std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surface_point& p) {
-  const std::optional<internal::Mapped_point> q = internal::map_to_input(t, p);
+  const std::optional<Mapped_point> q = internal::map_to_input(t, p);
   return q ? std::optional(q->point) : std::nullopt;
 }
 
@@ -110,7 +68,7 @@ std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surfa
 */
 template <internal::Queried_triangulation Triangulation>
 std::optional<Surface_point> locate_on_intrinsic(const Triangulation& t, const Surface_point& p) {
-  const std::optional<internal::Mapped_point> q = internal::map_to_intrinsic(t, p);
+  const std::optional<Mapped_point> q = internal::map_to_intrinsic(t, p);
   return q ? std::optional(q->point) : std::nullopt;
 }
 

@@ -69,9 +69,9 @@ walk_on_intrinsic(const Intrinsic_view<Triangulation>& view, const Triangulation
 // The vector where a walk starts in the direction that it goes.
 template <class Walk>
 Tangent_vector at_start(const Walk& walk, double length, double turn = 0) {
-  const Planar_vector<double> d =
-      turned(walk.direction(), {length * std::cos(turn), length * std::sin(turn)});
-  return {{walk.face().side[0], walk.weights()}, d};
+  const Planar_vector<double>& d = walk.direction();
+  const double c = length * std::cos(turn), s = length * std::sin(turn);
+  return {{walk.face().side[0], walk.weights()}, {d[0] * c - d[1] * s, d[0] * s + d[1] * c}};
 }
 
 } // namespace internal
@@ -91,9 +91,9 @@ template <internal::Queried_triangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tangent_vector& v) {
   const unsigned corner = internal::corner_of(v.point);
   if (corner == 3) {
-    const std::optional<internal::Mapped_point> p = internal::map_to_input(t, v.point);
+    const std::optional<Mapped_point> p = internal::map_to_input(t, v.point);
     if (!p) return std::nullopt;
-    return Tangent_vector{p->point, internal::turned(v.vector, p->turn)};
+    return Tangent_vector{p->point, p->transfer(v.vector)};
   }
   const Geodesic_face face(Intrinsic_view<Triangulation>(t), v.point.halfedge);
   const Planar_vector<double> r = face.relative_to(corner, v.vector);
@@ -118,9 +118,9 @@ std::optional<Tangent_vector> tangent_to_intrinsic(const Triangulation& t,
                                                    const Tangent_vector& v) {
   const unsigned corner = internal::corner_of(v.point);
   if (corner == 3) {
-    const std::optional<internal::Mapped_point> p = internal::map_to_intrinsic(t, v.point);
+    const std::optional<Mapped_point> p = internal::map_to_intrinsic(t, v.point);
     if (!p) return std::nullopt;
-    return Tangent_vector{p->point, internal::turned(v.vector, p->turn)};
+    return Tangent_vector{p->point, p->transfer(v.vector)};
   }
   const Intrinsic_view<Triangulation> view(t);
   const Geodesic_face face(t.correspondence().input(), v.point.halfedge);

@@ -134,8 +134,7 @@ std::array<double, 3> vector_in_space(const Named& named, const Tangent_vector& 
 }
 
 // Takes a vector in the frame of an intrinsic face to space, by the rotation that fits the corners of a face of the
-// common subdivision best: the direction of sum conj(p) q, with places p and q from their means in the frames of its
-// intrinsic and its input face. `points` are its places in space.
+// common subdivision best, in the frames of its intrinsic and its input face. `points` are its places in space.
 template <class View, class Named>
 std::array<double, 3> face_vector_in_space(const View& view, const Named& named, std::uint32_t h,
                                            const Common_subdivision& s, std::size_t f,
@@ -146,22 +145,14 @@ std::array<double, 3> face_vector_in_space(const View& view, const Named& named,
                               b = vector_in_space(named, {{h, {1, 0, 0}}, {0, 1}});
   const std::uint32_t base = view.halfedge_of_face(s.intrinsic_face[f]);
   const Geodesic_face face(view, base);
-  Complex mean_p = 0, mean_q = 0, sum = 0;
-  const std::size_t begin = s.face_begin[f], end = s.face_begin[f + 1];
-  for (const bool is_last : {false, true})
-    for (std::size_t c = begin; c < end; ++c) {
-      const Planar_vector<double> back = face.to_corner(corner_in_face(view, s, base, c), 0);
-      const std::array<double, 3>& x = points[s.corner[c]];
-      const Complex p(-back[0], -back[1]),
-          q(x[0] * a[0] + x[1] * a[1] + x[2] * a[2], x[0] * b[0] + x[1] * b[1] + x[2] * b[2]);
-      if (is_last)
-        sum += std::conj(p - mean_p) * (q - mean_q);
-      else {
-        mean_p += p / static_cast<double>(end - begin);
-        mean_q += q / static_cast<double>(end - begin);
-      }
-    }
-  const Complex w = Complex(v[0], v[1]) * (std::abs(sum) > 0 ? sum / std::abs(sum) : Complex(1));
+  const Complex rotation =
+      fitting_rotation(s.face_begin[f], s.face_begin[f + 1], [&](std::size_t c) {
+        const Planar_vector<double> p = face.position(corner_in_face(view, s, base, c));
+        const std::array<double, 3>& x = points[s.corner[c]];
+        return std::array{Complex(p[0], p[1]), Complex(x[0] * a[0] + x[1] * a[1] + x[2] * a[2],
+                                                       x[0] * b[0] + x[1] * b[1] + x[2] * b[2])};
+      });
+  const Complex w = Complex(v[0], v[1]) * rotation;
   return {w.real() * a[0] + w.imag() * b[0], w.real() * a[1] + w.imag() * b[1],
           w.real() * a[2] + w.imag() * b[2]};
 }

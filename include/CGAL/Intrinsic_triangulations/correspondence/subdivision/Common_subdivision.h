@@ -6,10 +6,13 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -154,7 +157,45 @@ std::array<double, 3> corner_in_face(const View& view, const Common_subdivision&
   return weights;
 }
 
+/// returns the rotation that fits places of corners `begin` to `end` in one frame to those in another best: the
+/// direction of sum conj(p) q, both from their means. `places(c)` returns an array of p and q.
+template <class Places>
+std::complex<double> fitting_rotation(std::size_t begin, std::size_t end, const Places& places) {
+  std::array<std::complex<double>, 2> mean{};
+  std::complex<double> sum = 0;
+  for (const bool is_last : {false, true})
+    for (std::size_t c = begin; c < end; ++c) {
+      const auto [p, q] = places(c);
+      if (is_last)
+        sum += std::conj(p - mean[0]) * (q - mean[1]);
+      else {
+        mean[0] += p / static_cast<double>(end - begin);
+        mean[1] += q / static_cast<double>(end - begin);
+      }
+    }
+  return std::abs(sum) > 0 ? sum / std::abs(sum) : 1;
+}
+
 } // namespace internal
+
+/*!
+\brief returns the vertices of a point of the input, in the numbers that they have for the user.
+
+With `position()` it tells where points that functions such as `locate_on_input()` and
+`trace_geodesic()` return are in space.
+\param t the triangulation
+\param p a point of the input, not of the intrinsic triangulation
+*/
+template <class Triangulation>
+Weighted_vertices weighted_vertices(const Triangulation& t, const Surface_point& p) {
+  const auto user = [&input = t.input()](std::uint32_t v) {
+    return input.names().vertices.user(v);
+  };
+  const auto [i, j, k] = sides_of_face(t.input(), p.halfedge);
+  return {3,
+          {user(t.input().source(i)), user(t.input().source(j)), user(t.input().source(k))},
+          p.weights};
+}
 
 /*!
 \brief computes where a combination of vertices is in space.

@@ -4,16 +4,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_EXTRACT_SUBDIVISION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_EXTRACT_SUBDIVISION_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/weighted_vertices.h>
 
 #include <array>
 #include <cstddef>
@@ -112,9 +109,7 @@ private:
       if (view_.is_border(sides_[k] ^ 1U)) ++s_.number_of_border_edges;
       cut_off_corner(k);
     }
-    unsigned fan = 3;
-    for (unsigned k = 0; k < 3; ++k)
-      if (corners_.emanating[k] > 0) fan = k;
+    const unsigned fan = corners_.fan_corner();
     if (fan == 3)
       add_middle();
     else
@@ -125,8 +120,7 @@ private:
     return static_cast<std::uint32_t>(s_.vertices.size()) +
            crossings_.crossing(sides_[side], position);
   }
-  // crossing number `i` from corner `k` on the side that leaves it, and on the side that comes to it
-  std::uint32_t leaving(unsigned k, Normal_coordinate i) const { return crossing(k, i); }
+  // crossing number `i` from corner `k` on the side that comes to it
   std::uint32_t coming(unsigned k, Normal_coordinate i) const {
     const unsigned side = (k + 2) % 3;
     return crossing(side, coordinates_.normal_coordinate(sides_[side] / 2) - 1 - i);
@@ -155,47 +149,34 @@ private:
   }
 
   void cut_off_corner(unsigned k) {
-    const unsigned before = (k + 2) % 3;
     for (Normal_coordinate i = 0; i < corners_.cutting[k]; ++i) {
       const std::uint32_t entered = crossings_.entered_by(sides_[k], i);
-      if (i == 0) {
-        add_corner_on_side(corner_vertex(k), k);
-      } else {
-        add_corner_before_curve(coming(k, i - 1), before, entered_about(k, i - 1));
-        add_corner_on_side(leaving(k, i - 1), k);
-      }
-      add_corner_before_curve(leaving(k, i), k, entered);
-      add_corner_on_side(coming(k, i), before);
+      add_past_corner(k, i);
+      add_corner_before_curve(crossing(k, i), k, entered);
+      add_corner_on_side(coming(k, i), (k + 2) % 3);
       finish_cell(coordinates_.input().face(entered ^ 1U));
     }
   }
 
-  std::uint32_t entered_about(unsigned k, Normal_coordinate i) const {
-    return crossings_.entered_by(sides_[k], i);
-  }
-
-  // walks past corner `k`, along the last curve that cuts it off if there is one
-  void add_past_corner(unsigned k) {
-    const Normal_coordinate n = corners_.cutting[k];
+  // walks past corner `k`, along the last of `n` curves that cut it off if there is one
+  void add_past_corner(unsigned k, Normal_coordinate n) {
     if (n > 0) {
-      add_corner_before_curve(coming(k, n - 1), (k + 2) % 3, entered_about(k, n - 1));
-      add_corner_on_side(leaving(k, n - 1), k);
+      add_corner_before_curve(coming(k, n - 1), (k + 2) % 3,
+                              crossings_.entered_by(sides_[k], n - 1));
+      add_corner_on_side(crossing(k, n - 1), k);
     } else {
       add_corner_on_side(corner_vertex(k), k);
     }
   }
 
   void add_middle() {
-    for (unsigned k = 0; k < 3; ++k) add_past_corner(k);
+    const auto& c = corners_.cutting;
+    for (unsigned k = 0; k < 3; ++k) add_past_corner(k, c[k]);
+    const auto& input = coordinates_.input();
     for (unsigned k = 0; k < 3; ++k)
-      if (corners_.cutting[k] > 0)
-        return finish_cell(coordinates_.input().face(entered_about(k, corners_.cutting[k] - 1)));
-    finish_cell(face_between_corners());
-  }
-
-  std::uint32_t face_between_corners() const {
-    return coordinates_.input().face(
-        corner_on_input(coordinates_, sides_[0], view_.source(sides_[0])).halfedge);
+      if (c[k] > 0) return finish_cell(input.face(crossings_.entered_by(sides_[k], c[k] - 1)));
+    finish_cell(
+        input.face(corner_on_input(coordinates_, sides_[0], view_.source(sides_[0])).halfedge));
   }
 
   void add_fan(unsigned k) {
@@ -206,7 +187,7 @@ private:
       const std::uint32_t entered =
           i < count ? crossings_.entered_by(sides_[opposite], first + i) : none;
       if (i == 0)
-        add_corner_on_side(corner_vertex(k), k), add_past_corner(opposite);
+        add_corner_on_side(corner_vertex(k), k), add_past_corner(opposite, first);
       else {
         add_corner_before_curve(corner_vertex(k), k, last);
         add_corner_on_side(crossing(opposite, first + i - 1), opposite);
@@ -214,7 +195,7 @@ private:
       if (i < count)
         add_corner_before_curve(crossing(opposite, first + i), opposite, entered);
       else
-        add_past_corner((k + 2) % 3);
+        add_past_corner((k + 2) % 3, corners_.cutting[(k + 2) % 3]);
       finish_cell(coordinates_.input().face(i == 0 ? entered ^ 1U : last));
       last = entered;
     }

@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Vertex_move_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 
 #include <array>
 #include <cstddef>

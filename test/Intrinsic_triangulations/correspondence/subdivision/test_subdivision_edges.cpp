@@ -3,9 +3,8 @@
 
 #include "subdivisions.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/for_each_subdivision_edge.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_edge_polylines.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 
 #include <gtest/gtest.h>
 

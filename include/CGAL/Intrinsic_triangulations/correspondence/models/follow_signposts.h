@@ -1,24 +1,97 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_TRACE_SIGNPOST_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_TRACE_SIGNPOST_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_FOLLOW_SIGNPOSTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_FOLLOW_SIGNPOSTS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
+#include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
+
+/*!
+\file
+Points, vectors and edges taken from one triangulation to the other along geodesics that signposts start.
+*/
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+/// The geodesic from a corner of a face to a point of it.
+struct Corner_geodesic {
+  unsigned corner;                 // of the face
+  double length;                   // to the point
+  double angle;                    // from the side that starts at the corner
+  Planar_vector<double> direction; // in the frame of the face
+};
+
+// The geodesics from the corners of a face to a point, the shortest first.
+inline std::array<Corner_geodesic, 3> corner_geodesics(const Geodesic_face& face,
+                                                       const std::array<double, 3>& weights) {
+  std::array<Corner_geodesic, 3> result;
+  for (unsigned k = 0; k < 3; ++k) {
+    const Planar_vector<double> back = face.to_corner(weights, k), v{0 - back[0], 0 - back[1]};
+    const Planar_vector<double> relative = face.relative_to(k, v);
+    const double length = std::hypot(v[0], v[1]);
+    result[k] = {k, length, std::atan2(std::max(0.0, relative[1]), relative[0]),
+                 length > 0 ? Planar_vector<double>{v[0] / length, v[1] / length}
+                            : Planar_vector<double>{1, 0}};
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Corner_geodesic& a, const Corner_geodesic& b) { return a.length < b.length; });
+  return result;
+}
+
+// Traces from the corners in turn until one succeeds; `walk` starts from a corner.
+template <class Complex, class Start>
+std::optional<Mapped_point> locate_from_corners(const Complex& complex, const Geodesic_face& face,
+                                                const std::array<double, 3>& weights, Start start) {
+  std::vector<Geodesic_crossing> crossings;
+  for (const Corner_geodesic& g : corner_geodesics(face, weights)) {
+    Geodesic_walk<Complex> walk = start(face.side[g.corner], g.angle);
+    if (walk.is_blocked() && g.length > 0) continue;
+    crossings.clear();
+    const Geodesic_end end =
+        finish_walk(complex, walk, g.length, {std::size_t{1} << 22U, false}, crossings);
+    if (end.status == Status::done) return Mapped_point{end.point, g.direction, end.direction};
+  }
+  return std::nullopt;
+}
+
+// Finds the point of the input at a point of the intrinsic triangulation, along the geodesic from the nearest
+// corner of its face that works, which has the same direction and length on both (§3.4.3).
+template <class Triangulation, class Signposts>
+std::optional<Mapped_point> find_on_input(const Triangulation& t, const Signposts& signposts,
+                                          const Surface_point& p) {
+  const Intrinsic_view<Triangulation> view(t);
+  return locate_from_corners(
+      signposts.input(), Geodesic_face(view, p.halfedge), p.weights,
+      [&](std::uint32_t h, double angle) { return signposts.walk(h, angle); });
+}
+
+// Finds the point of the intrinsic triangulation at a point of the input, likewise.
+template <class Triangulation, class Signposts>
+std::optional<Mapped_point> find_on_intrinsic(const Triangulation& t, const Signposts& signposts,
+                                              const Surface_point& p) {
+  const Intrinsic_view<Triangulation> view(t);
+  return locate_from_corners(view, Geodesic_face(signposts.input(), p.halfedge), p.weights,
+                             [&](std::uint32_t h, double angle) {
+                               return Geodesic_walk<Intrinsic_view<Triangulation>>(
+                                   view, signposts.intrinsic_direction(view, h, angle));
+                             });
+}
 
 // Traces to a target; once more in a corrected direction if it was met by a bent line. `walk(turn)` starts.
 template <class Complex, class Walk>
@@ -46,11 +119,10 @@ Geodesic_to_target follow_signpost(const View& view, const Signposts& signposts,
 
 // Traces an intrinsic halfedge over the input (§3.4.1), from its target if that fails from its source. Appends the input
 // edges that it crosses to `crossings`; `strip` is space for the trace.
-template <class Triangulation, class Signposts>
-Geodesic_to_target trace_signpost(const Triangulation& t, const Signposts& signposts,
-                                  std::uint32_t h, std::vector<Geodesic_crossing>& crossings,
+template <class View, class Signposts>
+Geodesic_to_target trace_signpost(const View& view, const Signposts& signposts, std::uint32_t h,
+                                  std::vector<Geodesic_crossing>& crossings,
                                   std::vector<Strip_side>& strip) {
-  const Intrinsic_view<Triangulation> view(t);
   Geodesic_to_target r = follow_signpost(view, signposts, h, strip);
   if (r.is_reached) {
     for (const Strip_side& s : strip) crossings.push_back({s.halfedge, s.parameter(r.slope)});
@@ -62,14 +134,6 @@ Geodesic_to_target trace_signpost(const Triangulation& t, const Signposts& signp
     crossings.push_back({s->halfedge ^ 1U, 1 - s->parameter(r.slope)});
   if (r.along != Gluing::none) r.along ^= 1U;
   return r;
-}
-
-// the same, with space of its own
-template <class Triangulation, class Signposts>
-Geodesic_to_target trace_signpost(const Triangulation& t, const Signposts& signposts,
-                                  std::uint32_t h, std::vector<Geodesic_crossing>& crossings) {
-  std::vector<Strip_side> strip;
-  return trace_signpost(t, signposts, h, crossings, strip);
 }
 
 // How far along a traced line it crosses a side of its strip, as a part of it.
@@ -88,7 +152,7 @@ Edge_path trace_edge_by_signposts(const Triangulation& t, const Signposts& signp
   const std::uint32_t h = 2 * edge;
   std::vector<Strip_side> strip;
   std::vector<Geodesic_crossing> crossings;
-  const Geodesic_to_target r = trace_signpost(t, signposts, h, crossings, strip);
+  const Geodesic_to_target r = trace_signpost(view, signposts, h, crossings, strip);
   if (!r.is_reached) return {Status::not_traceable, Gluing::none, {}};
   Edge_path path{Status::done, r.along, {}};
   const auto add = [&](const Surface_point& p, double x) {
@@ -170,6 +234,65 @@ Edge_path trace_input_edge_by_signposts(const Triangulation& t, const Signposts&
 
 } // namespace internal
 
+/*!
+\brief holds the paths of all intrinsic edges over the input: the input edges that each one crosses, from
+the source of its halfedge `2e`.
+*/
+struct Edge_traces {
+  /// For each edge number the index of its first crossing, and one entry more.
+  std::vector<std::size_t> begin{0};
+  /// The crossings of all edges: the halfedge of the input face that is left, and where it is crossed.
+  std::vector<Geodesic_crossing> crossings;
+  /// For each edge number the input halfedge that halfedge `2e` runs along, in its direction; none if
+  /// it runs across faces. It may be a part of it only: between inserted vertices.
+  std::vector<std::uint32_t> along;
+  /// The first edge whose trace did not end at its end; none if all did.
+  std::uint32_t first_failed = Gluing::none;
+  /// Number of edges whose trace did not end at their ends: these have no crossings.
+  std::uint32_t failed = 0;
+  /// The first edge with a vertex so close to it that rounding may have decided the side.
+  std::uint32_t first_uncertain = Gluing::none;
+  /// Number of those.
+  std::uint32_t uncertain = 0;
+
+  /// tells whether all edges were traced, beyond rounding.
+  bool is_certain() const { return failed == 0 && uncertain == 0; }
+  /// returns the crossings of edge `e`.
+  std::span<const Geodesic_crossing> operator[](std::uint32_t e) const {
+    return {crossings.data() + begin[e], begin[e + 1] - begin[e]};
+  }
+};
+
+/*!
+\brief traces all intrinsic edges over the input.
+\tparam Triangulation an instance of `Intrinsic_triangulation`
+\param t the triangulation
+\param signposts its signposts
+\return the traces, and what failed
+\complexity linear in the number of edges and crossings
+*/
+template <class Triangulation, class Signposts>
+Edge_traces trace_edges(const Triangulation& t, const Signposts& signposts) {
+  const Intrinsic_view<Triangulation> view(t);
+  std::vector<char> exists(t.numbers().edge_capacity(t.mesh()), 0);
+  for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) exists[t.index(e)] = 1;
+  Edge_traces traces;
+  traces.along.assign(exists.size(), Gluing::none);
+  traces.begin.reserve(exists.size() + 1);
+  std::vector<Strip_side> strip;
+  for (std::uint32_t e = 0; e < exists.size(); ++e) {
+    if (exists[e] != 0) {
+      const Geodesic_to_target r =
+          internal::trace_signpost(view, signposts, 2 * e, traces.crossings, strip);
+      traces.along[e] = r.along;
+      if (!r.is_reached && traces.failed++ == 0) traces.first_failed = e;
+      if (r.is_reached && !r.is_certain && traces.uncertain++ == 0) traces.first_uncertain = e;
+    }
+    traces.begin.push_back(traces.crossings.size());
+  }
+  return traces;
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_TRACE_SIGNPOST_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_FOLLOW_SIGNPOSTS_H

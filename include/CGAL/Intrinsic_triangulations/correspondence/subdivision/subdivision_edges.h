@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_SUBDIVISION_EDGES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_SUBDIVISION_EDGES_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <tuple>
+#include <vector>
+
+/*!
+\file
+The edges of a common subdivision, and how they make up those of the intrinsic triangulation.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Bound of the numbers of intrinsic edges that have sides.
+inline std::size_t intrinsic_edge_bound(const Common_subdivision& s) {
+  std::size_t bound = 0;
+  for (const Common_subdivision::Side& side : s.side)
+    if (side.intrinsic_edge != Common_subdivision::none)
+      bound = std::max(bound, std::size_t{side.intrinsic_edge} + 1);
+  return bound;
+}
+
+} // namespace internal
+
+/*!
+\brief visits each edge of a common subdivision once, in the order of its faces.
+
+Of the two sides of an edge the one that leads to the greater vertex is visited. That would miss
+edges of the border and loops: but these, and all others between vertices of the intrinsic
+triangulation, are whole intrinsic edges, of which the first side is visited.
+\tparam Visitor a function object with `operator()(std::uint32_t source, std::uint32_t target, const
+  Common_subdivision::Side&)`
+\param s the subdivision
+\param visit is called with the ends of the edge and what lies along it
+\pre `s` is the common subdivision of two triangulations
+\complexity linear
+*/
+template <class Visitor>
+void for_each_subdivision_edge(const Common_subdivision& s, Visitor visit) {
+  std::vector<bool> visited(internal::intrinsic_edge_bound(s), false);
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+    const std::span<const std::uint32_t> face = s.face(f);
+    const std::span<const Common_subdivision::Side> sides = s.sides(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const std::uint32_t source = face[k], target = face[k + 1 == face.size() ? 0 : k + 1];
+      const std::uint32_t e = sides[k].intrinsic_edge;
+      const bool is_whole =
+          e != Common_subdivision::none && source < s.vertices.size() && target < s.vertices.size();
+      if (is_whole ? visited[e] : source > target) continue;
+      if (is_whole) visited[e] = true;
+      visit(source, target, sides[k]);
+    }
+  }
+}
+
+/*!
+\brief holds for each intrinsic edge the vertices of a common subdivision along it, one after another.
+*/
+struct Intrinsic_edge_polylines {
+  /// For each number of an edge the index of its first vertex, and one entry more.
+  std::vector<std::size_t> begin{0};
+  /// The vertices; none for a number that no edge has.
+  std::vector<std::uint32_t> vertices;
+
+  /// returns the bound of the numbers of edges.
+  std::size_t size() const { return begin.size() - 1; }
+  /// returns the vertices along edge `e`; empty if there is no edge of this number.
+  std::span<const std::uint32_t> operator[](std::size_t e) const {
+    return {vertices.data() + begin[e], begin[e + 1] - begin[e]};
+  }
+};
+
+namespace internal {
+
+// The vertices of a subdivision at the ends of each intrinsic edge, `none` for a number that no edge has.
+inline std::vector<std::array<std::uint32_t, 2>> intrinsic_edge_ends(const Common_subdivision& s) {
+  constexpr std::uint32_t none = Common_subdivision::none;
+  std::vector<std::array<std::uint32_t, 2>> ends(intrinsic_edge_bound(s), {none, none});
+  for_each_subdivision_edge(
+      s, [&](std::uint32_t a, std::uint32_t b, const Common_subdivision::Side& side) {
+        if (side.intrinsic_edge != none)
+          ends[side.intrinsic_edge] = {std::min(a, b), std::max(a, b)};
+      });
+  std::vector<std::uint32_t> number(s.number_of_intrinsic_vertices, none);
+  for (std::uint32_t v = 0; v < s.vertices.size(); ++v) number[s.vertices[v].intrinsic] = v;
+  for (const Common_subdivision::Crossing& c : s.crossings)
+    for (std::size_t k = 0; k < 2; ++k)
+      ends[c.on_intrinsic.edge][k] = number[c.on_intrinsic.vertices[k]];
+  return ends;
+}
+
+} // namespace internal
+
+/*!
+\brief chains the vertices of a common subdivision along each intrinsic edge (§3.6 of the course).
+
+An edge with crossings runs as their locations on it say, from `vertices[0]` to `vertices[1]`; one
+without runs from its smaller vertex to the greater one.
+\param s the subdivision
+\pre `s` is the common subdivision of two triangulations
+\return the polylines; polylines of interior edges, and those of the border
+\complexity linear if crossings are numbered along the edges, as `common_subdivision()` does
+*/
+inline Intrinsic_edge_polylines intrinsic_edge_polylines(const Common_subdivision& s) {
+  const auto place = [&](std::size_t i) {
+    const Common_subdivision::Edge_point& p = s.crossings[i].on_intrinsic;
+    return std::make_tuple(p.edge, p.parameter, i);
+  };
+  const auto is_before = [&](std::size_t i, std::size_t j) { return place(i) < place(j); };
+  std::vector<std::size_t> order(s.crossings.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (!std::is_sorted(order.begin(), order.end(), is_before))
+    std::sort(order.begin(), order.end(), is_before);
+  Intrinsic_edge_polylines result;
+  auto next = order.begin();
+  for (const std::array<std::uint32_t, 2>& ends : internal::intrinsic_edge_ends(s)) {
+    if (ends[0] != Common_subdivision::none) {
+      result.vertices.push_back(ends[0]);
+      for (; next != order.end() && s.crossings[*next].on_intrinsic.edge == result.size(); ++next)
+        result.vertices.push_back(static_cast<std::uint32_t>(s.vertices.size() + *next));
+      result.vertices.push_back(ends[1]);
+    }
+    result.begin.push_back(result.vertices.size());
+  }
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_SUBDIVISION_EDGES_H
