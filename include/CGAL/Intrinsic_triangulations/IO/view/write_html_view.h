@@ -8,8 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/support/Base64_writer.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/drawn_edges.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/html_view_program.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
 
@@ -45,6 +43,12 @@ struct Html_view {
 
 namespace internal {
 
+// The page with the program that draws and answers to the pointer; what stands between two @ is a place to
+// be filled. The file is HTML between the marks of a raw string.
+inline constexpr std::string_view html_view_page =
+#include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.html>
+    ;
+
 /// Writes the parts of a page.
 class Html_view_writer {
   using Point = std::array<double, 3>;
@@ -54,23 +58,32 @@ public:
                    const Html_view& view)
       : out_(out), s_(s), points_(points), view_(view) {}
 
+  // the page, its places filled
   void write() {
-    out_.text("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>");
-    escaped(view_.title);
-    out_.text("</title>\n", html_view_style, "<div id=\"panel\"><h1>");
-    escaped(view_.title);
-    out_.text("</h1><p>");
-    escaped(view_.description);
-    out_.text("</p>\n", html_view_controls);
-    out_.text(three_js_licence);
-    script(view_.three);
-    script(view_.trackball_controls);
-    write_data();
-    out_.text(html_view_program);
+    for (std::string_view rest = html_view_page; !rest.empty();) {
+      out_.text(next_part(rest));
+      const std::string_view place = next_part(rest);
+      if (place == "title") escaped(view_.title);
+      if (place == "description") escaped(view_.description);
+      if (place == "scripts") write_scripts();
+    }
     if (!out_.flush()) throw std::runtime_error("the page cannot be written");
   }
 
 private:
+  // takes what comes before the next @, and that, off the front
+  static std::string_view next_part(std::string_view& rest) {
+    const std::string_view part = rest.substr(0, rest.find('@'));
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+    return part;
+  }
+
+  void write_scripts() {
+    script(view_.three);
+    script(view_.trackball_controls);
+    write_data();
+  }
+
   void escaped(std::string_view text) {
     for (const char c : text) switch (c) {
       case '<':
