@@ -22,7 +22,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Reads what `Text_writer` writes, word by word, and names file and line where that is impossible.
+// Reads what `write_intrinsic_triangulation()` writes, word by word, and names file and line where that is impossible.
 class Text_reader {
 public:
   Text_reader(std::istream& in, std::string file) : in_(in), file_(std::move(file)) {}

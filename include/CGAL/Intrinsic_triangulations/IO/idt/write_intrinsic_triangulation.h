@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_WRITE_INTRINSIC_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/IO/idt/Compact_numbers.h>
-#include <CGAL/Intrinsic_triangulations/IO/idt/Text_writer.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/intrinsic_triangulation_format.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
@@ -38,7 +38,7 @@ public:
     prefer_border_halfedges();
   }
 
-  void run() {
+  bool run() {
     write_header();
     write_vertices();
     write_edges();
@@ -51,7 +51,7 @@ public:
       write_versions();
     }
     out_.line("end");
-    out_.flush();
+    return out_.flush();
   }
 
 private:
@@ -96,10 +96,7 @@ private:
     out_.line("edges", mesh_.number_of_edges());
     for (std::uint32_t i = 0; i < mesh_.number_of_edges(); ++i) {
       const std::uint32_t e = numbers_.edge_ranks().number(i);
-      if constexpr (Metric::is_exact)
-        out_.line(t_.metric().squared_length(e), t_.metric().approximate_squared_length(e));
-      else
-        out_.line(t_.metric().squared_length(e));
+      write_value(t_.metric().squared_length(e), t_.metric().approximate_squared_length(e));
     }
   }
 
@@ -110,20 +107,25 @@ private:
       out_.words(a.index, b.index, c.index, mesh_.target(c).index, mesh_.target(a).index,
                  mesh_.target(b).index);
       const std::uint32_t f = numbers_.face_ranks().number(i);
-      if constexpr (Metric::is_exact)
-        out_.line(t_.metric().quadruple_area(f), t_.metric().approximate_quadruple_area(f));
-      else
-        out_.line(t_.metric().quadruple_area(f));
+      write_value(t_.metric().quadruple_area(f), t_.metric().approximate_quadruple_area(f));
     }
   }
 
+  // an interval and a number in it, or just a number
+  template <class FT>
+  void write_value(const FT& x, double near) {
+    if constexpr (Metric::is_exact)
+      out_.line(x.inf(), x.sup(), near);
+    else
+      out_.line(x);
+  }
+
   void write_border() {
-    std::uint32_t count = 0;
+    std::vector<std::uint32_t> border;
     for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h)
-      count += mesh_.face({h}).index == Gluing::none ? 1 : 0;
-    out_.line("border", count);
-    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h)
-      if (mesh_.face({h}).index == Gluing::none) out_.line(h, mesh_.next({h}).index);
+      if (mesh_.face({h}).index == Gluing::none) border.push_back(h);
+    out_.line("border", border.size());
+    for (const std::uint32_t h : border) out_.line(h, mesh_.next({h}).index);
   }
 
   // nothing if faces were not renumbered
@@ -183,7 +185,7 @@ private:
     }
   }
 
-  Text_writer out_;
+  Basic_output_buffer<true> out_; // hexadecimal, so that nothing is rounded
   const Triangulation& t_;
   Compact_numbers<Triangulation> numbers_;
   Gluing_map mesh_; // with these numbers
@@ -207,8 +209,7 @@ template <class Triangulation>
 void write_intrinsic_triangulation(std::ostream& out, const Triangulation& t) {
   static_assert(!internal::arithmetic_name<typename Triangulation::Metric>.empty(),
                 "the file format holds exact traits and Euclidean_traits<double>");
-  internal::Intrinsic_triangulation_writer<Triangulation>(out, t).run();
-  if (!out.flush())
+  if (!internal::Intrinsic_triangulation_writer<Triangulation>(out, t).run())
     throw std::runtime_error("the intrinsic triangulation cannot be written completely");
 }
 

@@ -20,6 +20,15 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// The extension of a file in lower case, without its dot.
+inline std::string plain_extension(std::string_view extension) {
+  if (extension.starts_with('.')) extension.remove_prefix(1);
+  std::string result(extension);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
 inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 // Takes the next word off the front of `text`; empty at the end.

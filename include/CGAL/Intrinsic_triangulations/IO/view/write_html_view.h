@@ -296,10 +296,7 @@ light; a field replaces the colours. The pointer shows the numbers of the faces 
 */
 inline void write_html_view(std::ostream& out, const Common_subdivision& s,
                             std::span<const std::array<double, 3>> points, const Html_view& view) {
-  if (view.field.values.empty())
-    internal::check_output(s, points, {});
-  else
-    internal::check_output(s, points, std::span(&view.field, 1));
+  internal::check_output({s, points, std::span(&view.field, view.field.values.empty() ? 0 : 1)});
   if (view.three.empty() || view.trackball_controls.empty())
     throw Invalid_input(Element_kind::none, 0,
                         "the page needs three.js and its TrackballControls.js; Debian's package "
