@@ -7,14 +7,47 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_report.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// How degenerate faces of the input are treated.
+enum class Mollification {
+  none,           ///< the metric stays as it is
+  automatic,      ///< `squared_lengths`, only where flips cannot remove the degenerate faces
+  lengths,        ///< an epsilon is added to all lengths (§4.7 of the course)
+  squared_lengths ///< a delta is added to all squared lengths
+};
+
+/*!
+\brief reports what was done about degenerate faces.
+*/
+struct Mollification_report {
+  /// What was applied: `none`, `lengths` or `squared_lengths`.
+  Mollification kind = Mollification::none;
+  /// What was added to the lengths (`lengths`) or squared lengths (`squared_lengths`), in the units
+  /// of the input.
+  double delta = 0;
+};
+
+/*!
+\brief reports what was found in the input and done about it.
+*/
+struct Input_report {
+  /// Input faces of zero area, counted exactly.
+  std::size_t degenerate_faces = 0;
+  /// Treatment of degenerate faces.
+  Mollification_report mollification;
+  /// Whether faces and vertices were renumbered for locality.
+  bool renumbered = false;
+  /// Number of polygonal faces that were triangulated; faces of the report are numbered after that.
+  std::size_t triangulated_polygons = 0;
+};
 
 /*!
 \brief is the surface that an intrinsic triangulation was built from: connectivity, exact metric, the

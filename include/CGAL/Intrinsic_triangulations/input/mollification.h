@@ -6,9 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_report.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>

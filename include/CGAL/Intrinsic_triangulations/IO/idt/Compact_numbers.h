@@ -4,26 +4,23 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_COMPACT_NUMBERS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_COMPACT_NUMBERS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Numbers some of the numbers below a bound anew, from 0 and in their order.
+// Numbers some numbers anew, from 0 and in their order.
 class Ranks {
 public:
-  explicit Ranks(std::uint32_t bound) : rank_(bound, Gluing::none) {}
-
-  void add(std::uint32_t number) { rank_[number] = 0; }
-  // to be called when all are added
-  void finish() {
-    for (std::uint32_t i = 0; i < rank_.size(); ++i)
-      if (rank_[i] != Gluing::none) {
-        rank_[i] = static_cast<std::uint32_t>(numbers_.size());
-        numbers_.push_back(i);
-      }
+  // those of the elements of a range
+  template <class Range, class Number>
+  Ranks(const Range& range, Number number) {
+    for (const auto element : range) numbers_.push_back(number(element));
+    std::sort(numbers_.begin(), numbers_.end());
+    if (!numbers_.empty()) rank_.resize(numbers_.back() + std::size_t{1});
+    for (std::uint32_t i = 0; i < numbers_.size(); ++i) rank_[numbers_[i]] = i;
   }
 
   std::uint32_t rank(std::uint32_t number) const { return rank_[number]; }
@@ -42,18 +39,9 @@ class Compact_numbers {
 
 public:
   explicit Compact_numbers(const Triangulation& t)
-      : t_(t), vertex_(t.numbers().vertex_capacity(t.mesh())),
-        edge_(t.numbers().edge_capacity(t.mesh())), face_(t.numbers().face_capacity(t.mesh())) {
-    for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh()))
-      vertex_.add(t.index(v));
-    for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) edge_.add(t.index(e));
-    for (const typename Triangulation::face_descriptor f : faces(t.mesh())) face_.add(t.index(f));
-    vertex_.finish();
-    edge_.finish();
-    face_.finish();
-  }
+      : t_(t), vertex_(vertices(t.mesh()), number()), edge_(edges(t.mesh()), number()),
+        face_(faces(t.mesh()), number()) {}
 
-  const Ranks& vertex_ranks() const { return vertex_; }
   const Ranks& edge_ranks() const { return edge_; }
   const Ranks& face_ranks() const { return face_; }
 
@@ -73,6 +61,10 @@ public:
   std::uint32_t face_capacity(const Mesh&) const { return face_.count(); }
 
 private:
+  auto number() const {
+    return [this](auto element) { return t_.index(element); };
+  }
+
   const Triangulation& t_;
   Ranks vertex_, edge_, face_;
 };

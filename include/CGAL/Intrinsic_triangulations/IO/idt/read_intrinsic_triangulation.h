@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/idt/History_reader.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/Text_reader.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/intrinsic_triangulation_format.h>
-#include <CGAL/Intrinsic_triangulations/IO/idt/read_exact_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
