@@ -129,8 +129,8 @@ private:
   static std::vector<Sides> sides_of_faces(const Gluing_map& mesh, Name name) {
     std::vector<Sides> sides(mesh.number_of_faces());
     for (std::uint32_t f = 0; f < sides.size(); ++f) {
-      const Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f}), n = mesh.next(h);
-      sides[f] = {name(h), name(n), name(mesh.next(n))};
+      const auto [h, n, l] = mesh.sides({f});
+      sides[f] = {name(h), name(n), name(l)};
     }
     return sides;
   }

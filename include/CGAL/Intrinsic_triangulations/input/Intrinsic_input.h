@@ -144,9 +144,8 @@ inline void check_sizes(const Intrinsic_input& in) {
 // Makes each face start at a side that is not glued to another side of the same face, so that its
 // edge names that side alone: exact metrics tell sides by their edges.
 inline void start_at_single_sides(Gluing_map& mesh) {
-  using Halfedge = Gluing_map::Halfedge;
   for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Halfedge h = mesh.halfedge(Gluing_map::Face{f}), n = mesh.next(h), l = mesh.next(n);
+    const auto [h, n, l] = mesh.sides({f});
     if (n == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, l);
     if (l == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, n);
   }

@@ -44,27 +44,19 @@ inline Input_metric read_input_metric(Text_reader& in, const Gluing_map& mesh,
     in.fail("there cannot be more than " + std::to_string(mesh.number_of_edges()) +
             " squared lengths");
   in.finish_line();
-  for (std::uint32_t i = 0; i < names; ++i) {
-    in.next_line();
-    if (embedded) {
-      points.emplace_back();
-      for (double& x : points.back()) x = in.real("coordinate");
-    } else
+  in.lines(names, [&](std::uint32_t) {
+    if (embedded)
+      for (double& x : points.emplace_back()) x = in.real("coordinate");
+    else
       in.nonnegative(squared_lengths.emplace_back(), "squared length");
-    in.finish_line();
-  }
+  });
   double delta = 0;
-  in.next_line();
-  in.keyword("delta");
-  in.nonnegative(delta, "delta");
-  in.finish_line();
+  in.line("delta", [&] { in.nonnegative(delta, "delta"); });
   const std::uint32_t faces = read_count(in, "sides", mesh.number_of_faces());
   std::vector<Input_metric::Sides> sides(faces); // not more than faces that have been read
-  for (Input_metric::Sides& s : sides) {
-    in.next_line();
-    for (std::uint32_t& x : s) x = in.index(names, embedded ? "vertex" : "edge");
-    in.finish_line();
-  }
+  in.lines(faces, [&](std::uint32_t f) {
+    for (std::uint32_t& x : sides[f]) x = in.index(names, embedded ? "vertex" : "edge");
+  });
   return Input_metric(std::move(points), std::move(squared_lengths), std::move(sides), delta,
                       scale_exponent);
 }
@@ -86,13 +78,7 @@ public:
   void read_moves(int format_version) {
     const bool only_flips = format_version == 1;
     const std::uint32_t moves = read_count(in_, only_flips ? "flips" : "moves", 1U << 29);
-    for (std::uint32_t n = 0; n < moves; ++n) {
-      in_.next_line();
-      if (only_flips)
-        read_flip();
-      else
-        read_move(in_.word());
-    }
+    in_.lines(moves, [&](std::uint32_t) { only_flips ? read_flip() : read_move(in_.word()); });
   }
 
   // `inserted` is the number of vertices that are not of the input
@@ -106,7 +92,7 @@ public:
     if (replay_.number_of_current_versions() != faces)
       in_.fail("the moves leave " + std::to_string(replay_.number_of_current_versions()) +
                " faces, but there are " + std::to_string(faces));
-    for (std::uint32_t f = 0; f < faces; ++f) read_version_of_face(f, squared_lengths, areas[f]);
+    in_.lines(faces, [&](std::uint32_t f) { read_version_of_face(f, squared_lengths, areas[f]); });
   }
 
 private:
@@ -153,7 +139,6 @@ private:
 
   void read_version_of_face(std::uint32_t f, const std::vector<FT>& squared_lengths,
                             const FT& area) {
-    in_.next_line();
     const std::uint32_t version = read_version();
     const std::uint32_t edge = in_.index(mesh_.number_of_edges(), "edge");
     in_.finish_line();

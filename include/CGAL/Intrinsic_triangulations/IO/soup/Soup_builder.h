@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

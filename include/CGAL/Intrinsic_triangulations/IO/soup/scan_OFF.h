@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <istream>

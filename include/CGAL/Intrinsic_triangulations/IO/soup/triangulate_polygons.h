@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
+#include <ranges>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -120,6 +121,12 @@ private:
     out_.text(">");
     close_data(write);
   }
+  template <class Numbers>
+  void numbers(std::string_view id, const Numbers& all) {
+    data(id, [&](Base64_writer& out) {
+      for (const auto x : all) out.put(x);
+    });
+  }
   void open_data(std::string_view id) {
     out_.text("<script type=\"application/octet-stream;base64\" id=\"", id, "\"");
   }
@@ -171,12 +178,8 @@ private:
                    std::uint32_t Common_subdivision::Side::*edge_of,
                    const std::vector<std::uint32_t>& face_of) {
     const Drawn_edges edges = Drawn_edges_builder(s_, scaled_, edge_of, face_of).build();
-    data(id, [&](Base64_writer& out) {
-      for (const std::uint32_t v : edges.ends) out.put(v);
-    });
-    data(room_id, [&](Base64_writer& out) {
-      for (const float x : edges.room) out.put(x);
-    });
+    numbers(id, edges.ends);
+    numbers(room_id, edges.room);
   }
 
   // What is told of a vertex: its kind, its intrinsic element, and its input element.
@@ -222,15 +225,13 @@ private:
   // Centred and scaled to the unit ball before they are rounded to single precision; half of each
   // coordinate is taken first, so that no difference overflows.
   void write_points() {
-    Point low{0, 0, 0};
-    if (!points_.empty()) low = halved(points_.front());
-    Point high = low;
-    for (const Point& p : points_)
-      for (std::size_t c = 0; c < 3; ++c) {
-        low[c] = std::min(low[c], p[c] / 2);
-        high[c] = std::max(high[c], p[c] / 2);
-      }
-    const Point extent{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+    Point low{0, 0, 0}, extent{0, 0, 0};
+    for (std::size_t c = 0; c < 3 && !points_.empty(); ++c) {
+      const auto halves = points_ | std::views::transform([c](const Point& p) { return p[c] / 2; });
+      const auto [least, greatest] = std::ranges::minmax(halves);
+      low[c] = least;
+      extent[c] = greatest - least;
+    }
     const double greatest = std::max({extent[0], extent[1], extent[2]});
     const double unit = greatest > 0 ? greatest : 1;
     const auto centred = [&](const Point& p, std::size_t c) {
@@ -240,19 +241,13 @@ private:
     for (const Point& p : points_)
       radius = std::max(radius, std::hypot(centred(p, 0), centred(p, 1), centred(p, 2)));
     if (radius == 0) radius = 1;
-    scaled_.reserve(points_.size());
-    for (const Point& p : points_) {
-      std::array<float, 3>& q = scaled_.emplace_back();
-      for (std::size_t c = 0; c < 3; ++c) q[c] = static_cast<float>(centred(p, c) / radius);
-    }
-    data("points", [&](Base64_writer& out) {
-      for (const std::array<float, 3>& q : scaled_)
-        for (const float x : q) out.put(x);
-    });
+    scaled_.resize(points_.size());
+    for (std::size_t v = 0; v < points_.size(); ++v)
+      for (std::size_t c = 0; c < 3; ++c)
+        scaled_[v][c] = static_cast<float>(centred(points_[v], c) / radius);
+    numbers("points", std::views::join(scaled_));
     write_axes(extent);
   }
-
-  static Point halved(const Point& p) { return {p[0] / 2, p[1] / 2, p[2] / 2}; }
 
   // Look mostly along the shortest side of the bounding box; y is up unless that is along y.
   void write_axes(const Point& extent) {
@@ -263,11 +258,10 @@ private:
     eye[shortest] = is_flat ? 2 : 0.8;
     if (is_flat) eye[(shortest + 1) % 3] = eye[(shortest + 2) % 3] = 0;
     const double length = std::hypot(eye[0], eye[1], eye[2]);
-    data("view-axes", [&](Base64_writer& out) {
-      for (const double x : eye) out.put(static_cast<float>(x / length));
-      for (std::size_t c = 0; c < 3; ++c)
-        out.put(static_cast<float>(c == (shortest == 1 ? 2 : 1) ? 1 : 0));
-    });
+    std::array<float, 6> axes{}; // to the eye, up
+    for (std::size_t c = 0; c < 3; ++c) axes[c] = static_cast<float>(eye[c] / length);
+    axes[shortest == 1 ? 5 : 4] = 1;
+    numbers("view-axes", axes);
   }
 
   Output_buffer out_;

@@ -13,7 +13,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -61,10 +60,9 @@ inline double checked_squared_length(const Intrinsic_input& in, std::uint32_t e)
              &q = in.points[in.mesh.target({2 * e}).index];
   const double square = Input_metric::squared_distance<double>(p, q);
   if (square < std::numeric_limits<double>::min() && p != q)
-    throw Invalid_input(Element_kind::edge, e,
-                        "edge " + std::to_string(e) +
-                            " is more than 2^500 times shorter than the mean edge; move its "
-                            "vertices to the same place, or apart");
+    throw Invalid_input::about(Element_kind::edge, e,
+                               " is more than 2^500 times shorter than the mean edge; move its "
+                               "vertices to the same place, or apart");
   return square;
 }
 

@@ -60,12 +60,12 @@ inline void check_new_square(const Intrinsic_input& in, std::uint32_t e, double 
   const bool normal = std::isfinite(square) && (square >= std::numeric_limits<double>::min() ||
                                                 (square == 0 && in.squared_lengths[e] == 0));
   if (normal) return;
-  throw Invalid_input(Element_kind::edge, e,
-                      "edge " + std::to_string(e) + " between vertices " +
-                          std::to_string(in.mesh.source({2 * e}).index) + " and " +
-                          std::to_string(in.mesh.target({2 * e}).index) +
-                          " gets a length whose square is out of the range of doubles; scale less, "
-                          "or multiply all lengths by a constant");
+  throw Invalid_input::about(
+      Element_kind::edge, e,
+      " between vertices " + std::to_string(in.mesh.source({2 * e}).index) + " and " +
+          std::to_string(in.mesh.target({2 * e}).index) +
+          " gets a length whose square is out of the range of doubles; scale less, "
+          "or multiply all lengths by a constant");
 }
 
 inline Intrinsic_input scaled_input(Intrinsic_input&& in, std::vector<double> squared_lengths) {
@@ -107,10 +107,10 @@ Scaled_metric scale_by_norm(const Mesh& mesh, Metric_source&& s, const Sides& si
       for (double& x : vectors[k]) x = unit(x);
       const double length = CGAL::to_double(norm(face, vectors[k]));
       if (!std::isfinite(length) || !(length > 0))
-        throw Invalid_input(Element_kind::face, f,
-                            "face " + std::to_string(f) + " has a norm that gives its side " +
-                                std::to_string(k) + " the length " + text_of_length(length) +
-                                "; give one that is positive and finite");
+        throw Invalid_input::about(Element_kind::face, f,
+                                   " has a norm that gives its side " + std::to_string(k) +
+                                       " the length " + text_of_length(length) +
+                                       "; give one that is positive and finite");
       sum[e[k]] += length;
     }
     ++f;
@@ -128,16 +128,15 @@ inline Side_vectors<2> planar_sides_of_face(const Metric_source& s, std::uint32_
   const std::array<std::uint32_t, 3> e = edges_of_face(s.in.mesh, f);
   const std::vector<double>& l = s.in.squared_lengths;
   if (are_exact && !squares_satisfy_triangle_inequality(l[e[0]], l[e[1]], l[e[2]]))
-    throw Invalid_input(Element_kind::face, f,
-                        "face " + std::to_string(f) +
-                            " violates the triangle inequality before it is scaled; correct the "
-                            "lengths of its edges");
+    throw Invalid_input::about(Element_kind::face, f,
+                               " violates the triangle inequality before it is scaled; correct the "
+                               "lengths of its edges");
   return planar_sides(l[e[0]], l[e[1]], l[e[2]]);
 }
 
 inline Side_vectors<3> sides_of_face_in_space(const Metric_source& s, std::uint32_t f) {
-  const Gluing_map::Halfedge h = s.in.mesh.halfedge(Gluing_map::Face{f}), n = s.in.mesh.next(h);
-  return {s.side_in_space(h), s.side_in_space(n), s.side_in_space(s.in.mesh.next(n))};
+  const auto [h, n, l] = s.in.mesh.sides({f});
+  return {s.side_in_space(h), s.side_in_space(n), s.side_in_space(l)};
 }
 
 // Norms are given per face: the faces must be those of the user.
@@ -182,9 +181,8 @@ Scaled_metric scale_conformally(const Mesh& mesh, const Factors& u,
   for (const auto v : vertices(internal::named_mesh(mesh))) {
     factors.push_back(internal::value_at(u, v));
     if (!std::isfinite(factors.back()))
-      throw Invalid_input(Element_kind::vertex, factors.size() - 1,
-                          "vertex " + std::to_string(factors.size() - 1) +
-                              " has a conformal factor that is not finite; correct it");
+      throw Invalid_input::about(Element_kind::vertex, factors.size() - 1,
+                                 " has a conformal factor that is not finite; correct it");
   }
   return internal::scale_conformally(std::move(source), factors,
                                      internal::metric_scaling_options(np));

@@ -26,8 +26,8 @@ namespace internal {
 
 // The edges of the sides of a face, in the order of its halfedges.
 inline std::array<std::uint32_t, 3> edges_of_face(const Gluing_map& mesh, std::uint32_t f) {
-  const Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f}), n = mesh.next(h);
-  return {h.index / 2, n.index / 2, mesh.next(n).index / 2};
+  const auto [h, n, l] = mesh.sides({f});
+  return {h.index / 2, n.index / 2, l.index / 2};
 }
 
 } // namespace internal

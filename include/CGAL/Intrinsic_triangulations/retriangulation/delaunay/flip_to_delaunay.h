@@ -11,7 +11,6 @@
 
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>

@@ -7,8 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Planar_star.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_energy.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <boost/graph/graph_traits.hpp>

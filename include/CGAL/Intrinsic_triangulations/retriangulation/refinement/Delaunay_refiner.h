@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/refined_faces.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -14,7 +14,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
