@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -236,7 +237,7 @@ interval arithmetic, and must lead to the faces and their values.
   version or of another arithmetic
 \complexity linear; memory follows the size of the file, never a count in it
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
 Triangulation read_intrinsic_triangulation(std::istream& in, const std::string& name) {
   constexpr std::string_view arithmetic = internal::arithmetic_name<typename Triangulation::Metric>;
   static_assert(!arithmetic.empty(),
@@ -250,13 +251,11 @@ Triangulation read_intrinsic_triangulation(std::istream& in, const std::string& 
 }
 
 /*!
-\brief reads an intrinsic triangulation from a file.
-\tparam Triangulation see above
+\brief reads an intrinsic triangulation from a file: see the overload with a stream.
 \param path the file
-\throws Invalid_input see above, and if the file cannot be opened
-\complexity see above
+\throws Invalid_input also if the file cannot be opened
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
 Triangulation read_intrinsic_triangulation(const std::filesystem::path& path) {
   std::ifstream in = internal::open_triangulation(path);
   return read_intrinsic_triangulation<Triangulation>(in, path.string());

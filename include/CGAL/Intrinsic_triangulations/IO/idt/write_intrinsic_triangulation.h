@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -260,7 +261,7 @@ Elements keep their order; those after removed ones move up to smaller numbers.
 \throws std::runtime_error if the stream fails
 \complexity linear in the mesh and, with exact traits, in the number of moves done
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
 void write_intrinsic_triangulation(std::ostream& out, const Triangulation& t) {
   static_assert(!internal::arithmetic_name<typename Triangulation::Metric>.empty(),
                 "the file format holds exact traits and Euclidean_traits<double>");
@@ -271,14 +272,13 @@ void write_intrinsic_triangulation(std::ostream& out, const Triangulation& t) {
 /*!
 \brief writes an intrinsic triangulation to a file, ordinarily with extension `.idt`.
 
-Whatever fails, the file is complete or what it was before: see `Replacing_file`.
-\tparam Triangulation see above
+Whatever fails, the file is complete or what it was before: see `Replacing_file`. Otherwise see the overload with
+a stream.
 \param path the file
 \param t the triangulation
 \throws std::runtime_error naming the file if it cannot be written
-\complexity see above
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
 void write_intrinsic_triangulation(const std::filesystem::path& path, const Triangulation& t) {
   Replacing_file file(path);
   try {

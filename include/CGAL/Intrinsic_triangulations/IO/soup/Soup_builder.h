@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/triangulate_polygons.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <algorithm>
 #include <cmath>

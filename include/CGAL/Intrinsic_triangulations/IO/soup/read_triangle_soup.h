@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_STL.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <CGAL/IO/GOCAD.h>
 #include <CGAL/Simple_cartesian.h>

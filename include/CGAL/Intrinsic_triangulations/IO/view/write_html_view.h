@@ -86,22 +86,13 @@ private:
   }
 
   void escaped(std::string_view text) {
-    for (const char c : text) switch (c) {
-      case '<':
-        out_.text("&lt;");
-        break;
-      case '>':
-        out_.text("&gt;");
-        break;
-      case '&':
-        out_.text("&amp;");
-        break;
-      case '"':
-        out_.text("&quot;");
-        break;
-      default:
+    constexpr std::string_view special = "<>&\"";
+    constexpr std::array<std::string_view, 4> names{"&lt;", "&gt;", "&amp;", "&quot;"};
+    for (const char c : text)
+      if (const std::size_t i = special.find(c); i != std::string_view::npos)
+        out_.text(names[i]);
+      else
         out_.text(c);
-      }
   }
 
   // An end tag inside a script would end it, in capitals too; in a string of JavaScript <\/ is </.
@@ -177,7 +168,7 @@ private:
   void write_edges(std::string_view id, std::string_view room_id,
                    std::uint32_t Common_subdivision::Side::*edge_of,
                    const std::vector<std::uint32_t>& face_of) {
-    const Drawn_edges edges = Drawn_edges_builder(s_, scaled_, edge_of, face_of).build();
+    const Drawn_edges edges = drawn_edges(s_, scaled_, edge_of, face_of);
     numbers(id, edges.ends);
     numbers(room_id, edges.room);
   }

@@ -13,6 +13,7 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -43,7 +44,7 @@ struct OpenMesh_coordinate_map {
 };
 
 /*!
-\brief numbers the elements of an OpenMesh mesh by their handles.
+\brief numbers the elements of an OpenMesh triangle or polygon mesh by their handles.
 
 OpenMesh marks elements as deleted and leaves them until `garbage_collection()`; BGL's ranges skip
 them. `reuse_vertex()`, ... bring them back, so that a mesh in which vertices are inserted and removed in
@@ -51,7 +52,8 @@ turn does not grow.
 \tparam Mesh an OpenMesh mesh
 */
 template <class Mesh>
-class OpenMesh_adaptor : public Indexed_mesh_adaptor<Mesh> {
+  requires std::derived_from<Mesh, OpenMesh::PolyConnectivity>
+class Mesh_adaptor<Mesh> : public Indexed_mesh_adaptor<Mesh> {
   using Traits = boost::graph_traits<Mesh>;
   using Vertex = typename Traits::vertex_descriptor;
   using Halfedge = typename Traits::halfedge_descriptor;
@@ -60,9 +62,9 @@ class OpenMesh_adaptor : public Indexed_mesh_adaptor<Mesh> {
 
 public:
   /// \cond see `Mesh_adaptor`
-  explicit OpenMesh_adaptor(const Mesh&) {}
+  explicit Mesh_adaptor(const Mesh&) {}
 
-  explicit OpenMesh_adaptor(Mesh& mesh) {
+  explicit Mesh_adaptor(Mesh& mesh) {
     if (mesh.has_vertex_status())
       find_deleted<OpenMesh::VertexHandle>(mesh, mesh.n_vertices(), free_vertices_);
     if (mesh.has_edge_status())
@@ -71,9 +73,9 @@ public:
       find_deleted<OpenMesh::FaceHandle>(mesh, mesh.n_faces(), free_faces_);
   }
 
-  OpenMesh_adaptor([[maybe_unused]] Mesh& copy, const OpenMesh_adaptor& numbers,
-                   [[maybe_unused]] const Mesh& original)
-      : OpenMesh_adaptor(numbers) {}
+  Mesh_adaptor([[maybe_unused]] Mesh& copy, const Mesh_adaptor& numbers,
+               [[maybe_unused]] const Mesh& original)
+      : Mesh_adaptor(numbers) {}
 
   std::uint32_t vertex(Vertex v) const { return static_cast<std::uint32_t>(v.idx()); }
   std::uint32_t halfedge(Halfedge h) const { return static_cast<std::uint32_t>(h.idx()); }
@@ -126,22 +128,6 @@ private:
   }
 
   std::vector<int> free_vertices_, free_edges_, free_faces_;
-};
-
-/// adapts OpenMesh triangle meshes
-template <class T>
-class Mesh_adaptor<OpenMesh::TriMesh_ArrayKernelT<T>>
-    : public OpenMesh_adaptor<OpenMesh::TriMesh_ArrayKernelT<T>> {
-public:
-  using OpenMesh_adaptor<OpenMesh::TriMesh_ArrayKernelT<T>>::OpenMesh_adaptor;
-};
-
-/// adapts OpenMesh polygon meshes
-template <class T>
-class Mesh_adaptor<OpenMesh::PolyMesh_ArrayKernelT<T>>
-    : public OpenMesh_adaptor<OpenMesh::PolyMesh_ArrayKernelT<T>> {
-public:
-  using OpenMesh_adaptor<OpenMesh::PolyMesh_ArrayKernelT<T>>::OpenMesh_adaptor;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

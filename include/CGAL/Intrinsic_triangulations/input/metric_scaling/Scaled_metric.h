@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
-#include <CGAL/Intrinsic_triangulations/input/metric_scaling/shorten_edges.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/face_expressions.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 
 #include <CGAL/enum.h>
 
@@ -43,19 +43,22 @@ class Refinement_test {
 public:
   /*!
   \brief prepares the test.
-  \param options the criteria
+  \param minimum_angle least angle of faces, in degrees
+  \param maximum_circumradius largest circumradius of faces
+  \param maximum_edge_length largest length of edges
   \param scale_exponent lengths are scaled by 2^scale_exponent
   \throws std::invalid_argument if a bound is not a number, not positive, or an angle of 60 degrees or more
   */
-  Refinement_test(const internal::Refinement_options& options, int scale_exponent) {
-    const double angle = options.minimum_angle;
-    if (!(angle >= 0 && angle < 60))
+  Refinement_test(double minimum_angle, double maximum_circumradius, double maximum_edge_length,
+                  int scale_exponent) {
+    if (!(minimum_angle >= 0 && minimum_angle < 60))
       throw std::invalid_argument("the minimum angle must be at least 0 and below 60 degrees");
-    if (!(options.maximum_circumradius > 0) || !(options.maximum_edge_length > 0))
+    if (!(maximum_circumradius > 0) || !(maximum_edge_length > 0))
       throw std::invalid_argument("the bounds of circumradius and edge length must be positive");
-    if (angle > 0) cotangent_ = (1 - 0x1p-50) / std::tan(angle * std::numbers::pi / 180);
-    squared_radius_ = squared(options.maximum_circumradius, scale_exponent);
-    squared_length_ = squared(options.maximum_edge_length, scale_exponent);
+    if (minimum_angle > 0)
+      cotangent_ = (1 - 0x1p-50) / std::tan(minimum_angle * std::numbers::pi / 180);
+    squared_radius_ = squared(maximum_circumradius, scale_exponent);
+    squared_length_ = squared(maximum_edge_length, scale_exponent);
   }
 
   /*!
@@ -134,6 +137,14 @@ Face_values<double> approximate_values(const Triangulation& t,
 inline double squared_circumradius(const Face_values<double>& v) {
   const auto& [l, a] = v;
   return l[0] / a * l[1] * (l[2] / a);
+}
+
+// The circumcenter of a face of a Delaunay triangulation is a circumradius from all vertices, which for
+// bounds up to 30 degrees is not below the shortest side: were rounding to break that, refinement might
+// go on for ever. Squared, and a little less.
+inline double least_distance(const Face_values<double>& v) {
+  const auto& l = v.squared_lengths;
+  return (1 - 0x1p-10) * std::min({l[0], l[1], l[2], squared_circumradius(v)});
 }
 
 // The face of the greatest one comes first: largest circumradius, or greatest cotangent.

@@ -101,8 +101,7 @@ the user's: `residual_indicators()` has some.
   - `maximum_vertices(n)`: cap on the number of vertices, those of the input included. Default: 100000.
   - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 100.
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
-  - `visitor(v)`: see `Adaptive_refinement_visitor`. It is copied; pass `std::ref(v)` to have `v` itself
-    called.
+  - `visitor(v)`: see `Adaptive_refinement_visitor`
 \return status, and what was reached in every round; the last call of `estimate` was with the triangulation as
   it is in the end
 \throws std::invalid_argument if an option makes no sense, an indicator is negative or not finite, or there are
