@@ -10,6 +10,8 @@ install(TARGETS Intrinsic_triangulations
   EXPORT Intrinsic_triangulations_targets
   FILE_SET HEADERS
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
+  FILE_SET included_texts
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
   FILE_SET openmesh_headers
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
   INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")

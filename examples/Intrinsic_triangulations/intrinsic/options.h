@@ -5,7 +5,7 @@
 #define INTRINSIC_OPTIONS_H
 
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 
 #include <cstdint>
 #include <filesystem>

@@ -60,9 +60,9 @@ sides have the same end vertices.
 */
 inline void validate(const Gluing& g) {
   const auto fail = [](std::uint32_t h, const std::string& what) {
-    throw Invalid_input(Element_kind::halfedge, h,
-                        "halfedge " + std::to_string(h) + " (side " + std::to_string(h % 3) +
-                            " of face " + std::to_string(h / 3) + ") " + what);
+    throw Invalid_input::about(Element_kind::halfedge, h,
+                               " (side " + std::to_string(h % 3) + " of face " +
+                                   std::to_string(h / 3) + ") " + what);
   };
   if (g.origin.size() % 3 != 0 || g.glue.size() != g.origin.size())
     throw Invalid_input(Element_kind::none, 0,

@@ -7,9 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 
+#include <array>
 #include <cstdint>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -115,6 +114,12 @@ public:
   Halfedge halfedge(Vertex v) const { return {vertex_[v.index]}; }
   /// returns a halfedge of `f`.
   Halfedge halfedge(Face f) const { return {face_[f.index]}; }
+
+  /// returns the sides of `f`, the first of which is `halfedge(f)`.
+  std::array<Halfedge, 3> sides(Face f) const {
+    const Halfedge h = halfedge(f), n = next(h);
+    return {h, n, next(n)};
+  }
 
   /// returns the halfedge before `h`; constant time in a face, linear in the degree on the border.
   Halfedge previous(Halfedge h) const {

@@ -24,6 +24,12 @@ public:
   Invalid_input(Element_kind kind, std::size_t index, const std::string& message)
       : std::runtime_error(message), kind_(kind), index_(index) {}
 
+  /// constructs the error with a message that starts with the element at fault: "face 7" and what is said of it.
+  static Invalid_input about(Element_kind kind, std::size_t index, const std::string& what) {
+    constexpr const char* names[] = {"element ", "vertex ", "halfedge ", "edge ", "face "};
+    return Invalid_input(kind, index, names[static_cast<int>(kind)] + std::to_string(index) + what);
+  }
+
   /// returns the kind of the element at fault.
   Element_kind kind() const { return kind_; }
 

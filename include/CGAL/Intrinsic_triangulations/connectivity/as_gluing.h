@@ -33,9 +33,8 @@ inline Gluing gluing_from_map(const Gluing_map& map) {
   g.number_of_vertices = map.number_of_vertices();
   std::vector<std::uint32_t> corner(map.number_of_halfedges(), Gluing::none);
   for (std::uint32_t f = 0; f < map.number_of_faces(); ++f) {
-    Gluing_map::Halfedge h = map.halfedge(Gluing_map::Face{f});
-    for (std::uint32_t k = 0; k < 3; ++k, h = map.next(h)) {
-      corner[h.index] = 3 * f + k;
+    for (const Gluing_map::Halfedge h : map.sides({f})) {
+      corner[h.index] = static_cast<std::uint32_t>(g.origin.size());
       g.origin.push_back(map.source(h).index);
     }
   }

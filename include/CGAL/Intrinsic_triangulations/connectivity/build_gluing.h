@@ -12,7 +12,6 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <numeric>
 #include <string>
@@ -85,15 +84,14 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRan
     const auto f = g.origin.size() / 3;
     for (unsigned k = 0; k < 3; ++k) {
       if (std::cmp_less(t[k], 0) || std::cmp_greater_equal(t[k], number_of_vertices))
-        throw Invalid_input(
-            Element_kind::face, f,
-            "face " + std::to_string(f) + " refers to vertex " + std::to_string(t[k]) +
-                ", but vertices are numbered from 0, and there are " +
-                std::to_string(number_of_vertices) + "; correct the number or remove the face");
+        throw Invalid_input::about(Element_kind::face, f,
+                                   " refers to vertex " + std::to_string(t[k]) +
+                                       ", but vertices are numbered from 0, and there are " +
+                                       std::to_string(number_of_vertices) +
+                                       "; correct the number or remove the face");
       if (t[k] == t[(k + 1) % 3])
-        throw Invalid_input(Element_kind::face, f,
-                            "face " + std::to_string(f) + " repeats vertex " +
-                                std::to_string(t[k]) + "; remove the face");
+        throw Invalid_input::about(Element_kind::face, f,
+                                   " repeats vertex " + std::to_string(t[k]) + "; remove the face");
       g.origin.push_back(static_cast<std::uint32_t>(t[k]));
     }
   }
@@ -231,9 +229,8 @@ Gluing_map gluing_map_from_face_graph(const FaceGraph& mesh) {
   std::uint32_t polygon = Gluing::none;
   Gluing_map map = gluing_map_unless_polygonal(mesh, polygon);
   if (polygon != Gluing::none)
-    throw Invalid_input(Element_kind::face, polygon,
-                        "face " + std::to_string(polygon) +
-                            " is not a triangle; triangulate the faces first");
+    throw Invalid_input::about(Element_kind::face, polygon,
+                               " is not a triangle; triangulate the faces first");
   return map;
 }
 

@@ -15,6 +15,8 @@
 #include <boost/iterator/iterator_facade.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <type_traits>
+
 /*!
 \file
 The functions of BGL's `MutableFaceGraph` for `Gluing_map`, found by argument-dependent lookup.
@@ -102,25 +104,22 @@ inline Gluing_map::Halfedge halfedge(Gluing_map::Face f, const Gluing_map& g) {
   return g.halfedge(f);
 }
 
-inline auto vertices(const Gluing_map& g) {
-  using I = Gluing_iterator<Gluing_map::Vertex>;
-  const std::uint32_t n = g.number_of_vertices();
+template <class Descriptor>
+auto gluing_range(const Gluing_map& g, std::uint32_t n) {
+  using I = Gluing_iterator<Descriptor>;
   return CGAL::Iterator_range<I>(I(g, 0, n), I(g, n, n));
+}
+inline auto vertices(const Gluing_map& g) {
+  return gluing_range<Gluing_map::Vertex>(g, g.number_of_vertices());
 }
 inline auto halfedges(const Gluing_map& g) {
-  using I = Gluing_iterator<Gluing_map::Halfedge>;
-  const std::uint32_t n = g.number_of_halfedges();
-  return CGAL::Iterator_range<I>(I(g, 0, n), I(g, n, n));
+  return gluing_range<Gluing_map::Halfedge>(g, g.number_of_halfedges());
 }
 inline auto edges(const Gluing_map& g) {
-  using I = Gluing_iterator<Gluing_map::Edge>;
-  const std::uint32_t n = g.number_of_edges();
-  return CGAL::Iterator_range<I>(I(g, 0, n), I(g, n, n));
+  return gluing_range<Gluing_map::Edge>(g, g.number_of_edges());
 }
 inline auto faces(const Gluing_map& g) {
-  using I = Gluing_iterator<Gluing_map::Face>;
-  const std::uint32_t n = g.number_of_faces();
-  return CGAL::Iterator_range<I>(I(g, 0, n), I(g, n, n));
+  return gluing_range<Gluing_map::Face>(g, g.number_of_faces());
 }
 inline std::size_t num_vertices(const Gluing_map& g) { return g.number_of_vertices(); }
 inline std::size_t num_halfedges(const Gluing_map& g) { return g.number_of_halfedges(); }
@@ -198,28 +197,11 @@ template <>
 struct graph_traits<const CGAL::Intrinsic_triangulations::Gluing_map>
     : graph_traits<CGAL::Intrinsic_triangulations::Gluing_map> {};
 
-template <>
-struct property_map<CGAL::Intrinsic_triangulations::Gluing_map, vertex_index_t> {
-  using type = CGAL::Intrinsic_triangulations::Gluing_index_map<
-      CGAL::Intrinsic_triangulations::Gluing_map::Vertex>;
-  using const_type = type;
-};
-template <>
-struct property_map<CGAL::Intrinsic_triangulations::Gluing_map, halfedge_index_t> {
-  using type = CGAL::Intrinsic_triangulations::Gluing_index_map<
-      CGAL::Intrinsic_triangulations::Gluing_map::Halfedge>;
-  using const_type = type;
-};
-template <>
-struct property_map<CGAL::Intrinsic_triangulations::Gluing_map, edge_index_t> {
-  using type = CGAL::Intrinsic_triangulations::Gluing_index_map<
-      CGAL::Intrinsic_triangulations::Gluing_map::Edge>;
-  using const_type = type;
-};
-template <>
-struct property_map<CGAL::Intrinsic_triangulations::Gluing_map, face_index_t> {
-  using type = CGAL::Intrinsic_triangulations::Gluing_index_map<
-      CGAL::Intrinsic_triangulations::Gluing_map::Face>;
+template <class Tag>
+  requires(std::is_same_v<Tag, vertex_index_t> || std::is_same_v<Tag, halfedge_index_t> ||
+           std::is_same_v<Tag, edge_index_t> || std::is_same_v<Tag, face_index_t>)
+struct property_map<CGAL::Intrinsic_triangulations::Gluing_map, Tag> {
+  using type = decltype(get(Tag(), CGAL::Intrinsic_triangulations::Gluing_map()));
   using const_type = type;
 };
 

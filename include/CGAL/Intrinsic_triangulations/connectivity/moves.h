@@ -6,6 +6,8 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <type_traits>
+
 /*!
 \file
 Insertion and removal of vertices of a Delta-complex, connectivity only. Halfedges that stay keep their
@@ -35,63 +37,52 @@ void replace_halfedge_of_target(Halfedge removed, Halfedge kept, Mesh& mesh) {
   if (halfedge(v, mesh) == removed) set_halfedge(v, kept, mesh);
 }
 
-// An edge that refers to nothing, numbered; one that was removed if the numbering brings it back.
-template <class Mesh, class Numbers>
-typename boost::graph_traits<Mesh>::halfedge_descriptor add_numbered_edge(Mesh& mesh,
-                                                                          Numbers& numbers) {
-  if constexpr (requires { numbers.reuse_edge(mesh); }) {
-    const typename boost::graph_traits<Mesh>::halfedge_descriptor h = numbers.reuse_edge(mesh);
-    if (h != boost::graph_traits<Mesh>::null_halfedge()) return h;
-  }
-  const typename boost::graph_traits<Mesh>::edge_descriptor e = add_edge(mesh);
+template <class Mesh, class Numbers, class Element>
+Element numbered(Element e, const Mesh& mesh, Numbers& numbers) {
   numbers.add(e, mesh);
-  return halfedge(e, mesh);
+  return e;
+}
+
+// Adds an element that refers to nothing, numbered; one that was removed if the numbering brings it back. An
+// edge is given by its halfedge.
+template <class Mesh, class Numbers>
+typename boost::graph_traits<Mesh>::vertex_descriptor add_numbered_vertex(Mesh& mesh,
+                                                                          Numbers& numbers) {
+  if constexpr (requires { numbers.reuse_vertex(mesh); })
+    if (const auto v = numbers.reuse_vertex(mesh); v != boost::graph_traits<Mesh>::null_vertex())
+      return v;
+  return numbered(add_vertex(mesh), mesh, numbers);
 }
 
 template <class Mesh, class Numbers>
-void remove_numbered_edge(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh,
-                          Numbers& numbers) {
-  const typename boost::graph_traits<Mesh>::edge_descriptor e = edge(h, mesh);
-  numbers.remove(e, mesh);
-  remove_edge(e, mesh);
+typename boost::graph_traits<Mesh>::halfedge_descriptor add_numbered_edge(Mesh& mesh,
+                                                                          Numbers& numbers) {
+  if constexpr (requires { numbers.reuse_edge(mesh); })
+    if (const auto h = numbers.reuse_edge(mesh); h != boost::graph_traits<Mesh>::null_halfedge())
+      return h;
+  return halfedge(numbered(add_edge(mesh), mesh, numbers), mesh);
 }
 
 template <class Mesh, class Numbers>
 typename boost::graph_traits<Mesh>::face_descriptor add_numbered_face(Mesh& mesh,
                                                                       Numbers& numbers) {
-  if constexpr (requires { numbers.reuse_face(mesh); }) {
-    const typename boost::graph_traits<Mesh>::face_descriptor f = numbers.reuse_face(mesh);
-    if (f != boost::graph_traits<Mesh>::null_face()) return f;
-  }
-  const typename boost::graph_traits<Mesh>::face_descriptor f = add_face(mesh);
-  numbers.add(f, mesh);
-  return f;
+  if constexpr (requires { numbers.reuse_face(mesh); })
+    if (const auto f = numbers.reuse_face(mesh); f != boost::graph_traits<Mesh>::null_face())
+      return f;
+  return numbered(add_face(mesh), mesh, numbers);
 }
 
-template <class Mesh, class Numbers>
-void remove_numbered_face(typename boost::graph_traits<Mesh>::face_descriptor f, Mesh& mesh,
-                          Numbers& numbers) {
-  numbers.remove(f, mesh);
-  remove_face(f, mesh);
-}
-
-template <class Mesh, class Numbers>
-typename boost::graph_traits<Mesh>::vertex_descriptor add_numbered_vertex(Mesh& mesh,
-                                                                          Numbers& numbers) {
-  if constexpr (requires { numbers.reuse_vertex(mesh); }) {
-    const typename boost::graph_traits<Mesh>::vertex_descriptor v = numbers.reuse_vertex(mesh);
-    if (v != boost::graph_traits<Mesh>::null_vertex()) return v;
-  }
-  const typename boost::graph_traits<Mesh>::vertex_descriptor v = add_vertex(mesh);
-  numbers.add(v, mesh);
-  return v;
-}
-
-template <class Mesh, class Numbers>
-void remove_numbered_vertex(typename boost::graph_traits<Mesh>::vertex_descriptor v, Mesh& mesh,
-                            Numbers& numbers) {
-  numbers.remove(v, mesh);
-  remove_vertex(v, mesh);
+// Removes a vertex, an edge or a face, and gives its number back.
+template <class Mesh, class Numbers, class Element>
+void remove_numbered(Element e, Mesh& mesh, Numbers& numbers) {
+  using Traits = boost::graph_traits<Mesh>;
+  numbers.remove(e, mesh);
+  if constexpr (std::is_same_v<Element, typename Traits::vertex_descriptor>)
+    remove_vertex(e, mesh);
+  else if constexpr (std::is_same_v<Element, typename Traits::edge_descriptor>)
+    remove_edge(e, mesh);
+  else
+    remove_face(e, mesh);
 }
 
 } // namespace internal
@@ -148,10 +139,10 @@ void remove_degree_3_vertex(typename boost::graph_traits<Mesh>::halfedge_descrip
   internal::replace_halfedge_of_target(opposite(jp, mesh), ij, mesh);
   internal::replace_halfedge_of_target(opposite(kp, mesh), jk, mesh);
   internal::replace_halfedge_of_target(pi, ki, mesh);
-  for (const Halfedge s : {jp, kp, pi}) internal::remove_numbered_edge(s, mesh, numbers);
-  internal::remove_numbered_face(g, mesh, numbers);
-  internal::remove_numbered_face(e, mesh, numbers);
-  internal::remove_numbered_vertex(p, mesh, numbers);
+  for (const Halfedge s : {jp, kp, pi}) internal::remove_numbered(edge(s, mesh), mesh, numbers);
+  internal::remove_numbered(g, mesh, numbers);
+  internal::remove_numbered(e, mesh, numbers);
+  internal::remove_numbered(p, mesh, numbers);
 }
 
 /*!
@@ -210,10 +201,10 @@ void remove_border_vertex(typename boost::graph_traits<Mesh>::halfedge_descripto
   set_next(before, pi, mesh);
   internal::replace_halfedge_of_target(pj, ip, mesh);
   internal::replace_halfedge_of_target(pk, jk, mesh);
-  internal::remove_numbered_edge(pj, mesh, numbers);
-  internal::remove_numbered_edge(pk, mesh, numbers);
-  internal::remove_numbered_face(g, mesh, numbers);
-  internal::remove_numbered_vertex(p, mesh, numbers);
+  internal::remove_numbered(edge(pj, mesh), mesh, numbers);
+  internal::remove_numbered(edge(pk, mesh), mesh, numbers);
+  internal::remove_numbered(g, mesh, numbers);
+  internal::remove_numbered(p, mesh, numbers);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -15,7 +15,8 @@ Named parameters: the one way in which functions of the package take options. Th
 
     delaunay_refine(t, parameters::minimum_angle(30).visitor(std::ref(progress)));
 
-What a name means, and its default, is told by the function. One that the function does not have is an
+What a name means, and its default, is told by the function. A visitor is copied; pass `std::ref(v)` to have
+`v` itself called. One that the function does not have is an
 error of the compiler. `CGAL::parameters` are taken as well; CGAL's chain cannot be continued by names of this
 package, but all of the names are here, those of CGAL among them.
 */
@@ -26,7 +27,8 @@ package, but all of the names are here, those of CGAL among them.
       name(maximum_circumradius) name(maximum_edge_length) name(maximum_insertions) name(order)    \
           name(conforming) name(number_of_iterations) name(convergence) name(tolerance) name(bulk) \
               name(maximum_vertices) name(maximum_rounds) name(triangle_inequality) name(margin)   \
-                  name(maximum_faces) name(snaps_to_vertices) name(border_condition)
+                  name(maximum_faces) name(snaps_to_vertices) name(border_condition)               \
+                      name(use_binary_mode) name(lines)
 /// \endcond
 
 namespace CGAL::Intrinsic_triangulations {
@@ -116,23 +118,21 @@ template <class T, class Tag, class Base>
 inline constexpr bool is_named_parameters<Named_function_parameters<T, Tag, Base>> = true;
 
 // CGAL's names among ours
-template <class T, class Tag, class Base>
-auto cgal_parameter(const Named_function_parameters<T, Tag, Base>& np, tags::visitor) {
-  return CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor);
+constexpr auto cgal_name(tags::visitor) { return CGAL::internal_np::visitor; }
+constexpr auto cgal_name(tags::edge_is_constrained_map) {
+  return CGAL::internal_np::edge_is_constrained;
 }
-template <class T, class Tag, class Base>
-auto cgal_parameter(const Named_function_parameters<T, Tag, Base>& np,
-                    tags::edge_is_constrained_map) {
-  return CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
+constexpr auto cgal_name(tags::maximum_number) { return CGAL::internal_np::maximum_number; }
+constexpr auto cgal_name(tags::number_of_iterations) {
+  return CGAL::internal_np::number_of_iterations;
 }
-template <class T, class Tag, class Base>
-auto cgal_parameter(const Named_function_parameters<T, Tag, Base>& np, tags::maximum_number) {
-  return CGAL::parameters::get_parameter(np, CGAL::internal_np::maximum_number);
+constexpr auto cgal_name(tags::use_binary_mode) { return CGAL::internal_np::use_binary_mode; }
+template <class T, class CGAL_tag, class Base, class Tag>
+auto cgal_parameter(const Named_function_parameters<T, CGAL_tag, Base>& np,
+                    Tag tag) requires requires {
+  cgal_name(tag);
 }
-template <class T, class Tag, class Base>
-auto cgal_parameter(const Named_function_parameters<T, Tag, Base>& np, tags::number_of_iterations) {
-  return CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations);
-}
+{ return CGAL::parameters::get_parameter(np, cgal_name(tag)); }
 
 // A copy of what was given under a name, or of the default, whatever its type.
 template <class Tag, class NamedParameters, class Default>

@@ -9,8 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -77,8 +75,7 @@ Signed_incidence incidence(const Mesh& mesh) {
     s.vertex_edge.push_back({e, m.target({2 * e}).index, +1});
   }
   for (std::uint32_t f = 0; f < s.number_of_faces; ++f) {
-    Gluing_map::Halfedge h = m.halfedge(Gluing_map::Face{f});
-    for (int k = 0; k < 3; ++k, h = m.next(h)) {
+    for (const Gluing_map::Halfedge h : m.sides({f})) {
       const bool along = h.index % 2 == 0 || m.is_reversed({h.index / 2});
       s.edge_face.push_back({f, h.index / 2, along ? +1 : -1});
     }
@@ -113,8 +110,7 @@ public:
 
 private:
   [[noreturn]] static void fail(Element_kind kind, std::uint32_t i, const std::string& what) {
-    throw Invalid_input(
-        kind, i, (kind == Element_kind::edge ? "edge " : "face ") + std::to_string(i) + what);
+    throw Invalid_input::about(kind, i, what);
   }
 
   static void check_entry(const Incidence_entry& x, std::uint32_t rows, std::uint32_t columns,

@@ -11,6 +11,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -158,9 +159,9 @@ Face_components connected_components(const Mesh& mesh) {
     c.of_face[start] = c.count;
     stack.push_back(start);
     while (!stack.empty()) {
-      Gluing_map::Halfedge h = m.halfedge(Gluing_map::Face{stack.back()});
+      const std::array<Gluing_map::Halfedge, 3> sides = m.sides({stack.back()});
       stack.pop_back();
-      for (int k = 0; k < 3; ++k, h = m.next(h)) {
+      for (const Gluing_map::Halfedge h : sides) {
         const std::uint32_t f = m.face(Gluing_map::opposite(h)).index;
         if (f == Gluing::none || c.of_face[f] != Gluing::none) continue;
         c.of_face[f] = c.count;

@@ -230,17 +230,8 @@ private:
 \brief finds out why a mesh is not a triangulated surface in the sense of a Delta-complex (§2.1 of
 the course).
 
-In a valid mesh
-- every halfedge has an opposite other than itself, whose opposite it is, and both belong to the
-  same edge;
-- three steps of `next()` lead around every face, which has just these three sides, and which
-  `face()` gives for all of them;
-- both sides of an edge have the same end vertices, and one of them at least has a face;
-- `next()` joins border halfedges end to end to closed loops (in a `Gluing_map` that is not oriented
-  they are not linked);
-- vertices and faces refer to a halfedge that refers to them; only isolated vertices to none; in a
-  `Gluing_map` to one on the border where there is one;
-- nothing refers to an element that is not in the mesh.
+A valid mesh has the invariants of \ref ::MutableDeltaComplex, refers to nothing that is not in it, and in a
+`Gluing_map` that is not oriented border halfedges are not linked.
 
 Loops, faces glued to themselves, parallel edges, nonmanifold and isolated vertices are all valid.
 Corrupted data of any kind gives an answer; nothing is followed before it is checked.

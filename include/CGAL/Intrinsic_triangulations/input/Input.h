@@ -7,14 +7,47 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_report.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// How degenerate faces of the input are treated.
+enum class Mollification {
+  none,           ///< the metric stays as it is
+  automatic,      ///< `squared_lengths`, only where flips cannot remove the degenerate faces
+  lengths,        ///< an epsilon is added to all lengths (§4.7 of the course)
+  squared_lengths ///< a delta is added to all squared lengths
+};
+
+/*!
+\brief reports what was done about degenerate faces.
+*/
+struct Mollification_report {
+  /// What was applied: `none`, `lengths` or `squared_lengths`.
+  Mollification kind = Mollification::none;
+  /// What was added to the lengths (`lengths`) or squared lengths (`squared_lengths`), in the units
+  /// of the input.
+  double delta = 0;
+};
+
+/*!
+\brief reports what was found in the input and done about it.
+*/
+struct Input_report {
+  /// Input faces of zero area, counted exactly.
+  std::size_t degenerate_faces = 0;
+  /// Treatment of degenerate faces.
+  Mollification_report mollification;
+  /// Whether faces and vertices were renumbered for locality.
+  bool renumbered = false;
+  /// Number of polygonal faces that were triangulated; faces of the report are numbered after that.
+  std::size_t triangulated_polygons = 0;
+};
 
 /*!
 \brief is the surface that an intrinsic triangulation was built from: connectivity, exact metric, the
@@ -78,35 +111,28 @@ public:
   std::uint32_t number_of_halfedges() const { return mesh_.number_of_halfedges(); }
   /// returns the number of faces.
   std::uint32_t number_of_faces() const { return mesh_.number_of_faces(); }
-  /// returns the halfedge after `h`.
-  std::uint32_t next(std::uint32_t h) const { return mesh_.next({h}).index; }
-  /// returns the other side of the edge of `h`.
-  static std::uint32_t opposite(std::uint32_t h) { return h ^ 1U; }
-  /// tells whether `h` has no face.
-  bool is_border(std::uint32_t h) const { return face(h) == Gluing::none; }
-  /// returns the face of `h`, `Gluing::none` on the border.
-  std::uint32_t face(std::uint32_t h) const { return mesh_.face({h}).index; }
-  /// returns the vertex that `h` starts from.
-  std::uint32_t source(std::uint32_t h) const {
-    return mesh_.source(Gluing_map::Halfedge{h}).index;
-  }
-  /// returns the vertex that `h` points to.
-  std::uint32_t target(std::uint32_t h) const {
-    return mesh_.target(Gluing_map::Halfedge{h}).index;
-  }
   /// returns a halfedge of face `f`.
   std::uint32_t halfedge_of_face(std::uint32_t f) const {
     return mesh_.halfedge(Gluing_map::Face{f}).index;
   }
-  /// returns a halfedge that starts at vertex `v`, the one whose right side is the border if there is
-  /// one. \pre `v` is not isolated
+  /// returns the other side of the edge of `h`.
+  static std::uint32_t opposite(std::uint32_t h) { return h ^ 1U; }
+  /// \cond the functions of `NumberedComplex`; lengths and areas only if `has_surface()`
+  std::uint32_t next(std::uint32_t h) const { return mesh_.next({h}).index; }
+  bool is_border(std::uint32_t h) const { return face(h) == Gluing::none; }
+  std::uint32_t face(std::uint32_t h) const { return mesh_.face({h}).index; }
+  std::uint32_t source(std::uint32_t h) const {
+    return mesh_.source(Gluing_map::Halfedge{h}).index;
+  }
+  std::uint32_t target(std::uint32_t h) const {
+    return mesh_.target(Gluing_map::Halfedge{h}).index;
+  }
   std::uint32_t outgoing_halfedge(std::uint32_t v) const {
     return mesh_.halfedge(Gluing_map::Vertex{v}).index ^ 1U;
   }
-  /// returns the squared length of edge `e`, in scaled units. \pre `has_surface()`
   double squared_length(std::uint32_t e) const { return squared_length_[e]; }
-  /// returns the quadruple area of face `f`, in scaled units. \pre `has_surface()`
   double quadruple_area(std::uint32_t f) const { return quadruple_area_[f]; }
+  /// \endcond
   /// tells whether connectivity, lengths and areas are kept: those of a triangulation with correspondence are.
   bool has_surface() const { return !squared_length_.empty(); }
 

@@ -55,15 +55,10 @@ public:
   */
   static Input_metric from_points(const Gluing_map& mesh, std::vector<Point> points,
                                   int scale_exponent) {
-    Input_metric m;
-    m.points_ = std::move(points);
-    m.scale_exponent_ = scale_exponent;
-    m.sides_.resize(mesh.number_of_faces());
-    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
-      m.sides_[f] = {mesh.source(h).index, mesh.target(h).index, mesh.target(mesh.next(h)).index};
-    }
-    return m;
+    return Input_metric(
+        std::move(points), {},
+        sides_of_faces(mesh, [&mesh](Gluing_map::Halfedge h) { return mesh.source(h).index; }), 0,
+        scale_exponent);
   }
 
   /*!
@@ -75,16 +70,9 @@ public:
   static Input_metric from_squared_lengths(const Gluing_map& mesh,
                                            std::vector<double> squared_lengths,
                                            int scale_exponent) {
-    Input_metric m;
-    m.squared_lengths_ = std::move(squared_lengths);
-    m.scale_exponent_ = scale_exponent;
-    m.sides_.resize(mesh.number_of_faces());
-    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
-      const Gluing_map::Halfedge n = mesh.next(h);
-      m.sides_[f] = {h.index / 2, n.index / 2, mesh.next(n).index / 2};
-    }
-    return m;
+    return Input_metric({}, std::move(squared_lengths),
+                        sides_of_faces(mesh, [](Gluing_map::Halfedge h) { return h.index / 2; }), 0,
+                        scale_exponent);
   }
 
   /// returns the number of input faces.
@@ -137,6 +125,16 @@ public:
   }
 
 private:
+  template <class Name>
+  static std::vector<Sides> sides_of_faces(const Gluing_map& mesh, Name name) {
+    std::vector<Sides> sides(mesh.number_of_faces());
+    for (std::uint32_t f = 0; f < sides.size(); ++f) {
+      const auto [h, n, l] = mesh.sides({f});
+      sides[f] = {name(h), name(n), name(l)};
+    }
+    return sides;
+  }
+
   std::vector<Point> points_;
   std::vector<double> squared_lengths_;
   std::vector<Sides> sides_;

@@ -11,8 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_report.h>
-#include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/input/mollification.h>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 #include <CGAL/Intrinsic_triangulations/input/scaling.h>
@@ -28,6 +26,25 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief holds points and the triangles between them, before any edge is matched.
+
+Vertices keep the numbers they have in the input. Triangles follow the order of the input faces; a
+polygon with `n` sides gives `n - 2` consecutive triangles, oriented as the polygon is.
+*/
+struct Triangle_soup {
+  /// Coordinates of the vertices, isolated ones included.
+  std::vector<std::array<double, 3>> points;
+  /// Vertices of the triangles, counterclockwise.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Input face of each triangle; empty if all input faces are triangles.
+  std::vector<std::uint32_t> polygon_of_triangle;
+  /// Number of faces of the input.
+  std::size_t input_faces = 0;
+  /// Number of input faces with more than three sides.
+  std::size_t triangulated_polygons = 0;
+};
 
 /*!
 \brief describes what an intrinsic triangulation is built from: a gluing of triangles, and either
@@ -145,9 +162,8 @@ inline void check_sizes(const Intrinsic_input& in) {
 // Makes each face start at a side that is not glued to another side of the same face, so that its
 // edge names that side alone: exact metrics tell sides by their edges.
 inline void start_at_single_sides(Gluing_map& mesh) {
-  using Halfedge = Gluing_map::Halfedge;
   for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Halfedge h = mesh.halfedge(Gluing_map::Face{f}), n = mesh.next(h), l = mesh.next(n);
+    const auto [h, n, l] = mesh.sides({f});
     if (n == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, l);
     if (l == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, n);
   }

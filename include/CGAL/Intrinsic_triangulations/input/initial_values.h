@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -136,10 +135,10 @@ inline Interval_nt<false> embedded_area_interval(const Input_metric& m, std::uin
 
 inline void check_triangle_inequality(const Gmpq& squared_area, std::uint32_t f) {
   if (squared_area < Gmpq(0))
-    throw Invalid_input(Element_kind::face, f,
-                        "face " + std::to_string(f) +
-                            " violates the triangle inequality; correct the lengths of its edges "
-                            "or mollify them");
+    throw Invalid_input::about(
+        Element_kind::face, f,
+        " violates the triangle inequality; correct the lengths of its edges "
+        "or mollify them");
 }
 
 inline Gmpq checked_squared_quadruple_area(const Input_metric& m, std::uint32_t f) {
@@ -193,10 +192,10 @@ FT quadruple_area_rational(const Input_metric& m, std::uint32_t f) {
   const Gmpq d = checked_squared_quadruple_area(m, f);
   Gmpq root;
   if (!rational_square_root(d, root))
-    throw Invalid_input(Element_kind::face, f,
-                        "face " + std::to_string(f) +
-                            " has an irrational area, which this number type cannot hold; use the "
-                            "exact traits");
+    throw Invalid_input::about(
+        Element_kind::face, f,
+        " has an irrational area, which this number type cannot hold; use the "
+        "exact traits");
   return from_rational<FT>(root);
 }
 

@@ -6,12 +6,11 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_report.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -42,10 +41,7 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
     std::uint32_t f = start;
     path.clear();
     while (metric.is_degenerate(f) && !removable[f]) {
-      const Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
-      const Gluing_map::Halfedge sides[3] = {h, mesh.next(h), mesh.next(mesh.next(h))};
-      const Gluing_map::Halfedge longest = *std::max_element(
-          sides, sides + 3, [&](auto a, auto b) { return length(a) < length(b); });
+      const Gluing_map::Halfedge longest = std::ranges::max(mesh.sides({f}), {}, length);
       const Gluing_map::Face across = mesh.face(Gluing_map::opposite(longest));
       if (across.index == Gluing::none || path.size() > mesh.number_of_faces() ||
           (!path.empty() && path.back() == across.index) || across.index == f)
@@ -79,12 +75,10 @@ inline double mollifying_epsilon(const Gluing_map& mesh, const std::vector<doubl
                                  double delta) {
   double epsilon = 0;
   for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-    Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
-    for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
-      const double a = lengths[h.index / 2];
-      const double b = lengths[mesh.next(h).index / 2];
-      const double c = lengths[mesh.next(mesh.next(h)).index / 2];
-      epsilon = std::max(epsilon, delta - a - b + c);
+    const std::array<Gluing_map::Halfedge, 3> h = mesh.sides({f});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double a = lengths[h[k].index / 2], b = lengths[h[(k + 1) % 3].index / 2];
+      epsilon = std::max(epsilon, delta - a - b + lengths[h[(k + 2) % 3].index / 2]);
     }
   }
   return epsilon;
@@ -103,9 +97,9 @@ inline Input_metric mollify_lengths(const Gluing_map& mesh, const Input_metric& 
                                     double& epsilon) {
   std::vector<double> lengths(mesh.number_of_edges(), 0);
   for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-    Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f});
-    for (unsigned k = 0; k < 3; ++k, h = mesh.next(h))
-      lengths[h.index / 2] = std::sqrt(input.squared_length<double>(f, k));
+    const std::array<Gluing_map::Halfedge, 3> h = mesh.sides({f});
+    for (unsigned k = 0; k < 3; ++k)
+      lengths[h[k].index / 2] = std::sqrt(input.squared_length<double>(f, k));
   }
   epsilon = mollifying_epsilon(mesh, lengths, delta);
   if (epsilon <= 0) return input;

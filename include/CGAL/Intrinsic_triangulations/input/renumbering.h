@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_RENUMBERING_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
@@ -61,50 +62,38 @@ inline std::vector<std::uint32_t> inverse_permutation(const std::vector<std::uin
   return inverse;
 }
 
-// New numbers of vertices, edges and faces.
+// New numbers of the elements of a mesh, for `numbered_copy()`.
 struct New_numbers {
-  std::vector<std::uint32_t> vertex, edge, face;
+  std::vector<std::uint32_t> vertices, edges, faces;
+
+  std::uint32_t vertex(Gluing_map::Vertex v) const { return vertices[v.index]; }
+  std::uint32_t halfedge(Gluing_map::Halfedge h) const {
+    return 2 * edges[h.index / 2] + h.index % 2;
+  }
+  std::uint32_t face(Gluing_map::Face f) const { return faces[f.index]; }
+  std::uint32_t vertex_capacity(const Gluing_map& m) const { return m.number_of_vertices(); }
+  std::uint32_t edge_capacity(const Gluing_map& m) const { return m.number_of_edges(); }
+  std::uint32_t face_capacity(const Gluing_map& m) const { return m.number_of_faces(); }
 };
 
 // Faces follow the least of their vertices, edges the first of their faces. All loops run through
 // the mesh in memory order, so that cache misses overlap.
 inline New_numbers numbers_along(const Gluing_map& mesh, std::vector<std::uint32_t> vertex) {
   New_numbers result;
-  result.vertex = std::move(vertex);
+  result.vertices = std::move(vertex);
   std::vector<std::uint32_t> key(mesh.number_of_faces(), Gluing::none);
   for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h) {
     const std::uint32_t f = mesh.face({h}).index;
-    if (f != Gluing::none) key[f] = std::min(key[f], result.vertex[mesh.target({h}).index]);
+    if (f != Gluing::none) key[f] = std::min(key[f], result.vertices[mesh.target({h}).index]);
   }
-  result.face = places_by_key(key, mesh.number_of_vertices());
+  result.faces = places_by_key(key, mesh.number_of_vertices());
   key.resize(mesh.number_of_edges());
   const auto place = [&](std::uint32_t h) {
     const std::uint32_t f = mesh.face({h}).index;
-    return f == Gluing::none ? f : result.face[f];
+    return f == Gluing::none ? f : result.faces[f];
   };
   for (std::uint32_t e = 0; e < key.size(); ++e) key[e] = std::min(place(2 * e), place(2 * e + 1));
-  result.edge = places_by_key(key, mesh.number_of_faces());
-  return result;
-}
-
-inline Gluing_map renumbered(const Gluing_map& mesh, const New_numbers& number) {
-  using Halfedge = Gluing_map::Halfedge;
-  const auto side = [&](Halfedge h) {
-    return h.index == Gluing::none ? h : Halfedge{2 * number.edge[h.index / 2] + h.index % 2};
-  };
-  Gluing_map result(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
-  for (std::uint32_t i = 0; i < mesh.number_of_halfedges(); ++i) {
-    const Halfedge h{i}, n = side(h);
-    result.set_next(n, side(mesh.next(h)));
-    result.set_target(n, {number.vertex[mesh.target(h).index]});
-    const std::uint32_t f = mesh.face(h).index;
-    if (f != Gluing::none) result.set_face(n, {number.face[f]});
-  }
-  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
-    result.set_halfedge(Gluing_map::Face{number.face[f]}, side(mesh.halfedge(Gluing_map::Face{f})));
-  for (std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v)
-    result.set_halfedge(Gluing_map::Vertex{number.vertex[v]},
-                        side(mesh.halfedge(Gluing_map::Vertex{v})));
+  result.edges = places_by_key(key, mesh.number_of_faces());
   return result;
 }
 
@@ -154,14 +143,14 @@ curve, faces and edges along with them.
 \param mesh the connectivity, which is replaced
 \param points one point per vertex, which are permuted
 \return the numbers before, as those of the user
-\pre `mesh` has a vertex, coordinates are finite
+\pre `mesh` is oriented and has a vertex, coordinates are finite
 \complexity linear
 */
 inline Input_names renumber(Gluing_map& mesh, std::vector<std::array<double, 3>>& points) {
   std::vector<std::uint32_t> order = morton_order(points);
   internal::New_numbers number =
       internal::numbers_along(mesh, internal::inverse_permutation(order));
-  mesh = internal::renumbered(mesh, number);
+  mesh = internal::numbered_copy(mesh, number);
   std::vector<std::array<double, 3>> moved;
   moved.reserve(points.size());
   for (const std::uint32_t v : order) moved.push_back(points[v]);
@@ -170,9 +159,9 @@ inline Input_names renumber(Gluing_map& mesh, std::vector<std::array<double, 3>>
     std::vector<std::uint32_t> user = internal::inverse_permutation(here);
     return Element_names(std::move(user), std::move(here));
   };
-  return {Element_names(std::move(order), std::move(number.vertex)),
-          names(number.edge),
-          names(number.face),
+  return {Element_names(std::move(order), std::move(number.vertices)),
+          names(number.edges),
+          names(number.faces),
           {}};
 }
 

@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 /*!
@@ -49,9 +48,8 @@ inline double largest_coordinate(const std::vector<std::array<double, 3>>& point
   for (std::size_t v = 0; v < points.size(); ++v)
     for (const double x : points[v]) {
       if (!std::isfinite(x))
-        throw Invalid_input(Element_kind::vertex, v,
-                            "vertex " + std::to_string(v) +
-                                " has a coordinate that is not finite; repair or remove it");
+        throw Invalid_input::about(Element_kind::vertex, v,
+                                   " has a coordinate that is not finite; repair or remove it");
       largest = std::max(largest, std::abs(x));
     }
   return largest;
@@ -89,10 +87,9 @@ inline int scale_points(const Gluing_map& mesh, std::vector<std::array<double, 3
   for (std::size_t v = 0; v < points.size(); ++v)
     for (double& x : points[v])
       if (!power.scale(x))
-        throw Invalid_input(Element_kind::vertex, v,
-                            "vertex " + std::to_string(v) +
-                                " has a coordinate more than 2^1000 times smaller than the mean "
-                                "edge; set it to 0");
+        throw Invalid_input::about(Element_kind::vertex, v,
+                                   " has a coordinate more than 2^1000 times smaller than the mean "
+                                   "edge; set it to 0");
   return exponent;
 }
 
@@ -107,19 +104,18 @@ inline int scale_squared_lengths(std::vector<double>& squared_lengths) {
   for (std::size_t e = 0; e < squared_lengths.size(); ++e) {
     const double x = squared_lengths[e];
     if (!std::isfinite(x) || x < 0)
-      throw Invalid_input(Element_kind::edge, e,
-                          "edge " + std::to_string(e) +
-                              " has a squared length that is negative or not finite; correct it");
+      throw Invalid_input::about(
+          Element_kind::edge, e,
+          " has a squared length that is negative or not finite; correct it");
     largest = std::max(largest, x);
   }
   const int exponent = largest > 0 ? -std::ilogb(largest) / 2 : 0;
   const internal::Power_of_two power(2 * exponent);
   for (std::size_t e = 0; e < squared_lengths.size(); ++e)
     if (!power.scale(squared_lengths[e]))
-      throw Invalid_input(Element_kind::edge, e,
-                          "edge " + std::to_string(e) +
-                              " has a squared length more than 2^1000 times smaller than the "
-                              "largest; set it to 0");
+      throw Invalid_input::about(Element_kind::edge, e,
+                                 " has a squared length more than 2^1000 times smaller than the "
+                                 "largest; set it to 0");
   return exponent;
 }
 

@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -99,9 +98,7 @@ inline Element_names names_of_sides(const Gluing_map& map,
   std::vector<std::uint32_t> user(map.number_of_edges(), Gluing::none);
   for (std::uint32_t e = 0; e < side_of_edge.size(); ++e) {
     if (side_of_edge[e] == Gluing::none) continue; // without faces
-    Gluing_map::Halfedge h = map.halfedge(Gluing_map::Face{side_of_edge[e] / 3});
-    for (std::uint32_t k = 0; k < side_of_edge[e] % 3; ++k) h = map.next(h);
-    user[h.index / 2] = e;
+    user[map.sides({side_of_edge[e] / 3})[side_of_edge[e] % 3].index / 2] = e;
   }
   return Element_names(std::move(user));
 }
@@ -138,7 +135,7 @@ Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
   std::size_t f = 0;
   polygons = 0;
   const auto fail = [&f](const char* what) {
-    throw Invalid_input(Element_kind::face, f, "face " + std::to_string(f) + what);
+    throw Invalid_input::about(Element_kind::face, f, what);
   };
   for (const typename Traits::face_descriptor d : faces(mesh)) {
     internal::collect_sides(mesh, halfedge(d, mesh), number, sides, corners);

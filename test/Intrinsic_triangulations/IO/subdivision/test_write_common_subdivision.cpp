@@ -61,11 +61,12 @@ Example labelled() {
   return e;
 }
 
+template <class NP = IT::parameters::Parameters<>>
 std::string written(const std::string& extension, const Example& e,
-                    const IT::Common_subdivision_output& options = {},
+                    const NP& np = IT::parameters::default_values(),
                     std::span<const IT::Vertex_field> fields = {}) {
   std::ostringstream out;
-  IT::write_common_subdivision(out, extension, e.s, e.points, fields, options);
+  IT::write_common_subdivision(out, extension, e.s, e.points, fields, np);
   return out.str();
 }
 
@@ -276,7 +277,7 @@ TEST(Write_common_subdivision, Gives_CGAL_the_same_polygons_without_loss_as_OFF_
     for (const bool binary : {false, true}) {
       std::vector<Point> points;
       Polygons polygons;
-      std::istringstream in(written("ply", e, {.binary = binary}));
+      std::istringstream in(written("ply", e, IT::parameters::use_binary_mode(binary)));
       ASSERT_TRUE(CGAL::IO::read_PLY(in, points, polygons));
       expect_same_mesh(e, points, polygons);
     }
@@ -321,7 +322,7 @@ TEST(Write_common_subdivision, Splits_polygons_into_fans_for_STL) {
 TEST(Write_common_subdivision, Writes_all_labels_to_PLY_as_text_and_in_binary) {
   for (const Example& e : {grid(1), grid(4), tetrahedron(), labelled()})
     for (const bool binary : {false, true})
-      expect_labels(e, read_PLY(written("ply", e, {.binary = binary})));
+      expect_labels(e, read_PLY(written("ply", e, IT::parameters::use_binary_mode(binary))));
 }
 
 TEST(Write_common_subdivision, Writes_all_labels_and_lines_to_VTP) {
@@ -378,14 +379,14 @@ TEST(Write_common_subdivision, Writes_fields_to_PLY_and_VTP) {
   }
   const std::vector<IT::Vertex_field> fields{{"height", height}, {"u.2", noise}};
   for (const bool binary : {false, true}) {
-    auto ply = read_PLY(written("ply", e, {.binary = binary}, fields));
+    auto ply = read_PLY(written("ply", e, IT::parameters::use_binary_mode(binary), fields));
     for (std::size_t v = 0; v < e.points.size(); ++v) {
       EXPECT_EQ(ply["vertex"][v]["height"][0], height[v]);
       EXPECT_EQ(ply["vertex"][v]["u.2"][0], noise[v]);
     }
     expect_labels(e, ply);
   }
-  const std::string vtp = written("vtp", e, {}, fields);
+  const std::string vtp = written("vtp", e, IT::parameters::default_values(), fields);
   EXPECT_EQ(vtp_array(vtp, "PointData", "height"), height);
   EXPECT_EQ(vtp_array(vtp, "PointData", "u.2"), noise);
 }
@@ -393,15 +394,15 @@ TEST(Write_common_subdivision, Writes_fields_to_PLY_and_VTP) {
 TEST(Write_common_subdivision, Contains_the_intrinsic_edges_as_lines_if_so_asked) {
   const Example e = grid(2);
   EXPECT_EQ(written("obj", e).find("\nl "), std::string::npos);
-  EXPECT_NE(written("obj", e, {.lines_in_OBJ = true}).find("\nl "), std::string::npos);
-  const std::string vtp = written("vtp", e, {.lines_in_VTP = false});
+  EXPECT_NE(written("obj", e, IT::parameters::lines(true)).find("\nl "), std::string::npos);
+  const std::string vtp = written("vtp", e, IT::parameters::lines(false));
   EXPECT_NE(vtp.find("NumberOfLines=\"0\""), std::string::npos);
   EXPECT_TRUE(vtp_array(vtp, "Lines", "connectivity").empty());
   EXPECT_EQ(vtp_array(vtp, "CellData", "input_face").size(), e.s.number_of_faces());
 }
 
 TEST(Write_common_subdivision, Labels_faces_and_lines_of_OBJ_in_comments) {
-  const std::string obj = written("obj", grid(1), {.lines_in_OBJ = true});
+  const std::string obj = written("obj", grid(1), IT::parameters::lines(true));
   EXPECT_NE(obj.find("# intrinsic_face 1 input_faces 0 1\nf 2 4 5\nf 4 3 5\n"), std::string::npos)
       << obj;
   EXPECT_NE(obj.find("# intrinsic_edge 4\nl 3 5 2\n"), std::string::npos) << obj;
@@ -435,8 +436,8 @@ TEST(Write_common_subdivision, Refuses_fields_that_would_spoil_the_file) {
   const std::vector<double> values(e.points.size(), 1.5);
   const std::span<const double> all = values;
   const auto refuses = [&](const std::vector<IT::Vertex_field>& fields) {
-    EXPECT_THROW(written("ply", e, {}, fields), IT::Invalid_input);
-    EXPECT_THROW(written("vtp", e, {}, fields), IT::Invalid_input);
+    EXPECT_THROW(written("ply", e, IT::parameters::default_values(), fields), IT::Invalid_input);
+    EXPECT_THROW(written("vtp", e, IT::parameters::default_values(), fields), IT::Invalid_input);
   };
   refuses({{"u", all.first(4)}});
   refuses({{"two words", all}});

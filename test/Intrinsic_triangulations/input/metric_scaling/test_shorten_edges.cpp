@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/input/metric_scaling/shorten_edges.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 
 #include "gallery.h"
 #include "meshes.h"

@@ -17,11 +17,11 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // The line "keyword count".
 inline std::uint32_t read_count(Text_reader& in, std::string_view keyword, std::uint32_t most) {
-  in.next_line();
-  in.keyword(keyword);
-  const auto count = in.integer<std::uint32_t>("number of elements");
-  if (count > most) in.fail("so many " + std::string(keyword) + " are impossible here");
-  in.finish_line();
+  std::uint32_t count = 0;
+  in.line(keyword, [&] {
+    count = in.integer<std::uint32_t>("number of elements");
+    if (count > most) in.fail("so many " + std::string(keyword) + " are impossible here");
+  });
   return count;
 }
 
@@ -39,14 +39,12 @@ public:
 
   void read_vertices() {
     const std::uint32_t count = read_count(in_, "vertices", Gluing::none - 1);
-    for (std::uint32_t v = 0; v < count; ++v) {
-      in_.next_line();
+    in_.lines(count, [&](std::uint32_t v) {
       read_input_vertex(v, count);
       const std::string_view h = in_.word();
       halfedge_.push_back(Gluing::none);
       if (h != "-" && !parse_number(h, halfedge_.back())) in_.fail("the halfedge is not a number");
-      in_.finish_line();
-    }
+    });
     for (const std::uint32_t i : input_vertex)
       if (i >= input_vertex.size())
         in_.fail("input vertex " + std::to_string(i) + " does not exist");
@@ -78,11 +76,9 @@ public:
   void read_border() {
     const std::uint32_t count = read_count(in_, "border", mesh.number_of_halfedges());
     std::vector<char> followed(mesh.number_of_halfedges(), 0);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      in_.next_line();
+    in_.lines(count, [&](std::uint32_t) {
       const std::uint32_t h = in_.index(mesh.number_of_halfedges(), "halfedge");
       const std::uint32_t n = in_.index(mesh.number_of_halfedges(), "halfedge");
-      in_.finish_line();
       if (mesh.next({h}).index != Gluing::none || mesh.face({h ^ 1U}).index == Gluing::none)
         in_.fail("halfedge " + std::to_string(h) + " is not on the border, or occurs twice");
       if (mesh.face({n}).index != Gluing::none || mesh.face({n ^ 1U}).index == Gluing::none ||
@@ -94,7 +90,7 @@ public:
                  " ends");
       mesh.set_next({h}, {n});
       mesh.set_target({h}, v);
-    }
+    });
     for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
       if (mesh.next({h}).index == Gluing::none)
         in_.fail("halfedge " + std::to_string(h) + " is in no face and not on the border");
@@ -106,11 +102,7 @@ public:
     if (format_version_ == 1) return; // they came with the faces
     const std::uint32_t count =
         read_count(in_, "input_faces", renumbered ? mesh.number_of_faces() : 0);
-    for (std::uint32_t f = 0; f < count; ++f) {
-      in_.next_line();
-      input_face.push_back(in_.index(count, "input face"));
-      in_.finish_line();
-    }
+    in_.lines(count, [&](std::uint32_t) { input_face.push_back(in_.index(count, "input face")); });
   }
 
 private:

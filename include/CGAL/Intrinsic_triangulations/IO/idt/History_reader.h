@@ -22,9 +22,44 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// Reads the input of an exact metric, which has no more elements than there are in the mesh now.
+inline Input_metric read_input_metric(Text_reader& in, const Gluing_map& mesh,
+                                      std::uint32_t input_vertices, int scale_exponent) {
+  std::vector<Input_metric::Point> points;
+  std::vector<double> squared_lengths;
+  in.next_line();
+  const std::string kind(in.word());
+  if (kind != "points" && kind != "squared_lengths")
+    in.fail("\"points\" or \"squared_lengths\" is expected, not \"" + kind + "\"");
+  const bool embedded = kind == "points";
+  const auto names = in.integer<std::uint32_t>("number of elements");
+  if (embedded && names != input_vertices)
+    in.fail("there must be " + std::to_string(input_vertices) + " points");
+  if (names > mesh.number_of_edges() && !embedded)
+    in.fail("there cannot be more than " + std::to_string(mesh.number_of_edges()) +
+            " squared lengths");
+  in.finish_line();
+  in.lines(names, [&](std::uint32_t) {
+    if (embedded)
+      for (double& x : points.emplace_back()) x = in.real("coordinate");
+    else
+      in.nonnegative(squared_lengths.emplace_back(), "squared length");
+  });
+  double delta = 0;
+  in.line("delta", [&] { in.nonnegative(delta, "delta"); });
+  const std::uint32_t faces = read_count(in, "sides", mesh.number_of_faces());
+  std::vector<Input_metric::Sides> sides(faces); // not more than faces that have been read
+  in.lines(faces, [&](std::uint32_t f) {
+    for (std::uint32_t& x : sides[f]) x = in.index(names, embedded ? "vertex" : "edge");
+  });
+  return Input_metric(std::move(points), std::move(squared_lengths), std::move(sides), delta,
+                      scale_exponent);
+}
 
 // Reads the moves and what they left, and checks that they can have led from the input to the mesh with its
 // values. Every version is consumed by one move, or is a face now.
@@ -43,13 +78,7 @@ public:
   void read_moves(int format_version) {
     const bool only_flips = format_version == 1;
     const std::uint32_t moves = read_count(in_, only_flips ? "flips" : "moves", 1U << 29);
-    for (std::uint32_t n = 0; n < moves; ++n) {
-      in_.next_line();
-      if (only_flips)
-        read_flip();
-      else
-        read_move(in_.word());
-    }
+    in_.lines(moves, [&](std::uint32_t) { only_flips ? read_flip() : read_move(in_.word()); });
   }
 
   // `inserted` is the number of vertices that are not of the input
@@ -63,7 +92,7 @@ public:
     if (replay_.number_of_current_versions() != faces)
       in_.fail("the moves leave " + std::to_string(replay_.number_of_current_versions()) +
                " faces, but there are " + std::to_string(faces));
-    for (std::uint32_t f = 0; f < faces; ++f) read_version_of_face(f, squared_lengths, areas[f]);
+    in_.lines(faces, [&](std::uint32_t f) { read_version_of_face(f, squared_lengths, areas[f]); });
   }
 
 private:
@@ -110,7 +139,6 @@ private:
 
   void read_version_of_face(std::uint32_t f, const std::vector<FT>& squared_lengths,
                             const FT& area) {
-    in_.next_line();
     const std::uint32_t version = read_version();
     const std::uint32_t edge = in_.index(mesh_.number_of_edges(), "edge");
     in_.finish_line();

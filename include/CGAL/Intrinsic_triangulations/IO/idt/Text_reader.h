@@ -11,7 +11,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <limits>
@@ -22,7 +21,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Reads what `Text_writer` writes, word by word, and names file and line where that is impossible.
+// Reads what `write_intrinsic_triangulation()` writes, word by word, and names file and line where that is impossible.
 class Text_reader {
 public:
   Text_reader(std::istream& in, std::string file) : in_(in), file_(std::move(file)) {}
@@ -33,6 +32,24 @@ public:
       throw Invalid_input(Element_kind::none, 0,
                           file_ + ":" + std::to_string(in_.line_number() + 1) +
                               ": the file ends too early; get a complete copy");
+  }
+
+  // Reads lines, each by a functor that is called with its number, to their ends.
+  template <class Read>
+  void lines(std::uint32_t count, Read read) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      next_line();
+      read(i);
+      finish_line();
+    }
+  }
+  // Reads a line that starts with a keyword.
+  template <class Read>
+  void line(std::string_view expected, Read read) {
+    lines(1, [&](std::uint32_t) {
+      keyword(expected);
+      read();
+    });
   }
 
   std::string_view word() { return next_word(rest_); }

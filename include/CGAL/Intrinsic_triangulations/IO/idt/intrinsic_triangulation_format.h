@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_INTRINSIC_TRIANGULATION_FORMAT_H
 
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
-#include <CGAL/Intrinsic_triangulations/input/mollification.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 

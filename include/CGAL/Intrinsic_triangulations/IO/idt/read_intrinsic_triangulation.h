@@ -8,10 +8,10 @@
 #include <CGAL/Intrinsic_triangulations/IO/idt/History_reader.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/Text_reader.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/intrinsic_triangulation_format.h>
-#include <CGAL/Intrinsic_triangulations/IO/idt/read_exact_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -53,23 +53,17 @@ inline Format_header read_format_header(Text_reader& in) {
 
 inline Input_report read_report(Text_reader& in) {
   Input_report report;
-  in.next_line();
-  in.keyword("degenerate_faces");
-  report.degenerate_faces = in.integer<std::size_t>("number of faces");
-  in.finish_line();
-  in.next_line();
-  in.keyword("mollification");
-  const std::string name(in.word());
-  const auto kind = std::find_if(mollification_names.begin(), mollification_names.end(),
-                                 [&](const auto& n) { return n.second == name; });
-  if (kind == mollification_names.end()) in.fail("the mollification \"" + name + "\" is unknown");
-  report.mollification.kind = kind->first;
-  in.nonnegative(report.mollification.delta, "delta");
-  in.finish_line();
-  in.next_line();
-  in.keyword("renumbered");
-  report.renumbered = in.index(2, "truth value") == 1;
-  in.finish_line();
+  in.line("degenerate_faces",
+          [&] { report.degenerate_faces = in.integer<std::size_t>("number of faces"); });
+  in.line("mollification", [&] {
+    const std::string name(in.word());
+    const auto kind = std::find_if(mollification_names.begin(), mollification_names.end(),
+                                   [&](const auto& n) { return n.second == name; });
+    if (kind == mollification_names.end()) in.fail("the mollification \"" + name + "\" is unknown");
+    report.mollification.kind = kind->first;
+    in.nonnegative(report.mollification.delta, "delta");
+  });
+  in.line("renumbered", [&] { report.renumbered = in.index(2, "truth value") == 1; });
   return report;
 }
 
@@ -96,12 +90,12 @@ public:
       : in_(in), format_version_(format_version), connectivity_(in, format_version) {}
 
   Triangulation run() {
-    in_.next_line();
-    in_.keyword("scale");
-    const auto scale_exponent = in_.integer<int>("exponent");
-    if (scale_exponent < -maximal_exponent || scale_exponent > maximal_exponent)
-      in_.fail("the exponent is out of range");
-    in_.finish_line();
+    int scale_exponent = 0;
+    in_.line("scale", [&] {
+      scale_exponent = in_.integer<int>("exponent");
+      if (scale_exponent < -maximal_exponent || scale_exponent > maximal_exponent)
+        in_.fail("the exponent is out of range");
+    });
     const Input_report report = read_report(in_);
     connectivity_.read_vertices();
     check_correspondence();
@@ -111,9 +105,7 @@ public:
     connectivity_.read_input_faces(report.renumbered);
     const std::shared_ptr<Input> input = read_input(report, scale_exponent);
     Metric metric = read_metric(input);
-    in_.next_line();
-    in_.keyword("end");
-    in_.finish_line();
+    in_.line("end", [] {});
     if constexpr (has_correspondence) input->keep_values(metric);
     return Triangulation(std::move(connectivity_.mesh), std::move(metric), input);
   }
@@ -132,21 +124,17 @@ private:
 
   std::uint32_t read_edges() {
     const std::uint32_t edges = read_count(in_, "edges", Gluing::none / 2);
-    for (std::uint32_t e = 0; e < edges; ++e) {
-      in_.next_line();
+    in_.lines(edges, [this](std::uint32_t) {
       read_value("squared length", squared_lengths_, near_lengths_);
-      in_.finish_line();
-    }
+    });
     return edges;
   }
 
   void read_faces() {
-    for (std::uint32_t f = 0; f < connectivity_.mesh.number_of_faces(); ++f) {
-      in_.next_line();
+    in_.lines(connectivity_.mesh.number_of_faces(), [this](std::uint32_t f) {
       connectivity_.read_face(f);
       read_value("quadruple area", areas_, near_areas_);
-      in_.finish_line();
-    }
+    });
   }
 
   // an interval and a number in it, or just a number
@@ -249,7 +237,7 @@ interval arithmetic, and must lead to the faces and their values.
   version or of another arithmetic
 \complexity linear; memory follows the size of the file, never a count in it
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
 Triangulation read_intrinsic_triangulation(std::istream& in, const std::string& name) {
   constexpr std::string_view arithmetic = internal::arithmetic_name<typename Triangulation::Metric>;
   static_assert(!arithmetic.empty(),
@@ -263,13 +251,11 @@ Triangulation read_intrinsic_triangulation(std::istream& in, const std::string& 
 }
 
 /*!
-\brief reads an intrinsic triangulation from a file.
-\tparam Triangulation see above
+\brief reads an intrinsic triangulation from a file: see the overload with a stream.
 \param path the file
-\throws Invalid_input see above, and if the file cannot be opened
-\complexity see above
+\throws Invalid_input also if the file cannot be opened
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
 Triangulation read_intrinsic_triangulation(const std::filesystem::path& path) {
   std::ifstream in = internal::open_triangulation(path);
   return read_intrinsic_triangulation<Triangulation>(in, path.string());

@@ -4,27 +4,83 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_WRITE_INTRINSIC_TRIANGULATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_WRITE_INTRINSIC_TRIANGULATION_H
 
-#include <CGAL/Intrinsic_triangulations/IO/idt/Compact_numbers.h>
-#include <CGAL/Intrinsic_triangulations/IO/idt/Text_writer.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/intrinsic_triangulation_format.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <ostream>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+// Numbers some numbers anew, from 0 and in their order.
+class Ranks {
+public:
+  // those of the elements of a range
+  template <class Range, class Number>
+  Ranks(const Range& range, Number number) {
+    for (const auto element : range) numbers_.push_back(number(element));
+    std::sort(numbers_.begin(), numbers_.end());
+    if (!numbers_.empty()) rank_.resize(numbers_.back() + std::size_t{1});
+    for (std::uint32_t i = 0; i < numbers_.size(); ++i) rank_[numbers_[i]] = i;
+  }
+
+  std::uint32_t rank(std::uint32_t number) const { return rank_[number]; }
+  std::uint32_t number(std::uint32_t rank) const { return numbers_[rank]; }
+  std::uint32_t count() const { return static_cast<std::uint32_t>(numbers_.size()); }
+
+private:
+  std::vector<std::uint32_t> rank_, numbers_;
+};
+
+// The elements of a triangulation, numbered without the gaps that removals leave. Otherwise the order
+// stays: vertices of the input come first. To be used like a `Mesh_adaptor`.
+template <class Triangulation>
+class Compact_numbers {
+  using Mesh = typename Triangulation::Mesh;
+
+public:
+  explicit Compact_numbers(const Triangulation& t)
+      : t_(t), vertex_(vertices(t.mesh()), number()), edge_(edges(t.mesh()), number()),
+        face_(faces(t.mesh()), number()) {}
+
+  const Ranks& edge_ranks() const { return edge_; }
+  const Ranks& face_ranks() const { return face_; }
+
+  std::uint32_t vertex(typename Triangulation::vertex_descriptor v) const {
+    return vertex_.rank(t_.index(v));
+  }
+  std::uint32_t halfedge(typename Triangulation::halfedge_descriptor h) const {
+    const std::uint32_t i = t_.numbers().halfedge(h);
+    return 2 * edge_.rank(i / 2) + i % 2;
+  }
+  std::uint32_t face(typename Triangulation::face_descriptor f) const {
+    return face_.rank(t_.index(f));
+  }
+
+  std::uint32_t vertex_capacity(const Mesh&) const { return vertex_.count(); }
+  std::uint32_t edge_capacity(const Mesh&) const { return edge_.count(); }
+  std::uint32_t face_capacity(const Mesh&) const { return face_.count(); }
+
+private:
+  auto number() const {
+    return [this](auto element) { return t_.index(element); };
+  }
+
+  const Triangulation& t_;
+  Ranks vertex_, edge_, face_;
+};
 
 // Writes the sections of the file format in their order.
 template <class Triangulation>
@@ -38,7 +94,7 @@ public:
     prefer_border_halfedges();
   }
 
-  void run() {
+  bool run() {
     write_header();
     write_vertices();
     write_edges();
@@ -51,7 +107,7 @@ public:
       write_versions();
     }
     out_.line("end");
-    out_.flush();
+    return out_.flush();
   }
 
 private:
@@ -96,34 +152,36 @@ private:
     out_.line("edges", mesh_.number_of_edges());
     for (std::uint32_t i = 0; i < mesh_.number_of_edges(); ++i) {
       const std::uint32_t e = numbers_.edge_ranks().number(i);
-      if constexpr (Metric::is_exact)
-        out_.line(t_.metric().squared_length(e), t_.metric().approximate_squared_length(e));
-      else
-        out_.line(t_.metric().squared_length(e));
+      write_value(t_.metric().squared_length(e), t_.metric().approximate_squared_length(e));
     }
   }
 
   void write_faces() {
     out_.line("faces", mesh_.number_of_faces());
     for (std::uint32_t i = 0; i < mesh_.number_of_faces(); ++i) {
-      const Halfedge a = mesh_.halfedge(Gluing_map::Face{i}), b = mesh_.next(a), c = mesh_.next(b);
+      const auto [a, b, c] = mesh_.sides({i});
       out_.words(a.index, b.index, c.index, mesh_.target(c).index, mesh_.target(a).index,
                  mesh_.target(b).index);
       const std::uint32_t f = numbers_.face_ranks().number(i);
-      if constexpr (Metric::is_exact)
-        out_.line(t_.metric().quadruple_area(f), t_.metric().approximate_quadruple_area(f));
-      else
-        out_.line(t_.metric().quadruple_area(f));
+      write_value(t_.metric().quadruple_area(f), t_.metric().approximate_quadruple_area(f));
     }
   }
 
+  // an interval and a number in it, or just a number
+  template <class FT>
+  void write_value(const FT& x, double near) {
+    if constexpr (Metric::is_exact)
+      out_.line(x.inf(), x.sup(), near);
+    else
+      out_.line(x);
+  }
+
   void write_border() {
-    std::uint32_t count = 0;
+    std::vector<std::uint32_t> border;
     for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h)
-      count += mesh_.face({h}).index == Gluing::none ? 1 : 0;
-    out_.line("border", count);
-    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h)
-      if (mesh_.face({h}).index == Gluing::none) out_.line(h, mesh_.next({h}).index);
+      if (mesh_.face({h}).index == Gluing::none) border.push_back(h);
+    out_.line("border", border.size());
+    for (const std::uint32_t h : border) out_.line(h, mesh_.next({h}).index);
   }
 
   // nothing if faces were not renumbered
@@ -183,7 +241,7 @@ private:
     }
   }
 
-  Text_writer out_;
+  Basic_output_buffer<true> out_; // hexadecimal, so that nothing is rounded
   const Triangulation& t_;
   Compact_numbers<Triangulation> numbers_;
   Gluing_map mesh_; // with these numbers
@@ -203,26 +261,24 @@ Elements keep their order; those after removed ones move up to smaller numbers.
 \throws std::runtime_error if the stream fails
 \complexity linear in the mesh and, with exact traits, in the number of moves done
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
 void write_intrinsic_triangulation(std::ostream& out, const Triangulation& t) {
   static_assert(!internal::arithmetic_name<typename Triangulation::Metric>.empty(),
                 "the file format holds exact traits and Euclidean_traits<double>");
-  internal::Intrinsic_triangulation_writer<Triangulation>(out, t).run();
-  if (!out.flush())
+  if (!internal::Intrinsic_triangulation_writer<Triangulation>(out, t).run())
     throw std::runtime_error("the intrinsic triangulation cannot be written completely");
 }
 
 /*!
 \brief writes an intrinsic triangulation to a file, ordinarily with extension `.idt`.
 
-Whatever fails, the file is complete or what it was before: see `Replacing_file`.
-\tparam Triangulation see above
+Whatever fails, the file is complete or what it was before: see `Replacing_file`. Otherwise see the overload with
+a stream.
 \param path the file
 \param t the triangulation
 \throws std::runtime_error naming the file if it cannot be written
-\complexity see above
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
 void write_intrinsic_triangulation(const std::filesystem::path& path, const Triangulation& t) {
   Replacing_file file(path);
   try {

@@ -6,10 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/triangulate_polygons.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +36,15 @@ public:
   [[noreturn]] void fail(Element_kind kind, std::size_t index, const std::string& what) const {
     fail_at(line, kind, index, what);
   }
+  [[noreturn]] void fail(const std::string& what) const { fail(Element_kind::none, 0, what); }
+  // The vertex or face at fault is the one to be added next; its name comes before what is said.
+  [[noreturn]] void fail_vertex(const std::string& what) const {
+    fail(Element_kind::vertex, number_of_vertices(),
+         "vertex " + std::to_string(number_of_vertices()) + what);
+  }
+  [[noreturn]] void fail_face(const std::string& what) const {
+    fail(Element_kind::face, number_of_faces(), name(number_of_faces()) + what);
+  }
 
   void reserve(std::size_t vertices, std::size_t faces) {
     soup_.points.reserve(vertices);
@@ -46,10 +54,9 @@ public:
   void add_vertex(double x, double y, double z) {
     const std::size_t v = soup_.points.size();
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
-      fail(Element_kind::vertex, v,
-           "vertex " + std::to_string(v) +
-               " has a coordinate that is not a finite number; correct the coordinate, or remove "
-               "the vertex and its faces");
+      fail_vertex(
+          " has a coordinate that is not a finite number; correct the coordinate, or remove "
+          "the vertex and its faces");
     if (v == maximal_vertices)
       fail(Element_kind::vertex, v, "the file has more than 4294967294 vertices; split the mesh");
     soup_.points.push_back({x, y, z});
@@ -58,14 +65,13 @@ public:
   void add_face(const std::vector<std::int64_t>& face) {
     const std::size_t f = soup_.input_faces;
     if (face.size() < 3)
-      fail(Element_kind::face, f,
-           name(f) + " has " + std::to_string(face.size()) +
-               (face.size() == 1 ? " vertex" : " vertices") +
-               "; a face needs at least three: remove it");
+      fail_face(" has " + std::to_string(face.size()) +
+                (face.size() == 1 ? " vertex" : " vertices") +
+                "; a face needs at least three: remove it");
     for (const std::int64_t v : face) check_reference(f, v);
     if (soup_.triangles.size() + face.size() - 2 > maximal_triangles)
       fail(Element_kind::face, f, "the file has more than 715827881 triangles; split the mesh");
-    check_distinct(f, face);
+    check_distinct(face);
     append(f, face);
     ++soup_.input_faces;
   }
@@ -116,23 +122,19 @@ private:
     }
   }
 
-  void check_distinct(std::size_t f, const std::vector<std::int64_t>& face) {
+  void check_distinct(const std::vector<std::int64_t>& face) {
     if (face.size() == 3 && face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) return;
     sorted_.assign(face.begin(), face.end());
     std::sort(sorted_.begin(), sorted_.end());
     const auto twice = std::adjacent_find(sorted_.begin(), sorted_.end());
     if (twice == sorted_.end()) return;
-    const bool neighbours = [&] {
-      for (std::size_t i = 0; i < face.size(); ++i)
-        if (face[i] == *twice && face[(i + 1) % face.size()] == *twice) return true;
-      return false;
-    }();
-    std::string remedy = "remove the face";
-    if (face.size() > 3)
-      remedy = neighbours ? "list the vertex once"
-                          : "cut the face there into faces that each list a vertex once";
-    fail(Element_kind::face, f,
-         name(f) + " repeats vertex " + std::to_string(*twice + first_reference) + "; " + remedy);
+    const bool are_neighbours = (face.front() == *twice && face.back() == *twice) ||
+                                std::ranges::search_n(face, 2, *twice).begin() != face.end();
+    const std::string remedy = face.size() == 3 ? "remove the face"
+                               : are_neighbours
+                                   ? "list the vertex once"
+                                   : "cut the face there into faces that each list a vertex once";
+    fail_face(" repeats vertex " + std::to_string(*twice + first_reference) + "; " + remedy);
   }
 
   // A polygon takes the places of its triangles and is triangulated at the end.

@@ -5,38 +5,54 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_H
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/Soup_builder.h>
-#include <CGAL/Intrinsic_triangulations/IO/soup/scan_GOCAD.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_OBJ.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_OFF.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_PLY.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_STL.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
+#include <CGAL/IO/GOCAD.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <new>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The extension in lower case, without the dot.
-inline std::string extension_of(const std::string& filename) {
-  std::string extension = std::filesystem::path(filename).extension().string();
-  if (!extension.empty()) extension.erase(0, 1);
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
+// Scans a triangulated surface of GOCAD by CGAL's reader.
+inline void scan_GOCAD(std::istream& in, Soup_builder& out) {
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
+  std::vector<std::array<std::int32_t, 3>> triangles;
+  const bool good = CGAL::IO::read_GOCAD(in, points, triangles);
+  out.reserve(points.size(), triangles.size());
+  for (const auto& p : points) out.add_vertex(p.x(), p.y(), p.z());
+  std::vector<std::int64_t> face;
+  for (const auto& t : triangles) {
+    face.assign(t.begin(), t.end());
+    out.add_face(face);
+  }
+  if (!good)
+    out.fail("the file cannot be read as a GOCAD surface beyond vertex " +
+             std::to_string(points.size()) + " and face " + std::to_string(triangles.size()) +
+             "; get a complete copy if it is truncated, or correct what follows them");
 }
 
-inline void scan_mesh_file(const std::string& filename, const std::string& extension,
-                           std::uintmax_t size, Soup_builder& out) {
+inline void scan_mesh_file(const std::string& filename, std::uintmax_t size, Soup_builder& out) {
   std::ifstream in(filename, std::ios::binary);
-  if (!in) out.fail(Element_kind::none, 0, "the file cannot be opened; check its permissions");
+  if (!in) out.fail("the file cannot be opened; check its permissions");
+  const std::string extension =
+      plain_extension(std::filesystem::path(filename).extension().string());
   if (extension == "off")
     OFF_scanner(in, size, out).run();
   else if (extension == "obj")
@@ -48,9 +64,8 @@ inline void scan_mesh_file(const std::string& filename, const std::string& exten
   else if (extension == "ts")
     scan_GOCAD(in, out);
   else
-    out.fail(Element_kind::none, 0,
-             "the extension \"" + extension +
-                 "\" is not supported; convert the mesh to .off, .obj, .ply, .stl or .ts");
+    out.fail("the extension \"" + extension +
+             "\" is not supported; convert the mesh to .off, .obj, .ply, .stl or .ts");
 }
 
 } // namespace internal
@@ -81,22 +96,23 @@ vertices that another edge joins is avoided by another triangulation of the poly
 */
 inline Triangle_soup read_triangle_soup(const std::string& filename) {
   internal::Soup_builder out(filename);
-  const auto fail = [&out](const std::string& what) { out.fail(Element_kind::none, 0, what); };
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(filename, error);
-  if (!std::filesystem::exists(status)) fail("the file does not exist; check the name");
-  if (std::filesystem::is_directory(status)) fail("this is a directory; name a mesh file in it");
+  if (!std::filesystem::exists(status)) out.fail("the file does not exist; check the name");
+  if (std::filesystem::is_directory(status))
+    out.fail("this is a directory; name a mesh file in it");
   const bool regular = std::filesystem::is_regular_file(status);
   const std::uintmax_t size = regular ? std::filesystem::file_size(filename, error) : 0;
-  if (error) fail("the file cannot be examined (" + error.message() + "); check its permissions");
-  if (regular && size == 0) fail("the file is empty; get a complete copy");
+  if (error)
+    out.fail("the file cannot be examined (" + error.message() + "); check its permissions");
+  if (regular && size == 0) out.fail("the file is empty; get a complete copy");
   try {
-    internal::scan_mesh_file(filename, internal::extension_of(filename), size, out);
+    internal::scan_mesh_file(filename, size, out);
     return out.finish();
   } catch (const std::bad_alloc&) {
     out.line = 0;
-    fail("there is not enough memory to read the mesh; use a machine with more, or a smaller mesh");
-    throw;
+    out.fail(
+        "there is not enough memory to read the mesh; use a machine with more, or a smaller mesh");
   }
 }
 

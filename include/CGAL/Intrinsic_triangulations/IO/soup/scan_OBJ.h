@@ -7,8 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/Soup_builder.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 
+#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <string>
@@ -55,8 +55,7 @@ private:
     else if (word == "f")
       scan_face(line);
     else if (!is_known(word))
-      out_.fail(Element_kind::none, 0,
-                "the line is not a statement of an OBJ file; remove it, or give the file the "
+      out_.fail("the line is not a statement of an OBJ file; remove it, or give the file the "
                 "extension of its format");
   }
 
@@ -64,45 +63,41 @@ private:
     double p[3];
     for (double& x : p)
       if (!parse_number(next_word(line), x))
-        out_.fail(Element_kind::vertex, out_.number_of_vertices(),
-                  "vertex " + std::to_string(out_.number_of_vertices()) +
-                      " does not have three coordinates that are numbers; correct the line, or get "
-                      "a complete copy if the file is truncated");
+        out_.fail_vertex(
+            " does not have three coordinates that are numbers; correct the line, or get "
+            "a complete copy if the file is truncated");
     out_.add_vertex(p[0], p[1], p[2]);
   }
 
   // f v/vt/vn ...: negative references count back from the latest vertex.
   void scan_face(std::string_view line) {
     face_.clear();
-    const std::size_t f = out_.number_of_faces();
+    const auto count = std::int64_t(out_.number_of_vertices());
     for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
       const std::string_view reference = word.substr(0, word.find('/'));
       std::int64_t v = 0;
       if (!parse_number(reference, v) || v == 0)
-        out_.fail(Element_kind::face, f,
-                  "face " + std::to_string(f) + " refers to vertex \"" + std::string(reference) +
-                      "\"; references are whole numbers other than 0: correct the line");
-      if (v < 0 && -v > std::int64_t(out_.number_of_vertices()))
-        out_.fail(Element_kind::face, f,
-                  "face " + std::to_string(f) + " refers to vertex " + std::to_string(v) +
-                      ", but only " + std::to_string(out_.number_of_vertices()) +
-                      " vertices come before it; correct the index or remove the face");
-      face_.push_back(v > 0 ? v - 1 : std::int64_t(out_.number_of_vertices()) + v);
+        out_.fail_face(" refers to vertex \"" + std::string(reference) +
+                       "\"; references are whole numbers other than 0: correct the line");
+      if (v < 0 && -v > count)
+        out_.fail_face(" refers to vertex " + std::to_string(v) + ", but only " +
+                       std::to_string(count) +
+                       " vertices come before it; correct the index or remove the face");
+      face_.push_back(v > 0 ? v - 1 : count + v);
     }
     out_.add_face(face_);
   }
 
   static bool is_known(std::string_view word) {
-    static constexpr std::array<std::string_view, 48> statements{
-        "vt",     "vn",     "vp",         "p",      "l",         "g",      "s",      "o",
-        "mg",     "bevel",  "c_interp",   "ctech",  "d_interp",  "lod",    "usemap", "usemtl",
-        "mtllib", "maplib", "shadow_obj", "stech",  "trace_obj", "cstype", "deg",    "step",
-        "bmat",   "con",    "curv",       "curv2",  "surf",      "parm",   "trim",   "hole",
-        "scrv",   "sp",     "end",        "bsp",    "bzp",       "cdc",    "cdp",    "res",
-        "call",   "csh",    "surf_1",     "surf_2", "q0_1",      "q1_1",   "q0_2",   "q1_2"};
-    for (const std::string_view s : statements)
-      if (word == s) return true;
-    return word == "curv2d_1" || word == "curv2d_2";
+    static constexpr std::array<std::string_view, 50> statements{
+        "vt",       "vn",      "vp",         "p",      "l",         "g",      "s",      "o",
+        "mg",       "bevel",   "c_interp",   "ctech",  "d_interp",  "lod",    "usemap", "usemtl",
+        "mtllib",   "maplib",  "shadow_obj", "stech",  "trace_obj", "cstype", "deg",    "step",
+        "bmat",     "con",     "curv",       "curv2",  "surf",      "parm",   "trim",   "hole",
+        "scrv",     "sp",      "end",        "bsp",    "bzp",       "cdc",    "cdp",    "res",
+        "call",     "csh",     "surf_1",     "surf_2", "q0_1",      "q1_1",   "q0_2",   "q1_2",
+        "curv2d_1", "curv2d_2"};
+    return std::ranges::find(statements, word) != statements.end();
   }
 
   Buffered_input in_;

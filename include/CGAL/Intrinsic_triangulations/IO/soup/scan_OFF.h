@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
@@ -35,8 +34,6 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) { out_.fail(Element_kind::none, 0, what); }
-
   [[noreturn]] void fail_short(Element_kind kind) {
     const bool vertex = kind == Element_kind::vertex;
     const std::size_t read = vertex ? out_.number_of_vertices() : out_.number_of_faces();
@@ -50,17 +47,14 @@ private:
   // The rest of the current line, or the next line with content.
   bool next_line() {
     std::string_view rest = line_;
-    if (next_word(rest).empty() && !in_.next_content_line(line_, '#')) {
-      out_.line = in_.line_number();
-      line_ = {};
-      return false;
-    }
+    const bool is_there = !next_word(rest).empty() || in_.next_content_line(line_, '#');
+    if (!is_there) line_ = {};
     out_.line = in_.line_number();
-    return true;
+    return is_there;
   }
 
   void scan_header() {
-    if (!next_line()) fail("the file is empty; an OFF file starts with the word OFF");
+    if (!next_line()) out_.fail("the file is empty; an OFF file starts with the word OFF");
     scan_keyword(next_word(line_));
     std::string_view rest = line_;
     if (next_word(rest) == "BINARY") {
@@ -69,8 +63,8 @@ private:
     }
     const std::int64_t dimension = dimensional_ ? scan_count("dimension") : 3;
     if (dimension != 3)
-      fail("points of dimension " + std::to_string(dimension) +
-           " are not supported; give points in space");
+      out_.fail("points of dimension " + std::to_string(dimension) +
+                " are not supported; give points in space");
     vertices_ = scan_count("number of vertices");
     faces_ = scan_count("number of faces");
     if (!skel_) scan_count("number of edges");
@@ -79,9 +73,9 @@ private:
   void scan_keyword(std::string_view word) {
     std::string_view rest = word;
     const auto take = [&rest](std::string_view prefix) {
-      if (rest.substr(0, prefix.size()) != prefix) return false;
-      rest.remove_prefix(prefix.size());
-      return true;
+      const bool starts = rest.starts_with(prefix);
+      if (starts) rest.remove_prefix(prefix.size());
+      return starts;
     };
     textures_ = take("ST");
     colors_ = take("C");
@@ -92,8 +86,9 @@ private:
     if (rest == "OFF" || skel_) return;
     std::string shown;
     for (const char c : word.substr(0, 20)) shown += c > ' ' && c <= '~' ? c : '?';
-    fail("the file starts with \"" + shown +
-         "\" instead of OFF; check that it is an OFF file, or give it the extension of its format");
+    out_.fail(
+        "the file starts with \"" + shown +
+        "\" instead of OFF; check that it is an OFF file, or give it the extension of its format");
   }
 
   std::int64_t scan_count(const char* name) {
@@ -107,8 +102,8 @@ private:
       good = next_line() && parse_integer(next_word(line_), value);
     }
     if (!good || value < 0)
-      fail(std::string("the header has no valid ") + name +
-           "; it must give the numbers of vertices, faces and edges");
+      out_.fail(std::string("the header has no valid ") + name +
+                "; it must give the numbers of vertices, faces and edges");
     return value;
   }
 
@@ -125,10 +120,8 @@ private:
   }
 
   [[noreturn]] void fail_vertex(const std::string& what) {
-    const std::size_t v = out_.number_of_vertices();
-    out_.fail(Element_kind::vertex, v,
-              "vertex " + std::to_string(v) + " of " + std::to_string(vertices_) + " " + what +
-                  "; correct the line, or the counts in the header if it is not a vertex");
+    out_.fail_vertex(" of " + std::to_string(vertices_) + " " + what +
+                     "; correct the line, or the counts in the header if it is not a vertex");
   }
 
   void add_vertex(const double* p) {
@@ -157,10 +150,8 @@ private:
   }
 
   [[noreturn]] void fail_face(const std::string& what) {
-    const std::size_t f = out_.number_of_faces();
-    out_.fail(Element_kind::face, f,
-              "face " + std::to_string(f) + " of " + std::to_string(faces_) + " " + what +
-                  "; correct the line, or get a complete copy if the file is truncated");
+    out_.fail_face(" of " + std::to_string(faces_) + " " + what +
+                   "; correct the line, or get a complete copy if the file is truncated");
   }
 
   void skip_floats(std::int64_t count, Element_kind kind) {

@@ -35,18 +35,22 @@ public:
       else if (e.name == "face" || e.name == "faces")
         scan_faces(e);
       else if (!e.properties.empty())
-        for (std::uint64_t i = 0; i < e.count; ++i) skip(e, i);
+        for (std::uint64_t i = 0; i < e.count; ++i)
+          for (const Property& p : e.properties) read_values(e, i, p);
     }
   }
 
 private:
-  enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+  struct Type {
+    std::string_view name, other_name;
+    bool is_integer;
+    bool (PLY_scanner::*read)(double&);
+  };
 
   struct Property {
     std::string name;
-    Type type;
-    bool is_list;
-    Type size_type;
+    const Type* type = nullptr;
+    const Type* size_type = nullptr; // of a list
   };
 
   struct Element {
@@ -55,21 +59,21 @@ private:
     std::vector<Property> properties;
   };
 
-  [[noreturn]] void fail(const std::string& what) { out_.fail(Element_kind::none, 0, what); }
-
   void scan_header() {
     std::string_view line;
     const bool is_ply = in_.next_line(line) && next_word(line) == "ply";
     out_.line = in_.line_number();
     if (!is_ply)
-      fail("the file does not start with the line ply; check that it is a PLY file, or give it the "
-           "extension of its format");
+      out_.fail(
+          "the file does not start with the line ply; check that it is a PLY file, or give it the "
+          "extension of its format");
     bool has_format = false;
     while (in_.next_line(line)) {
       out_.line = in_.line_number();
       const std::string_view keyword = next_word(line);
       if (keyword == "end_header") {
-        if (!has_format) fail("the header has no format line; add one, such as format ascii 1.0");
+        if (!has_format)
+          out_.fail("the header has no format line; add one, such as format ascii 1.0");
         return;
       }
       if (keyword == "format") {
@@ -79,81 +83,58 @@ private:
       if (keyword == "element") scan_element(line);
       if (keyword == "property") scan_property(line);
     }
-    fail("the file ends within its header; it is truncated: get a complete copy");
+    out_.fail("the file ends within its header; it is truncated: get a complete copy");
   }
 
   void scan_format(std::string_view format) {
     text_ = format == "ascii";
     order_ = format == "binary_big_endian" ? std::endian::big : std::endian::little;
     if (!text_ && order_ == std::endian::little && format != "binary_little_endian")
-      fail("the format \"" + std::string(format) +
-           "\" is not one of ascii, binary_little_endian, binary_big_endian; correct the header");
+      out_.fail(
+          "the format \"" + std::string(format) +
+          "\" is not one of ascii, binary_little_endian, binary_big_endian; correct the header");
   }
 
   void scan_element(std::string_view line) {
     Element e{std::string(next_word(line)), 0, {}};
     if (!parse_number(next_word(line), e.count))
-      fail("element " + e.name + " has no valid count; correct the header");
+      out_.fail("element " + e.name + " has no valid count; correct the header");
     elements_.push_back(std::move(e));
   }
 
   void scan_property(std::string_view line) {
-    Property p{{}, Type::int8, false, Type::int8};
+    Property p;
     std::string_view type = next_word(line);
-    p.is_list = type == "list";
-    if (p.is_list) {
-      p.size_type = type_of(next_word(line));
+    if (type == "list") {
+      p.size_type = &type_of(next_word(line));
       type = next_word(line);
     }
-    p.type = type_of(type);
+    p.type = &type_of(type);
     p.name = next_word(line);
-    if (elements_.empty() || p.name.empty() ||
-        (p.is_list && (p.size_type == Type::float32 || p.size_type == Type::float64)))
-      fail("the property is not one of an element, with a name and an integer size; correct the "
-           "header");
+    if (elements_.empty() || p.name.empty() || (p.size_type != nullptr && !p.size_type->is_integer))
+      out_.fail(
+          "the property is not one of an element, with a name and an integer size; correct the "
+          "header");
     elements_.back().properties.push_back(std::move(p));
   }
 
-  Type type_of(std::string_view name) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> names{
-        {{"char", "int8"},
-         {"uchar", "uint8"},
-         {"short", "int16"},
-         {"ushort", "uint16"},
-         {"int", "int32"},
-         {"uint", "uint32"},
-         {"float", "float32"},
-         {"double", "float64"}}};
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (name == names[i].first || name == names[i].second) return static_cast<Type>(i);
-    fail("\"" + std::string(name) + "\" is not a type of PLY; correct the header");
+  const Type& type_of(std::string_view name) {
+    static constexpr std::array<Type, 8> types{
+        {{"char", "int8", true, &PLY_scanner::read_as<std::int8_t>},
+         {"uchar", "uint8", true, &PLY_scanner::read_as<std::uint8_t>},
+         {"short", "int16", true, &PLY_scanner::read_as<std::int16_t>},
+         {"ushort", "uint16", true, &PLY_scanner::read_as<std::uint16_t>},
+         {"int", "int32", true, &PLY_scanner::read_as<std::int32_t>},
+         {"uint", "uint32", true, &PLY_scanner::read_as<std::uint32_t>},
+         {"float", "float32", false, &PLY_scanner::read_as<float>},
+         {"double", "float64", false, &PLY_scanner::read_as<double>}}};
+    for (const Type& type : types)
+      if (name == type.name || name == type.other_name) return type;
+    out_.fail("\"" + std::string(name) + "\" is not a type of PLY; correct the header");
   }
 
   // Every value of the format is exact as a double; false at the end of the file or for a word that
-  // is no number.
-  bool read(Type type, double& value) {
-    switch (type) {
-    case Type::int8:
-      return read_as<std::int8_t>(value);
-    case Type::uint8:
-      return read_as<std::uint8_t>(value);
-    case Type::int16:
-      return read_as<std::int16_t>(value);
-    case Type::uint16:
-      return read_as<std::uint16_t>(value);
-    case Type::int32:
-      return read_as<std::int32_t>(value);
-    case Type::uint32:
-      return read_as<std::uint32_t>(value);
-    case Type::float32:
-      return read_as<float>(value);
-    case Type::float64:
-      return read_as<double>(value);
-    }
-    return false;
-  }
-
-  // A text value of a float property is rounded to float, as CGAL rounds it.
+  // is no number. A text value of a float property is rounded to float, as CGAL rounds it.
   template <class Number>
   bool read_as(double& value) {
     Number number{};
@@ -186,15 +167,11 @@ private:
   void read_values(const Element& e, std::uint64_t i, const Property& p) {
     values_.clear();
     double size = 1, value = 0;
-    if (p.is_list && (!read(p.size_type, size) || size < 0)) fail_item(e, i);
+    if (p.size_type != nullptr && (!(this->*p.size_type->read)(size) || size < 0)) fail_item(e, i);
     for (double k = 0; k < size; ++k) {
-      if (!read(p.type, value)) fail_item(e, i);
+      if (!(this->*p.type->read)(value)) fail_item(e, i);
       values_.push_back(value);
     }
-  }
-
-  void skip(const Element& e, std::uint64_t i) {
-    for (const Property& p : e.properties) read_values(e, i, p);
   }
 
   void set_line() { out_.line = text_ ? in_.line_number() : 0; }
@@ -204,16 +181,21 @@ private:
     return static_cast<std::size_t>(std::min<std::uint64_t>(e.count, file_size_ / bytes));
   }
 
+  template <class Condition>
+  static std::size_t find_property(const Element& e, Condition condition) {
+    return static_cast<std::size_t>(std::ranges::find_if(e.properties, condition) -
+                                    e.properties.begin());
+  }
+
   void scan_vertices(const Element& e) {
     std::array<std::size_t, 3> where{};
     for (unsigned k = 0; k < 3; ++k) {
       const char name = static_cast<char>('x' + k);
-      while (
-          where[k] < e.properties.size() &&
-          (e.properties[where[k]].name != std::string(1, name) || e.properties[where[k]].is_list))
-        ++where[k];
+      where[k] = find_property(e, [&](const Property& p) {
+        return p.size_type == nullptr && p.name == std::string_view(&name, 1);
+      });
       if (where[k] == e.properties.size())
-        fail(std::string("vertices have no property ") + name + "; add their coordinates");
+        out_.fail(std::string("vertices have no property ") + name + "; add their coordinates");
     }
     out_.reserve(room(e, 6), 0);
     for (std::uint64_t i = 0; i < e.count; ++i) {
@@ -229,13 +211,11 @@ private:
   }
 
   void scan_faces(const Element& e) {
-    std::size_t where = 0;
-    while (where < e.properties.size() &&
-           !(e.properties[where].is_list && (e.properties[where].name == "vertex_indices" ||
-                                             e.properties[where].name == "vertex_index")))
-      ++where;
+    const std::size_t where = find_property(e, [](const Property& p) {
+      return p.size_type != nullptr && (p.name == "vertex_indices" || p.name == "vertex_index");
+    });
     if (where == e.properties.size())
-      fail("faces have no list property vertex_indices or vertex_index; add their vertices");
+      out_.fail("faces have no list property vertex_indices or vertex_index; add their vertices");
     out_.forward_references = out_.number_of_vertices() == 0;
     out_.reserve(0, room(e, 7));
     std::vector<std::int64_t> face;

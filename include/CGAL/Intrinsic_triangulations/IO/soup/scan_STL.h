@@ -74,8 +74,7 @@ private:
   void scan_binary() {
     char header[84];
     if (!in_.read(header, 84))
-      out_.fail(Element_kind::none, 0,
-                "the file is neither a text STL file, which starts with the word solid, nor long "
+      out_.fail("the file is neither a text STL file, which starts with the word solid, nor long "
                 "enough to be a binary one; get a complete copy");
     const std::uint32_t count = count_in(header);
     corners_.reserve(

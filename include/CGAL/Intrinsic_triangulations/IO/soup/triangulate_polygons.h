@@ -4,11 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H
 
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
-#include <CGAL/Intrinsic_triangulations/input/Triangle_soup.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>

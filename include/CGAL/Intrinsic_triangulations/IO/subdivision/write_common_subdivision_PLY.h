@@ -7,20 +7,17 @@
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_input.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
 
-#include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <ostream>
 #include <span>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 inline constexpr std::string_view PLY_comments =
     "comment common subdivision of a mesh (the input) and an intrinsic triangulation of it\n"
@@ -32,15 +29,6 @@ inline constexpr std::string_view PLY_comments =
     "comment face: contained in input_face and intrinsic_face; neighbours of these differ in "
     "colour\n"
     "comment edge: lies on input_edge, on intrinsic_edge or on both\n";
-inline constexpr std::string_view PLY_vertex_properties =
-    "property double x\nproperty double y\nproperty double z\n"
-    "property uchar kind\n"
-    "property int input_face\nproperty int input_edge\nproperty int intrinsic_edge\n"
-    "property int input_vertex_0\nproperty int input_vertex_1\nproperty int input_vertex_2\n"
-    "property double input_weight_0\nproperty double input_weight_1\n"
-    "property double input_weight_2\n"
-    "property int intrinsic_vertex_0\nproperty int intrinsic_vertex_1\n"
-    "property double intrinsic_weight_0\nproperty double intrinsic_weight_1\n";
 inline constexpr std::string_view PLY_face_properties =
     "property list uchar int vertex_indices\n"
     "property int input_face\nproperty int intrinsic_face\n"
@@ -49,17 +37,22 @@ inline constexpr std::string_view PLY_edge_properties =
     "property int vertex1\nproperty int vertex2\n"
     "property int input_edge\nproperty int intrinsic_edge\n";
 
-// Writes the elements of a PLY file, in binary or as text.
+template <class T>
+inline constexpr std::string_view PLY_type = std::is_same_v<T, double>         ? "double"
+                                             : std::is_same_v<T, std::int32_t> ? "int"
+                                                                               : "uchar";
+
+// Writes PLY with all labels: elements vertex, face and, each once, edge. Comments in the header say what
+// properties mean. Binary is little endian; both are without loss.
 template <bool is_binary>
 class PLY_subdivision_writer {
 public:
-  PLY_subdivision_writer(std::ostream& out, const Common_subdivision& s, Subdivision_points points,
-                         Vertex_fields fields)
-      : out_(out), s_(s), points_(points), fields_(fields) {}
+  PLY_subdivision_writer(Output_buffer& out, const Subdivision_output& o)
+      : out_(out), o_(o), s_(o.s) {}
 
-  bool run() {
+  void run() {
     write_header();
-    for (std::size_t v = 0; v < points_.size(); ++v) write_vertex(v);
+    for (std::size_t v = 0; v < o_.points.size(); ++v) write_vertex(v);
     const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
     for (std::size_t f = 0; f < s_.number_of_faces(); ++f) write_face(f, colors);
     for_each_subdivision_edge(
@@ -68,7 +61,6 @@ public:
               signed_label(side.intrinsic_edge));
           end();
         });
-    return out_.flush();
   }
 
 private:
@@ -77,33 +69,27 @@ private:
     for_each_subdivision_edge(
         s_, [&](std::uint32_t, std::uint32_t, const Common_subdivision::Side&) { ++edges; });
     out_.text("ply\nformat ", is_binary ? "binary_little_endian" : "ascii", " 1.0\n", PLY_comments,
-              "element vertex ", points_.size(), "\n", PLY_vertex_properties);
-    for (const Vertex_field& field : fields_) out_.text("property double ", field.name, "\n");
+              "element vertex ", o_.points.size(), "\n");
+    for (const char c : {'x', 'y', 'z'}) out_.text("property double ", c, "\n");
+    for_each_vertex_label(s_, [&](std::string_view, std::string_view component, auto values) {
+      using Values = decltype(values(0));
+      constexpr std::size_t components = std::tuple_size_v<Values>;
+      for (std::size_t i = 0; i < components; ++i)
+        out_.text("property ", PLY_type<typename Values::value_type>, ' ',
+                  component_name(component, i, components), '\n');
+    });
+    for (const Vertex_field& field : o_.fields) out_.text("property double ", field.name, "\n");
     out_.text("element face ", s_.number_of_faces(), "\n", PLY_face_properties, "element edge ",
               edges, "\n", PLY_edge_properties, "end_header\n");
   }
 
   void write_vertex(std::size_t v) {
-    put(points_[v][0], points_[v][1], points_[v][2], static_cast<std::uint8_t>(s_.kind(v)));
-    if (v < s_.vertices.size()) {
-      put(signed_label(s_.vertices[v].input_face), signed_label(Common_subdivision::none),
-          signed_label(Common_subdivision::none));
-    } else {
-      const Common_subdivision::Crossing& c = s_.crossings[v - s_.vertices.size()];
-      put(signed_label(Common_subdivision::none), signed_label(c.on_input.edge),
-          signed_label(c.on_intrinsic.edge));
-    }
-    write_location<3>(s_.on_input(v));
-    write_location<2>(s_.on_intrinsic(v));
-    for (const Vertex_field& field : fields_) put(field.values[v]);
+    put(o_.points[v][0], o_.points[v][1], o_.points[v][2]);
+    for_each_vertex_label(s_, [&](std::string_view, std::string_view, auto values) {
+      for (const auto x : values(v)) put(x);
+    });
+    for (const Vertex_field& field : o_.fields) put(field.values[v]);
     end();
-  }
-
-  template <std::size_t size>
-  void write_location(const Weighted_vertices& w) {
-    for (std::size_t i = 0; i < size; ++i)
-      put(signed_label(i < w.size ? w.vertices[i] : Common_subdivision::none));
-    for (std::size_t i = 0; i < size; ++i) put(i < w.size ? w.weights[i] : 0.);
   }
 
   // A face has at most six sides: it is in a face of the input and in an intrinsic one.
@@ -121,51 +107,17 @@ private:
     if constexpr (is_binary)
       (out_.binary(values), ...);
     else
-      (put_word(values), ...);
-  }
-  template <class Value>
-  void put_word(Value value) {
-    if (!at_start_) out_.text(' ');
-    at_start_ = false;
-    out_.text(value);
+      out_.words(values...);
   }
   void end() {
-    if constexpr (!is_binary) out_.text('\n');
-    at_start_ = true;
+    if constexpr (!is_binary) out_.line();
   }
 
-  Output_buffer out_;
+  Output_buffer& out_;
+  const Subdivision_output& o_;
   const Common_subdivision& s_;
-  Subdivision_points points_;
-  Vertex_fields fields_;
-  bool at_start_ = true;
 };
 
-} // namespace internal
-
-/*!
-\brief writes a common subdivision with all its labels as PLY.
-
-Elements `vertex`, `face` and, each once, `edge`; comments in the header say what the properties mean.
-\param out the stream, binary
-\param s the subdivision
-\param points the position of each vertex, see `positions()`
-\param fields numbers to be written for each vertex
-\param options `binary`: little endian, else text, both without loss
-\throws Invalid_input if `points` or a field do not have one value for each vertex
-\throws std::runtime_error if the stream fails
-\complexity linear
-*/
-inline void write_common_subdivision_PLY(std::ostream& out, const Common_subdivision& s,
-                                         std::span<const std::array<double, 3>> points,
-                                         std::span<const Vertex_field> fields = {},
-                                         const Common_subdivision_output& options = {}) {
-  internal::check_output(s, points, fields);
-  internal::check_written(
-      options.binary ? internal::PLY_subdivision_writer<true>(out, s, points, fields).run()
-                     : internal::PLY_subdivision_writer<false>(out, s, points, fields).run());
-}
-
-} // namespace CGAL::Intrinsic_triangulations
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_PLY_H

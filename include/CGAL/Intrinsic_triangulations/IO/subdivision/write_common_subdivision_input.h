@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -24,96 +23,110 @@ struct Vertex_field {
   std::span<const double> values; ///< one per vertex
 };
 
-/// What the files written by `write_common_subdivision()` contain.
-struct Common_subdivision_output {
-  /// Whether PLY is binary; the other formats have one encoding here.
-  bool binary = true;
-  /// Whether VTP contains the intrinsic edges as lines.
-  bool lines_in_VTP = true;
-  /// Whether OBJ contains the intrinsic edges as lines; `CGAL::IO::read_OBJ()` refuses such files.
-  bool lines_in_OBJ = false;
-};
-
 namespace internal {
 
-using Subdivision_points = std::span<const std::array<double, 3>>;
-using Vertex_fields = std::span<const Vertex_field>;
+// What is written.
+struct Subdivision_output {
+  const Common_subdivision& s;
+  std::span<const std::array<double, 3>> points;
+  std::span<const Vertex_field> fields;
+};
 
-// Numbers of elements are written as signed 32 bit integers, `none` as -1.
-inline std::int32_t signed_label(std::uint32_t i) {
-  return static_cast<std::int32_t>(
-      i); // modular by the standard; numbers of elements are below 2^31
+// Numbers of elements are written as signed 32 bit integers, `none` as -1: modular by the standard; they are
+// below 2^31.
+inline std::int32_t signed_label(std::uint32_t i) { return static_cast<std::int32_t>(i); }
+
+/*!
+Visits what files tell of each vertex besides its position. The visitor takes a name, that of a component
+(which a number follows, where there are several) and a functor from vertices to arrays of components.
+*/
+template <class Visit>
+void for_each_vertex_label(const Common_subdivision& s, Visit visit) {
+  constexpr std::uint32_t none = Common_subdivision::none;
+  const auto label = [&](std::string_view name, auto value) {
+    visit(name, name, [=](std::size_t v) { return std::array{value(v)}; });
+  };
+  const auto vertices = []<std::size_t n>(const Weighted_vertices& w,
+                                          std::array<std::int32_t, n> all) {
+    for (std::size_t i = 0; i < n; ++i) all[i] = signed_label(i < w.size ? w.vertices[i] : none);
+    return all;
+  };
+  const auto weights = []<std::size_t n>(const Weighted_vertices& w, std::array<double, n> all) {
+    for (std::size_t i = 0; i < n; ++i) all[i] = i < w.size ? w.weights[i] : 0;
+    return all;
+  };
+  const std::size_t m = s.vertices.size(); // crossings follow
+  label("kind", [&s](std::size_t v) { return static_cast<std::uint8_t>(s.kind(v)); });
+  label("input_face",
+        [&s, m](std::size_t v) { return signed_label(v < m ? s.vertices[v].input_face : none); });
+  label("input_edge", [&s, m](std::size_t v) {
+    return signed_label(v < m ? none : s.crossings[v - m].on_input.edge);
+  });
+  label("intrinsic_edge", [&s, m](std::size_t v) {
+    return signed_label(v < m ? none : s.crossings[v - m].on_intrinsic.edge);
+  });
+  using std::array;
+  visit("input_vertices", "input_vertex_",
+        [&](std::size_t v) { return vertices(s.on_input(v), array<std::int32_t, 3>()); });
+  visit("input_weights", "input_weight_",
+        [&](std::size_t v) { return weights(s.on_input(v), array<double, 3>()); });
+  visit("intrinsic_vertices", "intrinsic_vertex_",
+        [&](std::size_t v) { return vertices(s.on_intrinsic(v), array<std::int32_t, 2>()); });
+  visit("intrinsic_weights", "intrinsic_weight_",
+        [&](std::size_t v) { return weights(s.on_intrinsic(v), array<double, 2>()); });
 }
 
-/// Names that the labels of vertices have in files.
-inline constexpr std::array<std::string_view, 21> vertex_label_names{"x",
-                                                                     "y",
-                                                                     "z",
-                                                                     "kind",
-                                                                     "input_face",
-                                                                     "input_edge",
-                                                                     "intrinsic_edge",
-                                                                     "input_vertices",
-                                                                     "input_weights",
-                                                                     "intrinsic_vertices",
-                                                                     "intrinsic_weights",
-                                                                     "input_vertex_0",
-                                                                     "input_vertex_1",
-                                                                     "input_vertex_2",
-                                                                     "input_weight_0",
-                                                                     "input_weight_1",
-                                                                     "input_weight_2",
-                                                                     "intrinsic_vertex_0",
-                                                                     "intrinsic_vertex_1",
-                                                                     "intrinsic_weight_0",
-                                                                     "intrinsic_weight_1"};
+// The name of a component of a label.
+inline std::string component_name(std::string_view component, std::size_t i,
+                                  std::size_t components) {
+  return std::string(component) + (components == 1 ? "" : std::to_string(i));
+}
 
 inline bool is_field_name(std::string_view name) {
-  const auto is_allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '.' || c == '-';
-  };
-  return !name.empty() && std::all_of(name.begin(), name.end(), is_allowed) &&
-         std::find(vertex_label_names.begin(), vertex_label_names.end(), name) ==
-             vertex_label_names.end();
+  constexpr std::string_view allowed =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-";
+  bool is_taken = name == "x" || name == "y" || name == "z";
+  const Common_subdivision none;
+  for_each_vertex_label(none, [&](std::string_view label, std::string_view component, auto values) {
+    constexpr std::size_t components = std::tuple_size_v<decltype(values(0))>;
+    is_taken = is_taken || name == label;
+    for (std::size_t i = 0; i < components; ++i)
+      is_taken = is_taken || name == component_name(component, i, components);
+  });
+  return !is_taken && !name.empty() && name.find_first_not_of(allowed) == std::string_view::npos;
 }
 
-inline void check_fields(std::size_t number_of_vertices, Vertex_fields fields) {
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::string name = "the field \"" + fields[i].name + "\" ";
-    const auto is_same = [&](const Vertex_field& f) { return f.name == fields[i].name; };
-    if (!is_field_name(fields[i].name))
-      throw Invalid_input(Element_kind::none, 0,
-                          name + "cannot be written under this name; name it with letters, digits "
-                                 "and _.-, and not as labels of vertices are named");
-    if (std::any_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(i), is_same))
-      throw Invalid_input(Element_kind::none, 0, name + "occurs twice; rename one of the two");
-    if (fields[i].values.size() != number_of_vertices)
-      throw Invalid_input(Element_kind::none, 0,
-                          name + "has " + std::to_string(fields[i].values.size()) +
-                              " values; give one for each of the " +
-                              std::to_string(number_of_vertices) +
-                              " vertices of the common subdivision");
+inline void check_fields(const Subdivision_output& o) {
+  for (std::size_t i = 0; i < o.fields.size(); ++i) {
+    const Vertex_field& field = o.fields[i];
+    const std::string name = "the field \"" + field.name + "\" ";
+    const auto fail = [&name](const std::string& what) {
+      throw Invalid_input(Element_kind::none, 0, name + what);
+    };
+    if (!is_field_name(field.name))
+      fail("cannot be written under this name; name it with letters, digits and _.-, and not as "
+           "labels of "
+           "vertices are named");
+    if (std::ranges::count(o.fields.first(i), field.name, &Vertex_field::name) != 0)
+      fail("occurs twice; rename one of the two");
+    if (field.values.size() != o.s.number_of_vertices())
+      fail("has " + std::to_string(field.values.size()) + " values; give one for each of the " +
+           std::to_string(o.s.number_of_vertices()) + " vertices of the common subdivision");
   }
 }
 
-inline void check_output(const Common_subdivision& s, Subdivision_points points,
-                         Vertex_fields fields) {
-  if (points.empty() && s.number_of_vertices() != 0)
+inline void check_output(const Subdivision_output& o) {
+  if (o.points.empty() && o.s.number_of_vertices() != 0)
     throw Invalid_input(Element_kind::none, 0,
                         "the common subdivision has no positions in space, as the input is an "
                         "abstract metric; give a position for each vertex of the input, or write "
                         "the intrinsic triangulation to a file .idt");
-  if (points.size() != s.number_of_vertices())
+  if (o.points.size() != o.s.number_of_vertices())
     throw Invalid_input(
         Element_kind::none, 0,
-        "there are " + std::to_string(points.size()) + " positions; give one for each of the " +
-            std::to_string(s.number_of_vertices()) + " vertices of the common subdivision");
-  check_fields(s.number_of_vertices(), fields);
-}
-
-inline void check_written(bool is_good) {
-  if (!is_good) throw std::runtime_error("the common subdivision cannot be written completely");
+        "there are " + std::to_string(o.points.size()) + " positions; give one for each of the " +
+            std::to_string(o.s.number_of_vertices()) + " vertices of the common subdivision");
+  check_fields(o);
 }
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SUPPORT_BUFFERED_INPUT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUPPORT_BUFFERED_INPUT_H
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -16,9 +17,17 @@
 #include <string_view>
 #include <system_error>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// The extension of a file in lower case, without its dot.
+inline std::string plain_extension(std::string_view extension) {
+  if (extension.starts_with('.')) extension.remove_prefix(1);
+  std::string result(extension);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
 
 inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
@@ -135,9 +144,7 @@ template <class Number>
 bool read_binary(Buffered_input& in, Number& value, std::endian order) {
   char bytes[sizeof(Number)];
   if (!in.read(bytes, sizeof(Number))) return false;
-  if (order != std::endian::native)
-    for (std::size_t i = 0; i < sizeof(Number) / 2; ++i)
-      std::swap(bytes[i], bytes[sizeof(Number) - 1 - i]);
+  if (order != std::endian::native) std::reverse(bytes, bytes + sizeof(Number));
   std::memcpy(&value, bytes, sizeof(Number));
   return true;
 }

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
-#include <concepts>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <ostream>
@@ -19,16 +19,30 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <class T>
 concept Arithmetic = std::is_arithmetic_v<T>;
 
-// Writes text and binary data in blocks, whatever the locale and the byte order of the machine.
-class Output_buffer {
+// Writes text and binary data in blocks, whatever the locale and the byte order of the machine. Numbers are
+// decimal, the shortest that read back as the same; those with a point hexadecimal if that is asked for, as
+// C's %a writes them.
+template <bool hexadecimal>
+class Basic_output_buffer {
 public:
-  explicit Output_buffer(std::ostream& out) : out_(out) {}
+  explicit Basic_output_buffer(std::ostream& out) : out_(out) {}
 
-  // Writes values without anything between them: text as it is, numbers in decimal, the shortest
-  // that reads back as the same number.
+  // Writes values without anything between them.
   template <class... Values>
   void text(const Values&... values) {
     (put(values), ...);
+  }
+  // Writes values with a space between them and what is on the line already.
+  template <class... Values>
+  void words(const Values&... values) {
+    (put_word(values), ...);
+  }
+  // Writes the last values of a line.
+  template <class... Values>
+  void line(const Values&... values) {
+    words(values...);
+    put('\n');
+    at_start_ = true;
   }
 
   // Writes a number as it is in memory, its least significant byte first.
@@ -48,7 +62,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t longest_number = 32; // "-1.2345678901234567e-308"
+  static constexpr std::size_t longest_number =
+      32; // "-1.2345678901234567e-308", "-0x1." 13 digits "p-1022"
 
   void put(std::string_view word) {
     for (std::size_t done = 0; done < word.size();) {
@@ -66,8 +81,22 @@ private:
   template <Arithmetic T>
   void put(T number) {
     reserve(longest_number);
-    char* const end = std::to_chars(buffer_ + used_, buffer_ + sizeof(buffer_), number).ptr;
-    used_ = static_cast<std::size_t>(end - buffer_);
+    const auto write_digits = [this](const auto&... number_and_format) {
+      used_ = static_cast<std::size_t>(
+          std::to_chars(buffer_ + used_, buffer_ + sizeof(buffer_), number_and_format...).ptr -
+          buffer_);
+    };
+    if constexpr (hexadecimal && std::is_floating_point_v<T>) {
+      text(std::signbit(number) ? "-" : "", std::isfinite(number) ? "0x" : "");
+      write_digits(std::abs(number), std::chars_format::hex);
+    } else
+      write_digits(number);
+  }
+  template <class T>
+  void put_word(const T& value) {
+    if (!at_start_) put(' ');
+    at_start_ = false;
+    put(value);
   }
 
   void reserve(std::size_t n) {
@@ -80,8 +109,11 @@ private:
 
   std::ostream& out_;
   std::size_t used_ = 0;
+  bool at_start_ = true;
   char buffer_[1 << 16];
 };
+
+using Output_buffer = Basic_output_buffer<false>;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -8,8 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/support/Base64_writer.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/drawn_edges.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/html_view_program.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
 
@@ -20,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
+#include <ranges>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -45,6 +44,12 @@ struct Html_view {
 
 namespace internal {
 
+// The page with the program that draws and answers to the pointer; what stands between two @ is a place to
+// be filled. The file is HTML between the marks of a raw string.
+inline constexpr std::string_view html_view_page =
+#include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.html>
+    ;
+
 /// Writes the parts of a page.
 class Html_view_writer {
   using Point = std::array<double, 3>;
@@ -54,40 +59,40 @@ public:
                    const Html_view& view)
       : out_(out), s_(s), points_(points), view_(view) {}
 
+  // the page, its places filled
   void write() {
-    out_.text("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>");
-    escaped(view_.title);
-    out_.text("</title>\n", html_view_style, "<div id=\"panel\"><h1>");
-    escaped(view_.title);
-    out_.text("</h1><p>");
-    escaped(view_.description);
-    out_.text("</p>\n", html_view_controls);
-    out_.text(three_js_licence);
-    script(view_.three);
-    script(view_.trackball_controls);
-    write_data();
-    out_.text(html_view_program);
+    for (std::string_view rest = html_view_page; !rest.empty();) {
+      out_.text(next_part(rest));
+      const std::string_view place = next_part(rest);
+      if (place == "title") escaped(view_.title);
+      if (place == "description") escaped(view_.description);
+      if (place == "scripts") write_scripts();
+    }
     if (!out_.flush()) throw std::runtime_error("the page cannot be written");
   }
 
 private:
+  // takes what comes before the next @, and that, off the front
+  static std::string_view next_part(std::string_view& rest) {
+    const std::string_view part = rest.substr(0, rest.find('@'));
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+    return part;
+  }
+
+  void write_scripts() {
+    script(view_.three);
+    script(view_.trackball_controls);
+    write_data();
+  }
+
   void escaped(std::string_view text) {
-    for (const char c : text) switch (c) {
-      case '<':
-        out_.text("&lt;");
-        break;
-      case '>':
-        out_.text("&gt;");
-        break;
-      case '&':
-        out_.text("&amp;");
-        break;
-      case '"':
-        out_.text("&quot;");
-        break;
-      default:
+    constexpr std::string_view special = "<>&\"";
+    constexpr std::array<std::string_view, 4> names{"&lt;", "&gt;", "&amp;", "&quot;"};
+    for (const char c : text)
+      if (const std::size_t i = special.find(c); i != std::string_view::npos)
+        out_.text(names[i]);
+      else
         out_.text(c);
-      }
   }
 
   // An end tag inside a script would end it, in capitals too; in a string of JavaScript <\/ is </.
@@ -106,6 +111,12 @@ private:
     open_data(id);
     out_.text(">");
     close_data(write);
+  }
+  template <class Numbers>
+  void numbers(std::string_view id, const Numbers& all) {
+    data(id, [&](Base64_writer& out) {
+      for (const auto x : all) out.put(x);
+    });
   }
   void open_data(std::string_view id) {
     out_.text("<script type=\"application/octet-stream;base64\" id=\"", id, "\"");
@@ -157,13 +168,9 @@ private:
   void write_edges(std::string_view id, std::string_view room_id,
                    std::uint32_t Common_subdivision::Side::*edge_of,
                    const std::vector<std::uint32_t>& face_of) {
-    const Drawn_edges edges = Drawn_edges_builder(s_, scaled_, edge_of, face_of).build();
-    data(id, [&](Base64_writer& out) {
-      for (const std::uint32_t v : edges.ends) out.put(v);
-    });
-    data(room_id, [&](Base64_writer& out) {
-      for (const float x : edges.room) out.put(x);
-    });
+    const Drawn_edges edges = drawn_edges(s_, scaled_, edge_of, face_of);
+    numbers(id, edges.ends);
+    numbers(room_id, edges.room);
   }
 
   // What is told of a vertex: its kind, its intrinsic element, and its input element.
@@ -209,15 +216,13 @@ private:
   // Centred and scaled to the unit ball before they are rounded to single precision; half of each
   // coordinate is taken first, so that no difference overflows.
   void write_points() {
-    Point low{0, 0, 0};
-    if (!points_.empty()) low = halved(points_.front());
-    Point high = low;
-    for (const Point& p : points_)
-      for (std::size_t c = 0; c < 3; ++c) {
-        low[c] = std::min(low[c], p[c] / 2);
-        high[c] = std::max(high[c], p[c] / 2);
-      }
-    const Point extent{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+    Point low{0, 0, 0}, extent{0, 0, 0};
+    for (std::size_t c = 0; c < 3 && !points_.empty(); ++c) {
+      const auto halves = points_ | std::views::transform([c](const Point& p) { return p[c] / 2; });
+      const auto [least, greatest] = std::ranges::minmax(halves);
+      low[c] = least;
+      extent[c] = greatest - least;
+    }
     const double greatest = std::max({extent[0], extent[1], extent[2]});
     const double unit = greatest > 0 ? greatest : 1;
     const auto centred = [&](const Point& p, std::size_t c) {
@@ -227,19 +232,13 @@ private:
     for (const Point& p : points_)
       radius = std::max(radius, std::hypot(centred(p, 0), centred(p, 1), centred(p, 2)));
     if (radius == 0) radius = 1;
-    scaled_.reserve(points_.size());
-    for (const Point& p : points_) {
-      std::array<float, 3>& q = scaled_.emplace_back();
-      for (std::size_t c = 0; c < 3; ++c) q[c] = static_cast<float>(centred(p, c) / radius);
-    }
-    data("points", [&](Base64_writer& out) {
-      for (const std::array<float, 3>& q : scaled_)
-        for (const float x : q) out.put(x);
-    });
+    scaled_.resize(points_.size());
+    for (std::size_t v = 0; v < points_.size(); ++v)
+      for (std::size_t c = 0; c < 3; ++c)
+        scaled_[v][c] = static_cast<float>(centred(points_[v], c) / radius);
+    numbers("points", std::views::join(scaled_));
     write_axes(extent);
   }
-
-  static Point halved(const Point& p) { return {p[0] / 2, p[1] / 2, p[2] / 2}; }
 
   // Look mostly along the shortest side of the bounding box; y is up unless that is along y.
   void write_axes(const Point& extent) {
@@ -250,11 +249,10 @@ private:
     eye[shortest] = is_flat ? 2 : 0.8;
     if (is_flat) eye[(shortest + 1) % 3] = eye[(shortest + 2) % 3] = 0;
     const double length = std::hypot(eye[0], eye[1], eye[2]);
-    data("view-axes", [&](Base64_writer& out) {
-      for (const double x : eye) out.put(static_cast<float>(x / length));
-      for (std::size_t c = 0; c < 3; ++c)
-        out.put(static_cast<float>(c == (shortest == 1 ? 2 : 1) ? 1 : 0));
-    });
+    std::array<float, 6> axes{}; // to the eye, up
+    for (std::size_t c = 0; c < 3; ++c) axes[c] = static_cast<float>(eye[c] / length);
+    axes[shortest == 1 ? 5 : 4] = 1;
+    numbers("view-axes", axes);
   }
 
   Output_buffer out_;
@@ -283,10 +281,7 @@ light; a field replaces the colours. The pointer shows the numbers of the faces 
 */
 inline void write_html_view(std::ostream& out, const Common_subdivision& s,
                             std::span<const std::array<double, 3>> points, const Html_view& view) {
-  if (view.field.values.empty())
-    internal::check_output(s, points, {});
-  else
-    internal::check_output(s, points, std::span(&view.field, 1));
+  internal::check_output({s, points, std::span(&view.field, view.field.values.empty() ? 0 : 1)});
   if (view.three.empty() || view.trackball_controls.empty())
     throw Invalid_input(Element_kind::none, 0,
                         "the page needs three.js and its TrackballControls.js; Debian's package "

@@ -15,6 +15,43 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
+\brief is what adaptors of meshes with internal indices have in common.
+\tparam Mesh a model of `HalfedgeListGraph` and `FaceListGraph`
+*/
+template <class Mesh>
+class Indexed_mesh_adaptor {
+public:
+  /// numbers a vertex, an edge or a face that was added to the mesh.
+  template <class Descriptor>
+  void add(Descriptor, const Mesh&) {}
+  /// frees the number of a vertex, an edge or a face that is going to be removed from the mesh.
+  template <class Descriptor>
+  void remove(Descriptor, const Mesh&) {}
+
+  /// returns a bound of the numbers of vertices, those of removed ones included.
+  std::uint32_t vertex_capacity(const Mesh& mesh) const {
+    return static_cast<std::uint32_t>(num_vertices(mesh));
+  }
+  /// returns a bound of the numbers of edges; twice as many are one for halfedges.
+  std::uint32_t edge_capacity(const Mesh& mesh) const {
+    return static_cast<std::uint32_t>(num_edges(mesh));
+  }
+  /// returns a bound of the numbers of faces.
+  std::uint32_t face_capacity(const Mesh& mesh) const {
+    return static_cast<std::uint32_t>(num_faces(mesh));
+  }
+
+  /// reads the coordinates of a point as doubles.
+  template <class Point>
+  static std::array<double, 3> coordinates(const Point& p) {
+    return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
+  }
+
+  /// returns the point map that `mesh` itself has.
+  static auto point_map(const Mesh& mesh) { return get(CGAL::vertex_point, mesh); }
+};
+
+/*!
 \brief numbers the elements of a mesh and reads its coordinates: the one place for what meshes do
 differently.
 
@@ -25,7 +62,7 @@ for a mesh of your own.
 \tparam Mesh a model of `HalfedgeListGraph` and `FaceListGraph`
 */
 template <class Mesh>
-class Mesh_adaptor {
+class Mesh_adaptor : public Indexed_mesh_adaptor<Mesh> {
   using Traits = boost::graph_traits<Mesh>;
 
 public:
@@ -68,35 +105,6 @@ public:
   typename Traits::face_descriptor face_at(std::uint32_t i) const {
     return typename Traits::face_descriptor{i};
   }
-
-  /// numbers a vertex, an edge or a face that was added to the mesh.
-  template <class Descriptor>
-  void add(Descriptor, const Mesh&) {}
-  /// frees the number of a vertex, an edge or a face that is going to be removed from the mesh.
-  template <class Descriptor>
-  void remove(Descriptor, const Mesh&) {}
-
-  /// returns a bound of the numbers of vertices, those of removed ones included.
-  std::uint32_t vertex_capacity(const Mesh& mesh) const {
-    return static_cast<std::uint32_t>(num_vertices(mesh));
-  }
-  /// returns a bound of the numbers of edges; twice as many are one for halfedges.
-  std::uint32_t edge_capacity(const Mesh& mesh) const {
-    return static_cast<std::uint32_t>(num_edges(mesh));
-  }
-  /// returns a bound of the numbers of faces.
-  std::uint32_t face_capacity(const Mesh& mesh) const {
-    return static_cast<std::uint32_t>(num_faces(mesh));
-  }
-
-  /// reads the coordinates of a point as doubles.
-  template <class Point>
-  static std::array<double, 3> coordinates(const Point& p) {
-    return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
-  }
-
-  /// returns the point map that `mesh` itself has.
-  static auto point_map(const Mesh& mesh) { return get(CGAL::vertex_point, mesh); }
 
 private:
   typename boost::property_map<Mesh, boost::vertex_index_t>::const_type vertex_;

@@ -13,7 +13,7 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 
-#include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -44,7 +44,7 @@ struct OpenMesh_coordinate_map {
 };
 
 /*!
-\brief numbers the elements of an OpenMesh mesh by their handles.
+\brief numbers the elements of an OpenMesh triangle or polygon mesh by their handles.
 
 OpenMesh marks elements as deleted and leaves them until `garbage_collection()`; BGL's ranges skip
 them. `reuse_vertex()`, ... bring them back, so that a mesh in which vertices are inserted and removed in
@@ -52,7 +52,8 @@ turn does not grow.
 \tparam Mesh an OpenMesh mesh
 */
 template <class Mesh>
-class OpenMesh_adaptor {
+  requires std::derived_from<Mesh, OpenMesh::PolyConnectivity>
+class Mesh_adaptor<Mesh> : public Indexed_mesh_adaptor<Mesh> {
   using Traits = boost::graph_traits<Mesh>;
   using Vertex = typename Traits::vertex_descriptor;
   using Halfedge = typename Traits::halfedge_descriptor;
@@ -60,11 +61,10 @@ class OpenMesh_adaptor {
   using Face = typename Traits::face_descriptor;
 
 public:
-  /// numbers the elements of `mesh`.
-  explicit OpenMesh_adaptor(const Mesh&) {}
+  /// \cond see `Mesh_adaptor`
+  explicit Mesh_adaptor(const Mesh&) {}
 
-  /// numbers the elements of a mesh that the caller may change.
-  explicit OpenMesh_adaptor(Mesh& mesh) {
+  explicit Mesh_adaptor(Mesh& mesh) {
     if (mesh.has_vertex_status())
       find_deleted<OpenMesh::VertexHandle>(mesh, mesh.n_vertices(), free_vertices_);
     if (mesh.has_edge_status())
@@ -73,29 +73,19 @@ public:
       find_deleted<OpenMesh::FaceHandle>(mesh, mesh.n_faces(), free_faces_);
   }
 
-  /// numbers the elements of `copy`, a copy of `original`, as those of `original` are numbered;
-  /// `original` may have been moved from.
-  OpenMesh_adaptor([[maybe_unused]] Mesh& copy, const OpenMesh_adaptor& numbers,
-                   [[maybe_unused]] const Mesh& original)
-      : OpenMesh_adaptor(numbers) {}
+  Mesh_adaptor([[maybe_unused]] Mesh& copy, const Mesh_adaptor& numbers,
+               [[maybe_unused]] const Mesh& original)
+      : Mesh_adaptor(numbers) {}
 
-  /// returns the number of a vertex.
   std::uint32_t vertex(Vertex v) const { return static_cast<std::uint32_t>(v.idx()); }
-  /// returns the number of a halfedge.
   std::uint32_t halfedge(Halfedge h) const { return static_cast<std::uint32_t>(h.idx()); }
-  /// returns the number of a face.
   std::uint32_t face(Face f) const { return static_cast<std::uint32_t>(f.idx()); }
 
-  /// returns the vertex with a number.
   Vertex vertex_at(std::uint32_t i) const { return Vertex(static_cast<int>(i)); }
-  /// returns the halfedge with a number.
   Halfedge halfedge_at(std::uint32_t i) const { return Halfedge(static_cast<int>(i)); }
-  /// returns the face with a number.
   Face face_at(std::uint32_t i) const { return Face(static_cast<int>(i)); }
+  /// \endcond
 
-  /// numbers an element that was added to the mesh.
-  template <class Descriptor>
-  void add(Descriptor, const Mesh&) {}
   /// remembers a vertex that is going to be removed from the mesh.
   void remove(Vertex v, const Mesh&) { free_vertices_.push_back(v.idx()); }
   /// remembers an edge that is going to be removed from the mesh.
@@ -118,25 +108,6 @@ public:
   /// brings back the face that was removed last; returns the null face if there is none.
   Face reuse_face(Mesh& mesh) { return revive<OpenMesh::FaceHandle>(mesh, free_faces_); }
 
-  /// returns a bound of the numbers of vertices, those of removed ones included.
-  std::uint32_t vertex_capacity(const Mesh& mesh) const {
-    return static_cast<std::uint32_t>(num_vertices(mesh));
-  }
-  /// returns a bound of the numbers of edges; twice as many are one for halfedges.
-  std::uint32_t edge_capacity(const Mesh& mesh) const {
-    return static_cast<std::uint32_t>(num_edges(mesh));
-  }
-  /// returns a bound of the numbers of faces.
-  std::uint32_t face_capacity(const Mesh& mesh) const {
-    return static_cast<std::uint32_t>(num_faces(mesh));
-  }
-
-  /// reads the coordinates of a point as doubles.
-  template <class Point>
-  static std::array<double, 3> coordinates(const Point& p) {
-    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-  }
-
   /// returns a point map without loss.
   static OpenMesh_coordinate_map<Mesh> point_map(const Mesh& mesh) { return {&mesh}; }
 
@@ -157,22 +128,6 @@ private:
   }
 
   std::vector<int> free_vertices_, free_edges_, free_faces_;
-};
-
-/// adapts OpenMesh triangle meshes
-template <class T>
-class Mesh_adaptor<OpenMesh::TriMesh_ArrayKernelT<T>>
-    : public OpenMesh_adaptor<OpenMesh::TriMesh_ArrayKernelT<T>> {
-public:
-  using OpenMesh_adaptor<OpenMesh::TriMesh_ArrayKernelT<T>>::OpenMesh_adaptor;
-};
-
-/// adapts OpenMesh polygon meshes
-template <class T>
-class Mesh_adaptor<OpenMesh::PolyMesh_ArrayKernelT<T>>
-    : public OpenMesh_adaptor<OpenMesh::PolyMesh_ArrayKernelT<T>> {
-public:
-  using OpenMesh_adaptor<OpenMesh::PolyMesh_ArrayKernelT<T>>::OpenMesh_adaptor;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -9,7 +9,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
-#include <array>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -24,7 +23,8 @@ is read by them; any other polyhedron is numbered in hash maps, which makes it a
 but a good one to read from.
 */
 template <class K, class I, template <class T1, class T2, class T3> class HDS, class A>
-class Mesh_adaptor<Polyhedron_3<K, I, HDS, A>> {
+class Mesh_adaptor<Polyhedron_3<K, I, HDS, A>>
+    : public Indexed_mesh_adaptor<Polyhedron_3<K, I, HDS, A>> {
   using Mesh = Polyhedron_3<K, I, HDS, A>;
   using Traits = boost::graph_traits<Mesh>;
   using Vertex = typename Traits::vertex_descriptor;
@@ -36,18 +36,15 @@ class Mesh_adaptor<Polyhedron_3<K, I, HDS, A>> {
   };
 
 public:
-  /// numbers the elements of `mesh`.
+  /// \cond see the primary template
   explicit Mesh_adaptor(const Mesh& mesh) { number(mesh); }
 
-  /// numbers the elements of a mesh that the caller may change.
   explicit Mesh_adaptor(Mesh& mesh) {
     use_ids_ = has_ids;
     number(mesh);
   }
 
-  /// numbers the elements of `copy`, a copy of `original`, as those of `original` are numbered, which is
-  /// not the order of its lists any more after removals.
-  /// If elements have been moved to `copy`, they keep their numbers.
+  // numbers are not in the order of lists any more after removals; elements that were moved to `copy` keep theirs
   Mesh_adaptor(Mesh& copy, const Mesh_adaptor& numbers, const Mesh& original) {
     if (copy.size_of_vertices() != original.size_of_vertices()) {
       *this = numbers;
@@ -60,23 +57,15 @@ public:
     renumber(CGAL::faces(copy), faces_, CGAL::faces(original), numbers, numbers.faces_);
   }
 
-  /// returns the number of a vertex.
   std::uint32_t vertex(Vertex v) const { return find(v, vertices_); }
-  /// returns the number of a halfedge.
   std::uint32_t halfedge(Halfedge h) const { return find(h, halfedges_); }
-  /// returns the number of a face.
   std::uint32_t face(Face f) const { return find(f, faces_); }
 
-  /// returns the vertex with a number.
   Vertex vertex_at(std::uint32_t i) const { return vertices_.elements[i]; }
-  /// returns the halfedge with a number.
   Halfedge halfedge_at(std::uint32_t i) const { return halfedges_.elements[i]; }
-  /// returns the face with a number.
   Face face_at(std::uint32_t i) const { return faces_.elements[i]; }
 
-  /// numbers a vertex that was added to the mesh.
   void add(Vertex v, const Mesh&) { add(v, vertices_); }
-  /// numbers the halfedges of an edge that was added to the mesh.
   void add(Edge e, const Mesh& mesh) {
     const Halfedge h = CGAL::halfedge(e, mesh);
     // the side that was freed last is the odd one
@@ -88,35 +77,20 @@ public:
       add(h, halfedges_);
     }
   }
-  /// numbers a face that was added to the mesh.
   void add(Face f, const Mesh&) { add(f, faces_); }
-  /// frees the number of a vertex that is going to be removed from the mesh.
   void remove(Vertex v, const Mesh&) { remove(v, vertices_); }
-  /// frees the numbers of the halfedges of an edge that is going to be removed from the mesh.
   void remove(Edge e, const Mesh& mesh) {
     Halfedge h = CGAL::halfedge(e, mesh);
     if (halfedge(h) % 2 != 0) h = h->opposite();
     remove(h, halfedges_);
     remove(h->opposite(), halfedges_);
   }
-  /// frees the number of a face that is going to be removed from the mesh.
   void remove(Face f, const Mesh&) { remove(f, faces_); }
 
-  /// returns a bound of the numbers of vertices, those of removed ones included.
   std::uint32_t vertex_capacity(const Mesh&) const { return capacity(vertices_); }
-  /// returns a bound of the numbers of edges; twice as many are one for halfedges.
   std::uint32_t edge_capacity(const Mesh&) const { return capacity(halfedges_) / 2; }
-  /// returns a bound of the numbers of faces.
   std::uint32_t face_capacity(const Mesh&) const { return capacity(faces_); }
-
-  /// reads the coordinates of a point as doubles.
-  template <class Point>
-  static std::array<double, 3> coordinates(const Point& p) {
-    return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
-  }
-
-  /// returns the point map that `mesh` itself has.
-  static auto point_map(const Mesh& mesh) { return get(CGAL::vertex_point, mesh); }
+  /// \endcond
 
 private:
   template <class Descriptor>

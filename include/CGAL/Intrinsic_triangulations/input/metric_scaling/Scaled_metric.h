@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
-#include <CGAL/Intrinsic_triangulations/input/metric_scaling/shorten_edges.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 
 #include <cmath>
@@ -69,20 +68,18 @@ inline std::string text_of_length(double x) {
 
 // Names a face, its vertices and its lengths in the order of its sides.
 [[noreturn]] inline void refuse_face(const Intrinsic_input& in, std::uint32_t f) {
-  const auto e = edges_of_face(in.mesh, f);
-  Gluing_map::Halfedge h = in.mesh.halfedge(Gluing_map::Face{f});
-  std::string vertices, lengths;
-  for (std::size_t k = 0; k < 3; ++k, h = in.mesh.next(h)) {
-    const char* separator = k == 0 ? "" : k == 1 ? ", " : " and ";
+  std::string vertices, lengths, separator;
+  for (const Gluing_map::Halfedge h : in.mesh.sides({f})) {
     vertices += separator + std::to_string(in.mesh.source(h).index);
-    lengths += separator + text_of_length(std::sqrt(in.squared_lengths[e[k]]));
+    lengths += separator + text_of_length(std::sqrt(in.squared_lengths[h.index / 2]));
+    separator = separator.empty() ? ", " : " and ";
   }
-  throw Invalid_input(Element_kind::face, f,
-                      "face " + std::to_string(f) +
-                          (in.triangulated_polygons > 0 ? " of the triangulated mesh" : "") +
-                          " with vertices " + vertices + " gets sides of lengths " + lengths +
-                          ", which violate the triangle inequality; scale less, refine the mesh "
-                          "before, or ask for repair");
+  throw Invalid_input::about(
+      Element_kind::face, f,
+      std::string(in.triangulated_polygons > 0 ? " of the triangulated mesh" : "") +
+          " with vertices " + vertices + " gets sides of lengths " + lengths +
+          ", which violate the triangle inequality; scale less, refine the mesh "
+          "before, or ask for repair");
 }
 
 // Does what the options say about the triangle inequality.

@@ -56,107 +56,95 @@ double value_at(const Field& field, Descriptor x) {
   }
 }
 
-template <class Mesh>
-void check_new_square(const Metric_source<Mesh>& s, std::uint32_t e, double square) {
+inline void check_new_square(const Intrinsic_input& in, std::uint32_t e, double square) {
   const bool normal = std::isfinite(square) && (square >= std::numeric_limits<double>::min() ||
-                                                (square == 0 && s.squared_lengths[e] == 0));
+                                                (square == 0 && in.squared_lengths[e] == 0));
   if (normal) return;
-  throw Invalid_input(Element_kind::edge, e,
-                      "edge " + std::to_string(e) + " between vertices " +
-                          std::to_string(s.map.source({2 * e}).index) + " and " +
-                          std::to_string(s.map.target({2 * e}).index) +
-                          " gets a length whose square is out of the range of doubles; scale less, "
-                          "or multiply all lengths by a constant");
+  throw Invalid_input::about(
+      Element_kind::edge, e,
+      " between vertices " + std::to_string(in.mesh.source({2 * e}).index) + " and " +
+          std::to_string(in.mesh.target({2 * e}).index) +
+          " gets a length whose square is out of the range of doubles; scale less, "
+          "or multiply all lengths by a constant");
 }
 
-template <class Mesh>
-Intrinsic_input scaled_input(Metric_source<Mesh>&& s, std::vector<double> squared_lengths) {
-  for (std::uint32_t e = 0; e < s.map.number_of_edges(); ++e)
-    check_new_square(s, e, squared_lengths[e]);
-  Intrinsic_input in(std::move(s.map), std::move(squared_lengths), s.mollification);
-  in.triangulated_polygons = s.triangulated_polygons;
-  return in;
+inline Intrinsic_input scaled_input(Intrinsic_input&& in, std::vector<double> squared_lengths) {
+  for (std::uint32_t e = 0; e < in.mesh.number_of_edges(); ++e)
+    check_new_square(in, e, squared_lengths[e]);
+  Intrinsic_input scaled(std::move(in.mesh), std::move(squared_lengths), in.mollification);
+  scaled.triangulated_polygons = in.triangulated_polygons;
+  return scaled;
 }
 
-template <class Mesh, class Factors>
-Scaled_metric scale_conformally(Metric_source<Mesh>&& s, const Factors& factors,
-                                const Metric_scaling_options& options) {
-  std::vector<double> u;
-  u.reserve(s.vertices.size());
-  for (const typename Metric_source<Mesh>::Vertex v : s.vertices) {
-    u.push_back(value_at(factors, v));
-    if (!std::isfinite(u.back()))
-      throw Invalid_input(Element_kind::vertex, u.size() - 1,
-                          "vertex " + std::to_string(u.size() - 1) +
-                              " has a conformal factor that is not finite; correct it");
-  }
+inline Scaled_metric scale_conformally(Metric_source&& s, const std::vector<double>& u,
+                                       const Metric_scaling_options& options) {
+  const Gluing_map& map = s.in.mesh;
   const Power_of_two unit(-s.scale_exponent);
-  std::vector<double> squared_lengths(s.squared_lengths);
-  for (std::uint32_t e = 0; e < s.map.number_of_edges(); ++e) {
-    const double a = u[s.map.source({2 * e}).index], b = u[s.map.target({2 * e}).index];
+  std::vector<double> squared_lengths(s.in.squared_lengths);
+  for (std::uint32_t e = 0; e < map.number_of_edges(); ++e) {
+    const double a = u[map.source({2 * e}).index], b = u[map.target({2 * e}).index];
     const double factor = unit(std::exp(a / 2 + b / 2));
     squared_lengths[e] = squared_lengths[e] * factor * factor;
   }
-  return finish_scaling(scaled_input(std::move(s), std::move(squared_lengths)), options);
+  return finish_scaling(scaled_input(std::move(s.in), std::move(squared_lengths)), options);
 }
 
 // The mean over the sides of each edge of what `norm(face, vector)` says, squared. `sides(face number)`
 // are the vectors; it may refer to `s`, which is left as it is until the last line.
 template <class Mesh, class Sides, class Norm>
-Scaled_metric scale_by_norm(Metric_source<Mesh>&& s, const Sides& sides, const Norm& norm,
-                            const Metric_scaling_options& options) {
-  std::vector<double> sum(s.map.number_of_edges(), 0);
-  std::vector<unsigned char> count(s.map.number_of_edges(), 0);
+Scaled_metric scale_by_norm(const Mesh& mesh, Metric_source&& s, const Sides& sides,
+                            const Norm& norm, const Metric_scaling_options& options) {
+  std::vector<double> sum(s.in.mesh.number_of_edges(), 0);
+  std::vector<unsigned char> count(sum.size(), 0);
   const Power_of_two unit(-s.scale_exponent);
-  for (std::uint32_t f = 0; f < s.map.number_of_faces(); ++f) {
+  std::uint32_t f = 0;
+  for (const auto face : faces(named_mesh(mesh))) {
     auto vectors = sides(f);
-    const std::array<std::uint32_t, 3> e = edges_of_face(s.map, f);
+    const std::array<std::uint32_t, 3> e = edges_of_face(s.in.mesh, f);
     for (std::size_t k = 0; k < 3; ++k) {
       ++count[e[k]];
-      if (s.squared_lengths[e[k]] == 0) continue;
+      if (s.in.squared_lengths[e[k]] == 0) continue;
       for (double& x : vectors[k]) x = unit(x);
-      const double length = CGAL::to_double(norm(s.faces[f], vectors[k]));
+      const double length = CGAL::to_double(norm(face, vectors[k]));
       if (!std::isfinite(length) || !(length > 0))
-        throw Invalid_input(Element_kind::face, f,
-                            "face " + std::to_string(f) + " has a norm that gives its side " +
-                                std::to_string(k) + " the length " + text_of_length(length) +
-                                "; give one that is positive and finite");
+        throw Invalid_input::about(Element_kind::face, f,
+                                   " has a norm that gives its side " + std::to_string(k) +
+                                       " the length " + text_of_length(length) +
+                                       "; give one that is positive and finite");
       sum[e[k]] += length;
     }
+    ++f;
   }
   for (std::size_t e = 0; e < sum.size(); ++e) {
     sum[e] /= count[e] == 0 ? 1 : count[e];
     sum[e] *= sum[e];
   }
-  return finish_scaling(scaled_input(std::move(s), std::move(sum)), options);
+  return finish_scaling(scaled_input(std::move(s.in), std::move(sum)), options);
 }
 
-template <class Mesh>
-Side_vectors<2> planar_sides_of_face(const Metric_source<Mesh>& s, std::uint32_t f) {
-  const std::array<std::uint32_t, 3> e = edges_of_face(s.map, f);
-  const double a = s.squared_lengths[e[0]], b = s.squared_lengths[e[1]],
-               c = s.squared_lengths[e[2]];
-  // the lengths of a triangulation are rounded: those of a face without area may not be exact
-  if (std::is_same_v<Mesh, Intrinsic_input> && !squares_satisfy_triangle_inequality(a, b, c))
-    throw Invalid_input(Element_kind::face, f,
-                        "face " + std::to_string(f) +
-                            " violates the triangle inequality before it is scaled; correct the "
-                            "lengths of its edges");
-  return planar_sides(a, b, c);
+// The lengths of a triangulation are rounded: those of a face without area may not be exact.
+inline Side_vectors<2> planar_sides_of_face(const Metric_source& s, std::uint32_t f,
+                                            bool are_exact) {
+  const std::array<std::uint32_t, 3> e = edges_of_face(s.in.mesh, f);
+  const std::vector<double>& l = s.in.squared_lengths;
+  if (are_exact && !squares_satisfy_triangle_inequality(l[e[0]], l[e[1]], l[e[2]]))
+    throw Invalid_input::about(Element_kind::face, f,
+                               " violates the triangle inequality before it is scaled; correct the "
+                               "lengths of its edges");
+  return planar_sides(l[e[0]], l[e[1]], l[e[2]]);
 }
 
-template <class Mesh>
-Side_vectors<3> sides_of_face_in_space(const Metric_source<Mesh>& s, std::uint32_t f) {
-  const Gluing_map::Halfedge h = s.map.halfedge(Gluing_map::Face{f}), n = s.map.next(h);
-  return {s.side_in_space(h), s.side_in_space(n), s.side_in_space(s.map.next(n))};
+inline Side_vectors<3> sides_of_face_in_space(const Metric_source& s, std::uint32_t f) {
+  const auto [h, n, l] = s.in.mesh.sides({f});
+  return {s.side_in_space(h), s.side_in_space(n), s.side_in_space(l)};
 }
 
 // Norms are given per face: the faces must be those of the user.
 template <class Mesh>
-Metric_source<Mesh> read_triangles(const Mesh& mesh) {
-  Metric_source<Mesh> s = read_metric(mesh);
-  if constexpr (std::is_same_v<typename Named_mesh<Mesh>::type, Mesh>)
-    if (s.triangulated_polygons > 0) gluing_map_from_face_graph(mesh); // throws, and names one
+Metric_source read_triangles(const Mesh& mesh) {
+  Metric_source s = read_metric(mesh);
+  if constexpr (std::is_same_v<decltype(named_mesh(mesh)), const Mesh&>)
+    if (s.in.triangulated_polygons > 0) gluing_map_from_face_graph(mesh); // throws, and names one
   return s;
 }
 
@@ -188,7 +176,15 @@ Polygonal faces are triangulated first, as `Intrinsic_input` does.
 template <class Mesh, class Factors, NamedParameters NP = parameters::Parameters<>>
 Scaled_metric scale_conformally(const Mesh& mesh, const Factors& u,
                                 const NP& np = parameters::default_values()) {
-  return internal::scale_conformally(internal::read_metric(mesh), u,
+  internal::Metric_source source = internal::read_metric(mesh);
+  std::vector<double> factors;
+  for (const auto v : vertices(internal::named_mesh(mesh))) {
+    factors.push_back(internal::value_at(u, v));
+    if (!std::isfinite(factors.back()))
+      throw Invalid_input::about(Element_kind::vertex, factors.size() - 1,
+                                 " has a conformal factor that is not finite; correct it");
+  }
+  return internal::scale_conformally(std::move(source), factors,
                                      internal::metric_scaling_options(np));
 }
 
@@ -219,12 +215,13 @@ template <class Mesh, class Norm, NamedParameters NP = parameters::Parameters<>>
 Scaled_metric scale_by_norm(const Mesh& mesh, const Norm& norm,
                             const NP& np = parameters::default_values()) {
   auto source = internal::read_triangles(mesh);
-  const bool embedded = !source.points.empty();
+  const bool embedded = !source.in.points.empty();
   const auto sides = [&source, embedded](std::uint32_t f) {
-    return embedded ? planar_sides(internal::sides_of_face_in_space(source, f))
-                    : internal::planar_sides_of_face(source, f);
+    return embedded
+               ? planar_sides(internal::sides_of_face_in_space(source, f))
+               : internal::planar_sides_of_face(source, f, std::is_same_v<Mesh, Intrinsic_input>);
   };
-  return internal::scale_by_norm(std::move(source), sides, norm,
+  return internal::scale_by_norm(mesh, std::move(source), sides, norm,
                                  internal::metric_scaling_options(np));
 }
 
@@ -248,13 +245,13 @@ template <class Mesh, class Norm, NamedParameters NP = parameters::Parameters<>>
 Scaled_metric scale_by_norm_in_space(const Mesh& mesh, const Norm& norm,
                                      const NP& np = parameters::default_values()) {
   auto source = internal::read_triangles(mesh);
-  if (source.points.empty() && source.map.number_of_edges() > 0)
+  if (source.in.points.empty() && source.in.mesh.number_of_edges() > 0)
     throw Invalid_input(Element_kind::none, 0,
                         "the surface has no points in space; give norms in the faces' own frames");
   const auto sides = [&source](std::uint32_t f) {
     return internal::sides_of_face_in_space(source, f);
   };
-  return internal::scale_by_norm(std::move(source), sides, norm,
+  return internal::scale_by_norm(mesh, std::move(source), sides, norm,
                                  internal::metric_scaling_options(np));
 }
 

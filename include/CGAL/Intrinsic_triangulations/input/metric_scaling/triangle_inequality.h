@@ -8,16 +8,35 @@
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 
 #include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <queue>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 /*!
 \file
-Which faces of a metric given by squared lengths violate the triangle inequality, exactly.
+Which faces of a metric given by squared lengths violate the triangle inequality, exactly; and the greatest
+lengths below that satisfy it in every face.
+
+With b and c two sides of a face, the third may be as long as
+
+    G(b, c) = max(b, c) + (1 - margin) min(b, c).
+
+G increases in both arguments, and G(b, c) >= max(b, c). The largest lengths l with l <= l_0 and
+l_a <= G(l_b, l_c) for all sides a of all faces therefore exist, and are what a generalization of
+Dijkstra's algorithm finds (D. E. Knuth, *A generalization of Dijkstra's algorithm*, 1977): violated
+constraints are settled in the order of the length that they allow. A length set later is never
+smaller, so that no edge is set twice. An edge that is shortened stays at least as long as the two
+others in the face that asked for it: nothing collapses, and the shortest edge stays as it is.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -26,8 +45,8 @@ namespace internal {
 
 // The edges of the sides of a face, in the order of its halfedges.
 inline std::array<std::uint32_t, 3> edges_of_face(const Gluing_map& mesh, std::uint32_t f) {
-  const Gluing_map::Halfedge h = mesh.halfedge(Gluing_map::Face{f}), n = mesh.next(h);
-  return {h.index / 2, n.index / 2, mesh.next(n).index / 2};
+  const auto [h, n, l] = mesh.sides({f});
+  return {h.index / 2, n.index / 2, l.index / 2};
 }
 
 } // namespace internal
@@ -68,6 +87,95 @@ faces_violating_triangle_inequality(const Gluing_map& mesh,
       result.push_back(f);
   }
   return result;
+}
+
+/*!
+\brief reports what `shorten_edges()` did.
+*/
+struct Shortening_report {
+  /// Number of edges that are shorter now.
+  std::size_t changed_edges = 0;
+  /// Largest (l - l') / l, with l the length that an edge had and l' the one that it has.
+  double largest_relative_change = 0;
+};
+
+namespace internal {
+
+class Edge_shortener {
+public:
+  // Rounds upwards while it lives.
+  Edge_shortener(const Gluing_map& mesh, std::vector<double>& squared_lengths, double margin)
+      : mesh_(mesh), squared_(squared_lengths), keep_((Interval(1) - Interval(margin)).inf()) {}
+
+  Shortening_report run() {
+    for (std::uint32_t f = 0; f < mesh_.number_of_faces(); ++f) constrain(f);
+    Shortening_report report;
+    while (!queue_.empty()) {
+      const auto [allowed, e] = queue_.top();
+      queue_.pop();
+      if (allowed >= squared_[e]) continue;
+      ++report.changed_edges;
+      report.largest_relative_change =
+          std::max(report.largest_relative_change, 1 - std::sqrt(allowed / squared_[e]));
+      squared_[e] = allowed;
+      for (const std::uint32_t h : {2 * e, 2 * e + 1})
+        if (mesh_.face({h}).index != Gluing::none) constrain(mesh_.face({h}).index);
+    }
+    return report;
+  }
+
+private:
+  using Interval = Interval_nt<false>;
+  using Candidate = std::pair<double, std::uint32_t>; // a squared length, the edge to get it
+
+  // G^2 of squared lengths, rounded down, so that the inequality holds strictly for the rounded
+  // squares, too, if min(b, c) > 0. Every operation is monotone, and the sum with the larger square
+  // not below it: what the file's comment says of G holds for the rounded function.
+  double allowed(double b, double c) const {
+    const Interval large(std::max(b, c)), small(std::min(b, c)), keep(keep_);
+    const Interval rest = keep * (keep * small + Interval(2) * (sqrt(large) * sqrt(small)));
+    return (large + rest).inf();
+  }
+
+  // only the longest side can exceed what the others allow, since that is not below either
+  void constrain(std::uint32_t f) {
+    std::array<std::uint32_t, 3> e = edges_of_face(mesh_, f);
+    const auto longest = std::max_element(
+        e.begin(), e.end(), [&](auto a, auto b) { return squared_[a] < squared_[b]; });
+    std::swap(*longest, e[0]);
+    const double bound = allowed(squared_[e[1]], squared_[e[2]]);
+    if (squared_[e[0]] > bound) queue_.emplace(bound, e[0]);
+  }
+
+  const Gluing_map& mesh_;
+  std::vector<double>& squared_;
+  double keep_;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
+};
+
+} // namespace internal
+
+/*!
+\brief shortens edges until all faces satisfy the triangle inequality strictly: to the greatest
+lengths, none above the given one, of which every side is at most the longer of the other two and
+(1 - `margin`) times the shorter.
+
+Needles are left alone, however thin, as the margin is relative to the shorter side. Strict means exactly so, for
+the squares of the result as they are rounded: all faces have an area, but those with a side of length zero,
+whose other sides become equally long.
+\param mesh the connectivity, oriented or not
+\param squared_lengths one squared length per edge of `mesh`, finite and not negative; replaced
+\param margin above 0, at most 1
+\throws std::invalid_argument if `margin` is out of range
+\complexity linear, and k log k for k edges that are shortened, each once
+*/
+inline Shortening_report shorten_edges(const Gluing_map& mesh, std::vector<double>& squared_lengths,
+                                       double margin) {
+  if (!(margin > 0 && margin <= 1))
+    throw std::invalid_argument("the margin of the triangle inequality is " +
+                                std::to_string(margin) + "; give one above 0 and at most 1");
+  const Protect_FPU_rounding<true> upwards;
+  return internal::Edge_shortener(mesh, squared_lengths, margin).run();
 }
 
 } // namespace CGAL::Intrinsic_triangulations

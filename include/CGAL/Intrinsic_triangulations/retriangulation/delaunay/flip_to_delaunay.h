@@ -11,7 +11,6 @@
 
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
@@ -103,9 +102,7 @@ flips makes it end.
 \param np optional named parameters:
   - `edge_is_constrained_map(m)`: a readable property map from edges to `bool`; constrained edges are
     never flipped. Default: none is.
-  - `visitor(v)`: has a member `bool progress(const Flip_to_delaunay_result&)` that is called now and
-    then and returns whether to go on. It is copied; pass `std::ref(v)` to have `v` itself called.
-    Default: `Flip_to_delaunay_visitor`.
+  - `visitor(v)`: see `Flip_to_delaunay_visitor`
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100
     per edge and a million.
 \return status and counts

@@ -4,11 +4,12 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZER_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_options.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Planar_star.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_energy.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -16,11 +17,49 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief reports what the optimisation did.
+*/
+struct Odt_result {
+  /// `done`: no edge is longer than asked, and the energy hardly changes; `cap`: that on iterations,
+  /// insertions or, with inexact numbers, flips was reached; or `cancelled`.
+  Status status = Status::cap;
+  /// Iterations done.
+  unsigned iterations = 0;
+  /// Edges split.
+  std::uint64_t splits = 0;
+  /// Vertices moved, those of all iterations together.
+  std::uint64_t moves = 0;
+  /// Moves and splits that the triangulation refused.
+  std::uint64_t refused = 0;
+  /// Edges flipped to keep the triangulation Delaunay, those of moves not counted.
+  std::uint64_t flips = 0;
+  /// The energy before, see `odt_energy()`, in the units of the input to the fourth power.
+  double energy_before = 0;
+  /// The energy after.
+  double energy_after = 0;
+};
+
+/*!
+\brief observes the optimisation; the default visitor does nothing.
+*/
+struct Odt_visitor {
+  /*!
+  \brief is called after every iteration, and about every 256 moves.
+  \return whether to go on
+  */
+  bool progress(const Odt_result&) { return true; }
+};
+
+namespace internal {
 
 /*!
 Splits long edges and moves inserted vertices so that the energy of `odt_energy()` falls (§4.5 of the
@@ -39,13 +78,19 @@ class Odt_optimizer {
   using Halfedge = typename Triangulation::halfedge_descriptor;
 
 public:
-  Odt_optimizer(Triangulation& t, const Odt_options& options, Visitor& visitor)
-      : t_(t), mesh_(t.mesh()), session_(t), view_(t), options_(options), visitor_(visitor),
-        flipper_(t, session_),
-        squared_target_(std::ldexp(options.maximum_edge_length * options.maximum_edge_length,
-                                   2 * t.metric().scale_exponent())),
-        cap_(options.maximum_insertions.value_or(1000000 +
-                                                 10 * std::uint64_t{num_faces(t.mesh())})) {}
+  /// takes the named parameters of `odt_optimize()`.
+  template <class NP>
+  Odt_optimizer(Triangulation& t, const NP& np, Visitor& visitor)
+      : t_(t), mesh_(t.mesh()), session_(t), view_(t), visitor_(visitor), flipper_(t, session_),
+        number_of_iterations_(value_or<tags::number_of_iterations>(np, 100U)),
+        convergence_(value_or<tags::convergence>(np, 1e-3)),
+        cap_(value_or<tags::maximum_insertions>(np, std::optional<std::uint64_t>())
+                 .value_or(1000000 + 10 * std::uint64_t{num_faces(t.mesh())})) {
+    const double length =
+        value_or<tags::maximum_edge_length>(np, std::numeric_limits<double>::infinity());
+    if (!(length > 0)) throw std::invalid_argument("the largest length of edges must be positive");
+    squared_target_ = std::ldexp(length * length, 2 * t.metric().scale_exponent());
+  }
 
   /// optimises; `constrained` tells which edges are kept.
   template <class Constrained>
@@ -58,12 +103,12 @@ public:
     result_.energy_before = odt_energy(t_);
     is_going_on_ = flipper_.run(*this);
     double energy = odt_energy(t_);
-    while (is_going_on_ && result_.iterations < options_.number_of_iterations) {
+    while (is_going_on_ && result_.iterations < number_of_iterations_) {
       ++result_.iterations;
       const std::uint64_t splits = result_.splits;
       if (!split_long_edges() || !move_vertices() || !flip_everywhere()) break;
       const double after = odt_energy(t_);
-      const bool is_steady = after > (1 - options_.convergence) * energy;
+      const bool is_steady = after > (1 - convergence_) * energy;
       energy = after;
       if (!may_go_on()) break;
       if (splits != result_.splits || !is_steady) continue;
@@ -223,10 +268,10 @@ private:
   const Mesh& mesh_;
   Session session_;
   Intrinsic_view<Triangulation> view_;
-  const Odt_options& options_;
   Visitor& visitor_;
   Delaunay_flipper<Triangulation> flipper_;
-  double squared_target_;
+  unsigned number_of_iterations_;
+  double convergence_, squared_target_;
   std::uint64_t cap_;
   Planar_star star_;
   std::vector<Halfedge> rim_;
@@ -235,6 +280,8 @@ private:
   Odt_result result_;
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZER_H

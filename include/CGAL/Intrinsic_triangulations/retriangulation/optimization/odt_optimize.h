@@ -6,14 +6,12 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_optimizer.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_options.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstdint>
-#include <stdexcept>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -39,10 +37,8 @@ descriptors.
   - `maximum_insertions(n)`: cap on the number of vertices inserted. Default: a million and ten per face.
   - `convergence(x)`: it is done when an iteration without splits lowers the energy by less than this
     fraction. Default: 1e-3.
-  - `edge_is_constrained_map(m)`: a property map from edges to `bool`; constrained edges are never
-    flipped. If it is writable, it is true of the parts of constrained edges in the end, and false of other
-    edges. Default: none is.
-  - `visitor(v)`: see `Odt_visitor`. It is copied; pass `std::ref(v)` to have `v` itself called.
+  - `edge_is_constrained_map(m)`: see `delaunay_refine()`
+  - `visitor(v)`: see `Odt_visitor`
 \return status, counts, energies
 \throws std::invalid_argument if the largest length is not positive
 \complexity linear in the number of vertices for each iteration, as a rule
@@ -53,20 +49,12 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
   using Edge = typename Triangulation::edge_descriptor;
   internal::expect_names<maximum_edge_length, number_of_iterations, maximum_insertions, convergence,
                          edge_is_constrained_map, visitor>(np);
-  const internal::Odt_options d;
-  const internal::Odt_options options{
-      internal::value_or<maximum_edge_length>(np, d.maximum_edge_length),
-      internal::value_or<number_of_iterations>(np, d.number_of_iterations),
-      internal::value_or<maximum_insertions>(np, d.maximum_insertions),
-      internal::value_or<convergence>(np, d.convergence)};
-  if (!(options.maximum_edge_length > 0))
-    throw std::invalid_argument("the largest length of edges must be positive");
   const auto constrained =
       internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
   auto stored_visitor = internal::object_or<visitor>(np, Odt_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
   internal::Odt_optimizer<Triangulation, std::remove_reference_t<decltype(observed)>> optimizer(
-      t, options, observed);
+      t, np, observed);
   const Odt_result result = optimizer.run(constrained);
   internal::write_constrained(t, constrained,
                               [&](std::uint32_t e) { return optimizer.is_constrained_edge(e); });

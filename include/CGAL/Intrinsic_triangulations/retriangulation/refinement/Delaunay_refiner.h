@@ -5,16 +5,16 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/refined_faces.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -24,6 +24,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -33,11 +35,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /*!
 Refines a triangulation: Chew's second algorithm, intrinsically (§4.3 of the course, Algorithm 5).
 
-The triangulation is kept (constrained) Delaunay. A face that does not meet the criteria gets a vertex at
-its circumcenter. If a segment, which is an edge of the border or a constrained one, is between the two, it
-is split instead, and vertices inserted before in a Dijkstra ball about the new one are removed.
-
-For a bound of at most 30 degrees the circumradius of such a face is at least its shortest side: new
+See `delaunay_refine()`; a segment is an edge of the border or a constrained one. Vertices that are removed near
+a split one are those in a Dijkstra ball. For a bound of at most 30 degrees the circumradius of such a face is at least its shortest side: new
 vertices keep this distance from all others.
 */
 template <class Triangulation, class Visitor>
@@ -53,11 +52,18 @@ class Delaunay_refiner {
 public:
   using Result = Refinement_result<Face>;
 
-  Delaunay_refiner(Triangulation& t, const Refinement_options& options, Visitor& visitor)
-      : t_(t), mesh_(t.mesh()), session_(t), view_(t), options_(options),
-        test_(options, t.metric().scale_exponent()), visitor_(visitor), flipper_(t, session_),
-        cap_(options.maximum_insertions.value_or(1000000 +
-                                                 10 * std::uint64_t{num_faces(t.mesh())})) {}
+  /// takes the named parameters of `delaunay_refine()`.
+  template <class NP>
+  Delaunay_refiner(Triangulation& t, const NP& np, Visitor& visitor)
+      : t_(t), mesh_(t.mesh()), session_(t), view_(t),
+        test_(value_or<tags::minimum_angle>(np, 25.),
+              value_or<tags::maximum_circumradius>(np, infinity),
+              value_or<tags::maximum_edge_length>(np, infinity), t.metric().scale_exponent()),
+        visitor_(visitor), flipper_(t, session_),
+        order_(value_or<tags::order>(np, Refinement_order::first_come)),
+        is_conforming_(value_or<tags::conforming>(np, false)),
+        cap_(value_or<tags::maximum_insertions>(np, std::optional<std::uint64_t>())
+                 .value_or(1000000 + 10 * std::uint64_t{num_faces(t.mesh())})) {}
 
   /// refines; `constrained` tells which edges are kept.
   template <class Constrained>
@@ -92,7 +98,7 @@ public:
   }
   bool is_constrained(Halfedge h) {
     if (!segments_.is_segment(number(h) / 2)) return false;
-    if (options_.conforming) encroached_.push_back(h);
+    if (is_conforming_) encroached_.push_back(h);
     return true;
   }
   void after_flip(Halfedge h) {
@@ -103,6 +109,8 @@ public:
   void refused(Halfedge) { ++result_.counts.refused; }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   std::uint32_t number(Halfedge h) const { return t_.numbers().halfedge(h); }
   Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
   bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
@@ -132,7 +140,7 @@ private:
   }
 
   Face_values<double> approximation(Face f) const { return approximate_values(t_, f); }
-  double priority(Face f) const { return refinement_priority(options_.order, approximation(f)); }
+  double priority(Face f) const { return refinement_priority(order_, approximation(f)); }
 
   // puts the faces that changed into the queue, or takes them out
   void check_touched() {
@@ -157,7 +165,7 @@ private:
     if (c.kind == Located_circumcenter::Kind::segment)
       split_between(face_of_h, descriptor(c.segment));
     else if (c.kind == Located_circumcenter::Kind::none ||
-             !insert(c.point, least_distance(face_of_h))) {
+             !insert(c.point, least_distance(approximation(face_of_h)))) {
       ++result_.counts.refused;
       give_up();
     }
@@ -205,15 +213,6 @@ private:
     remove(n.vertex);
     flip();
     return false;
-  }
-
-  // The circumcenter of a face of a Delaunay triangulation is a circumradius from all vertices, which for
-  // bounds up to 30 degrees is not below the shortest side: were rounding to break that, refinement might
-  // go on for ever. Squared, and a little less.
-  double least_distance(Face f) const {
-    const Face_values<double> v = approximation(f);
-    const auto& l = v.squared_lengths;
-    return (1 - 0x1p-10) * std::min({l[0], l[1], l[2], squared_circumradius(v)});
   }
 
   // leaves the faces alone that wait to be looked at, until they change again
@@ -331,10 +330,11 @@ private:
   const Mesh& mesh_;
   Session session_;
   View view_;
-  const Refinement_options& options_;
   Refinement_test test_;
   Visitor& visitor_;
   Delaunay_flipper<Triangulation> flipper_;
+  Refinement_order order_;
+  bool is_conforming_;
   std::uint64_t cap_;
   Constrained_segments segments_;
   Face_queue queue_;

@@ -4,9 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_TEST_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_TEST_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 
 #include <CGAL/enum.h>
 
@@ -19,6 +20,7 @@
 #include <numbers>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -40,19 +42,22 @@ class Refinement_test {
 public:
   /*!
   \brief prepares the test.
-  \param options the criteria
+  \param minimum_angle least angle of faces, in degrees
+  \param maximum_circumradius largest circumradius of faces
+  \param maximum_edge_length largest length of edges
   \param scale_exponent lengths are scaled by 2^scale_exponent
   \throws std::invalid_argument if a bound is not a number, not positive, or an angle of 60 degrees or more
   */
-  Refinement_test(const internal::Refinement_options& options, int scale_exponent) {
-    const double angle = options.minimum_angle;
-    if (!(angle >= 0 && angle < 60))
+  Refinement_test(double minimum_angle, double maximum_circumradius, double maximum_edge_length,
+                  int scale_exponent) {
+    if (!(minimum_angle >= 0 && minimum_angle < 60))
       throw std::invalid_argument("the minimum angle must be at least 0 and below 60 degrees");
-    if (!(options.maximum_circumradius > 0) || !(options.maximum_edge_length > 0))
+    if (!(maximum_circumradius > 0) || !(maximum_edge_length > 0))
       throw std::invalid_argument("the bounds of circumradius and edge length must be positive");
-    if (angle > 0) cotangent_ = (1 - 0x1p-50) / std::tan(angle * std::numbers::pi / 180);
-    squared_radius_ = squared(options.maximum_circumradius, scale_exponent);
-    squared_length_ = squared(options.maximum_edge_length, scale_exponent);
+    if (minimum_angle > 0)
+      cotangent_ = (1 - 0x1p-50) / std::tan(minimum_angle * std::numbers::pi / 180);
+    squared_radius_ = squared(maximum_circumradius, scale_exponent);
+    squared_length_ = squared(maximum_edge_length, scale_exponent);
   }
 
   /*!
@@ -106,6 +111,93 @@ private:
   double cotangent_ = std::numeric_limits<double>::infinity();
   double squared_radius_, squared_length_;
 };
+
+namespace internal {
+
+template <class Triangulation>
+Indexed_face indexed_face(const Triangulation& t, typename Triangulation::face_descriptor f) {
+  const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh()), l = next(n, t.mesh());
+  const auto edge_number = [&t](auto g) { return t.numbers().halfedge(g) / 2; };
+  return {t.index(f), {edge_number(h), edge_number(n), edge_number(l)}};
+}
+
+// in scaled units
+template <class Triangulation>
+Face_values<double> approximate_values(const Triangulation& t,
+                                       typename Triangulation::face_descriptor f) {
+  const Indexed_face i = indexed_face(t, f);
+  const auto& m = t.metric();
+  return {{m.approximate_squared_length(i.edges[0]), m.approximate_squared_length(i.edges[1]),
+           m.approximate_squared_length(i.edges[2])},
+          m.approximate_quadruple_area(i.face)};
+}
+
+// R = abc / (4 A)
+inline double squared_circumradius(const Face_values<double>& v) {
+  const auto& [l, a] = v;
+  return l[0] / a * l[1] * (l[2] / a);
+}
+
+// The circumcenter of a face of a Delaunay triangulation is a circumradius from all vertices, which for
+// bounds up to 30 degrees is not below the shortest side: were rounding to break that, refinement might
+// go on for ever. Squared, and a little less.
+inline double least_distance(const Face_values<double>& v) {
+  const auto& l = v.squared_lengths;
+  return (1 - 0x1p-10) * std::min({l[0], l[1], l[2], squared_circumradius(v)});
+}
+
+// The face of the greatest one comes first: largest circumradius, or greatest cotangent.
+inline double refinement_priority(Refinement_order order, const Face_values<double>& v) {
+  if (order == Refinement_order::first_come) return 0;
+  if (order == Refinement_order::largest_first) return squared_circumradius(v);
+  const auto& [l, a] = v;
+  return (l[0] + l[1] + l[2] - 2 * std::min({l[0], l[1], l[2]})) / a;
+}
+
+// Why a face stays that does not meet the criteria.
+inline Unsatisfied_reason unsatisfied_reason(Face_state s, bool was_stopped) {
+  if (s == Face_state::needle) return Unsatisfied_reason::needle;
+  if (s == Face_state::small_angle) return Unsatisfied_reason::small_angle;
+  return was_stopped ? Unsatisfied_reason::stopped : Unsatisfied_reason::refused;
+}
+
+// Halfedges of the faces inside a rim, one each, as many as are asked for at most; each face is found from
+// the first halfedge of the rim.
+template <class Triangulation>
+std::vector<typename Triangulation::halfedge_descriptor>
+faces_inside(const Triangulation& t,
+             const std::vector<typename Triangulation::halfedge_descriptor>& rim,
+             std::size_t most) {
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  std::vector<Halfedge> stack{rim.front()}, found;
+  std::vector<std::uint32_t> seen;
+  while (!stack.empty() && seen.size() < most) {
+    const Halfedge h = stack.back();
+    stack.pop_back();
+    const std::uint32_t f = t.index(face(h, t.mesh()));
+    if (std::find(seen.begin(), seen.end(), f) != seen.end()) continue;
+    seen.push_back(f);
+    found.push_back(h);
+    for (Halfedge g = next(h, t.mesh()); g != h; g = next(g, t.mesh()))
+      if (std::find(rim.begin(), rim.end(), g) == rim.end()) stack.push_back(opposite(g, t.mesh()));
+  }
+  return found;
+}
+
+// Whether a vertex has no neighbour nearer than a distance, squared, in scaled units. Edges from it to
+// itself may be shorter, about vertices of small angle.
+template <class Triangulation>
+bool keeps_distance(const Triangulation& t, typename Triangulation::vertex_descriptor v,
+                    double squared) {
+  bool keeps = true;
+  for_each_outgoing(v, t.mesh(), [&](auto h) {
+    keeps = keeps && (target(h, t.mesh()) == v || t.metric().approximate_squared_length(
+                                                      t.numbers().halfedge(h) / 2) >= squared);
+  });
+  return keeps;
+}
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_ADAPTIVE_REFINE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_ADAPTIVE_REFINE_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Adaptive_refinement_options.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Marked_faces.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
@@ -20,6 +20,40 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief describes a triangulation on which the error was estimated.
+*/
+struct Adaptive_refinement_round {
+  /// Vertices of the triangulation.
+  std::size_t vertices = 0;
+  /// Root of the sum of the squares of the indicators.
+  double estimated_error = 0;
+  /// Faces that have the bulk of the error.
+  std::size_t marked_faces = 0;
+};
+
+/*!
+\brief reports what adaptive refinement did.
+*/
+struct Adaptive_refinement_result {
+  /// `done`: the estimated error is at most the tolerance; `cap`: that on the number of vertices or of
+  /// rounds was reached; `stalled`: no vertex could be inserted in the faces of large error; `cancelled`.
+  Status status = Status::done;
+  /// The triangulations, the one refinement started from first; the last one is that in the end.
+  std::vector<Adaptive_refinement_round> rounds;
+};
+
+/*!
+\brief observes adaptive refinement; the default visitor does nothing.
+*/
+struct Adaptive_refinement_visitor {
+  /*!
+  \brief is called after every estimate.
+  \return whether to go on
+  */
+  bool progress(const Adaptive_refinement_round&) { return true; }
+};
 
 namespace internal {
 
@@ -38,19 +72,6 @@ inline double root_of_squares(const std::vector<double>& values) {
   double sum = 0;
   for (const double x : values) sum += x * x;
   return std::sqrt(sum);
-}
-
-// refines faces, with no more insertions than the cap on vertices allows; tells whether there were any
-template <class Triangulation, class Constrained, class Visitor>
-bool refine_within(Triangulation& t, const Adaptive_refinement_options& options,
-                   const Constrained& constrained, Visitor visitor) {
-  const std::size_t n = num_vertices(t.mesh());
-  const std::uint64_t left = n < options.maximum_vertices ? options.maximum_vertices - n : 0;
-  const auto result = delaunay_refine(t, parameters::minimum_angle(options.minimum_angle)
-                                             .maximum_insertions(left)
-                                             .edge_is_constrained_map(constrained)
-                                             .visitor(visitor));
-  return result.counts.circumcenters + result.counts.segment_splits > 0;
 }
 
 } // namespace internal
@@ -80,8 +101,7 @@ the user's: `residual_indicators()` has some.
   - `maximum_vertices(n)`: cap on the number of vertices, those of the input included. Default: 100000.
   - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 100.
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
-  - `visitor(v)`: see `Adaptive_refinement_visitor`. It is copied; pass `std::ref(v)` to have `v` itself
-    called.
+  - `visitor(v)`: see `Adaptive_refinement_visitor`
 \return status, and what was reached in every round; the last call of `estimate` was with the triangulation as
   it is in the end
 \throws std::invalid_argument if an option makes no sense, an indicator is negative or not finite, or there are
@@ -96,22 +116,31 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
   using Edge = typename Triangulation::edge_descriptor;
   internal::expect_names<internal::tags::tolerance, bulk, minimum_angle, maximum_vertices,
                          maximum_rounds, edge_is_constrained_map, visitor>(np);
-  const internal::Adaptive_refinement_options d;
-  const internal::Adaptive_refinement_options options{
-      internal::value_or<internal::tags::tolerance>(np, d.tolerance),
-      internal::value_or<bulk>(np, d.bulk), internal::value_or<minimum_angle>(np, d.minimum_angle),
-      internal::value_or<maximum_vertices>(np, d.maximum_vertices),
-      internal::value_or<maximum_rounds>(np, d.maximum_rounds)};
-  if (!(options.tolerance >= 0)) throw std::invalid_argument("the tolerance must not be negative");
+  const auto error_wanted = internal::value_or<internal::tags::tolerance>(np, 0.);
+  const auto share = internal::value_or<bulk>(np, 0.5);
+  const auto angle = internal::value_or<minimum_angle>(np, 25.);
+  const auto most_vertices = internal::value_or<maximum_vertices>(np, std::size_t{100000});
+  const auto most_rounds = internal::value_or<maximum_rounds>(np, std::size_t{100});
+  if (!(error_wanted >= 0)) throw std::invalid_argument("the tolerance must not be negative");
   const auto constrained =
       internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
   auto stored_visitor = internal::object_or<visitor>(np, Adaptive_refinement_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
-  internal::refine_within(t, options, constrained, Refinement_visitor());
+  // with no more insertions than the cap on vertices allows; tells whether there were any
+  const auto refine = [&](auto marks) {
+    const std::size_t n = num_vertices(t.mesh());
+    const std::uint64_t left = n < most_vertices ? most_vertices - n : 0;
+    const auto done = delaunay_refine(t, parameters::minimum_angle(angle)
+                                             .maximum_insertions(left)
+                                             .edge_is_constrained_map(constrained)
+                                             .visitor(marks));
+    return done.counts.circumcenters + done.counts.segment_splits > 0;
+  };
+  refine(Refinement_visitor());
   Adaptive_refinement_result result;
   for (;;) {
     const std::vector<double> indicators = internal::checked_indicators(t, estimate(t));
-    const std::vector<std::size_t> marked = mark_bulk(indicators, options.bulk);
+    const std::vector<std::size_t> marked = mark_bulk(indicators, share);
     const double error = internal::root_of_squares(indicators);
     result.rounds.push_back({num_vertices(t.mesh()), error, marked.size()});
     const auto end = [&result](Status status) {
@@ -119,13 +148,11 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
       return result;
     };
     if (!observed.progress(result.rounds.back())) return end(Status::cancelled);
-    if (error <= options.tolerance) return end(Status::done);
-    if (num_vertices(t.mesh()) >= options.maximum_vertices ||
-        result.rounds.size() > options.maximum_rounds)
+    if (error <= error_wanted) return end(Status::done);
+    if (num_vertices(t.mesh()) >= most_vertices || result.rounds.size() > most_rounds)
       return end(Status::cap);
     Marked_faces<Triangulation> faces(t, marked);
-    if (!internal::refine_within(t, options, constrained, std::ref(faces)))
-      return end(Status::stalled);
+    if (!refine(std::ref(faces))) return end(Status::stalled);
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_options.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -14,24 +14,11 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
-
-template <class NP>
-Refinement_options refinement_options(const NP& np) {
-  using namespace tags;
-  const Refinement_options d;
-  return {value_or<minimum_angle>(np, d.minimum_angle),
-          value_or<maximum_circumradius>(np, d.maximum_circumradius),
-          value_or<maximum_edge_length>(np, d.maximum_edge_length),
-          value_or<maximum_insertions>(np, d.maximum_insertions),
-          value_or<tags::order>(np, d.order),
-          value_or<tags::conforming>(np, d.conforming)};
-}
 
 // Makes a property map true of constrained edges, if it is writable.
 template <class Triangulation, class Map, class Predicate>
@@ -72,7 +59,7 @@ constrained.
   - `edge_is_constrained_map(m)`: a property map from edges to `bool`; constrained edges are never
     flipped. If it is writable, it is true of the parts of constrained edges in the end, and false of
     other edges that are new. Default: none is.
-  - `visitor(v)`: see `Refinement_visitor`. It is copied; pass `std::ref(v)` to have `v` itself called.
+  - `visitor(v)`: see `Refinement_visitor`
 \return status, counts, and the faces that do not meet the criteria
 \throws std::invalid_argument if a bound makes no sense
 \complexity linear in the number of vertices inserted, as a rule
@@ -89,9 +76,8 @@ delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
       internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
   auto stored_visitor = internal::object_or<visitor>(np, Refinement_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
-  const internal::Refinement_options options = internal::refinement_options(np);
   internal::Delaunay_refiner<Triangulation, std::remove_reference_t<decltype(observed)>> refiner(
-      t, options, observed);
+      t, np, observed);
   auto result = refiner.run(constrained);
   internal::write_constrained(
       t, constrained, [&](std::uint32_t e) { return refiner.segments().is_constrained(e); });

@@ -1,14 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_OPTIONS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_OPTIONS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_RESULT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_RESULT_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -20,20 +18,6 @@ enum class Refinement_order {
                  ///< is slow for millions of them
   worst_first ///< that of the smallest angle
 };
-
-namespace internal {
-
-// What refinement is to reach, and how: see `delaunay_refine()`.
-struct Refinement_options {
-  double minimum_angle = 25;
-  double maximum_circumradius = std::numeric_limits<double>::infinity();
-  double maximum_edge_length = std::numeric_limits<double>::infinity();
-  std::optional<std::uint64_t> maximum_insertions = std::nullopt;
-  Refinement_order order = Refinement_order::first_come;
-  bool conforming = false;
-};
-
-} // namespace internal
 
 /// Why a face does not meet the criteria.
 enum class Unsatisfied_reason {
@@ -109,4 +93,4 @@ struct Refinement_visitor {
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_OPTIONS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_RESULT_H
