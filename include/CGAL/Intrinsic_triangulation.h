@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
@@ -123,12 +124,16 @@ public:
   /// copies everything but the input, which is shared; elements keep their numbers.
   Intrinsic_triangulation(const Intrinsic_triangulation& other)
       : input_(other.input_), mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
-        metric_(other.metric_), correspondence_(other.correspondence_) {}
+        metric_(other.metric_), correspondence_(other.correspondence_), places_(other.places_) {
+    places_.attach(*this, metric_);
+  }
   /// moves everything; elements keep their numbers.
   Intrinsic_triangulation(Intrinsic_triangulation&& other)
       : input_(std::move(other.input_)), mesh_(std::move(other.mesh_)),
         number_(mesh_, other.number_, other.mesh_), metric_(std::move(other.metric_)),
-        correspondence_(std::move(other.correspondence_)) {}
+        correspondence_(std::move(other.correspondence_)), places_(std::move(other.places_)) {
+    places_.attach(*this, metric_);
+  }
   /// assigns everything; elements keep their numbers.
   Intrinsic_triangulation& operator=(Intrinsic_triangulation other) {
     input_ = std::move(other.input_);
@@ -137,6 +142,8 @@ public:
         Mesh_adaptor<Mesh>(mesh_, other.number_, other.mesh_); // as descriptors may be pointers
     metric_ = std::move(other.metric_);
     correspondence_ = std::move(other.correspondence_);
+    places_ = std::move(other.places_);
+    places_.attach(*this, metric_);
     return *this;
   }
 
@@ -267,6 +274,11 @@ private:
   friend Session;
   /// \endcond
 
+  // where the vertices are on the input, if they define the metric
+  using Places = std::conditional_t<internal::Defined_by_places<Metric>,
+                                    internal::Vertex_places<Intrinsic_triangulation>,
+                                    internal::No_vertex_places<Intrinsic_triangulation>>;
+
   static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
 
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
@@ -277,6 +289,7 @@ private:
   Mesh_adaptor<Mesh> number_;
   Metric metric_;
   [[no_unique_address]] Correspondence correspondence_;
+  [[no_unique_address]] Places places_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -82,7 +82,7 @@ public:
         const Diamond_values<Number> v = f.template values<Number>(input_faces);
         values.push_back({{v.ij, v.jk, v.ki}, v.area_f});
       }
-      return expression(std::span(values.data(), values.size()));
+      return expression(std::span<const Face_values<Number>>(values));
     });
   }
 

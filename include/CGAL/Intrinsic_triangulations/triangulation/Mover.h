@@ -68,7 +68,7 @@ public:
 
   explicit Mover(Triangulation& t)
       : t_(t), mesh_(t.mesh_), number_(t.number_), metric_(t.metric_),
-        correspondence_(t.correspondence_) {}
+        correspondence_(t.correspondence_), places_(t.places_) {}
 
   // of the face of h with the sides ij, jk, ki, without a vertex inside
   Star_of_vertex star_of_face(Halfedge h) const {
@@ -119,10 +119,11 @@ public:
     const Flip move = flip_record(h, mesh_, number_);
     const auto values = compute_values(move.diamond);
     if (!values) return Move_status::arithmetic;
-    if (!correspondence_.before(t_, move)) return Move_status::crossings;
+    if (!places_.before(t_, move) || !correspondence_.before(t_, move))
+      return Move_status::crossings;
     CGAL::Euler::flip_edge(h, mesh_);
     metric_.store_flip(move.diamond, *values);
-    correspondence_.after(t_, move);
+    tell(move);
     return Move_status::done;
   }
 
@@ -145,33 +146,59 @@ public:
 
   Move_status remove_from_face(Halfedge h) {
     const Removal_from_face move{star_of_vertex(h)};
-    if (!correspondence_.before(t_, move)) return Move_status::not_removable;
+    if (!ask(move)) return Move_status::not_removable;
     metric_.remove_from_face(move.edges_and_faces());
     remove_degree_3_vertex(h, mesh_, number_);
-    correspondence_.after(t_, move);
+    tell(move);
     return Move_status::done;
   }
 
   Move_status remove_from_border(Halfedge h) {
     const Removal_from_border move{star_on_border(h)};
-    if (!correspondence_.before(t_, move)) return Move_status::not_removable;
+    if (!ask(move)) return Move_status::not_removable;
     metric_.remove_from_border_edge(move.edges_and_faces());
     remove_border_vertex(h, mesh_, number_);
-    correspondence_.after(t_, move);
+    tell(move);
     return Move_status::done;
   }
 
 private:
+  // Observers are asked in one order; one that is asked and not told afterwards has changed nothing.
+  template <class Move>
+  bool ask(const Move& move) {
+    return places_.before(t_, move) && correspondence_.before(t_, move);
+  }
+  template <class Move>
+  void tell(const Move& move) {
+    places_.after(t_, move);
+    correspondence_.after(t_, move);
+  }
+
+  // `weights` are a `Weights` or a parameter on the border
+  bool store_insertion(const Vertex_star& s, const Weights& weights) {
+    if constexpr (Defined_by_places<Metric>)
+      return metric_.insert_in_face(s, places_.inserted_values(t_)), true;
+    else
+      return metric_.insert_in_face(s, weights);
+  }
+  bool store_insertion(const Border_star& s, double parameter) {
+    if constexpr (Defined_by_places<Metric>)
+      return metric_.insert_in_border_edge(s, places_.inserted_values(t_)), true;
+    else
+      return metric_.insert_in_border_edge(s, parameter);
+  }
+
   Insertion insert_in_face(Halfedge h, const Weights& weights) {
+    places_.start(t_, metric_);
     Insertion_in_face move{star_of_face(h), weights};
-    if (!correspondence_.before(t_, move)) return {Move_status::not_traceable};
+    if (!ask(move)) return {Move_status::not_traceable};
     const Vertex v = split_face(h, mesh_, number_);
     static_cast<Star_of_vertex&>(move) = star_of_vertex(h);
-    if (!metric_.insert_in_face(move.edges_and_faces(), weights)) {
+    if (!store_insertion(move.edges_and_faces(), weights)) {
       remove_degree_3_vertex(h, mesh_, number_);
       return {Move_status::arithmetic};
     }
-    correspondence_.after(t_, move);
+    tell(move);
     return {Move_status::done, v};
   }
 
@@ -187,15 +214,16 @@ private:
   }
 
   Insertion insert_on_border(Halfedge h, double parameter) {
+    places_.start(t_, metric_);
     Insertion_on_border move{star_of_border_edge(h), parameter};
-    if (!correspondence_.before(t_, move)) return {Move_status::not_traceable};
+    if (!ask(move)) return {Move_status::not_traceable};
     const Vertex v = split_border_edge(h, mesh_, number_);
     static_cast<Star_on_border&>(move) = star_on_border(h);
-    if (!metric_.insert_in_border_edge(move.edges_and_faces(), parameter)) {
+    if (!store_insertion(move.edges_and_faces(), parameter)) {
       remove_border_vertex(h, mesh_, number_);
       return {Move_status::arithmetic};
     }
-    correspondence_.after(t_, move);
+    tell(move);
     return {Move_status::done, v};
   }
 
@@ -209,6 +237,7 @@ private:
   Mesh_adaptor<Mesh>& number_;
   Metric& metric_;
   typename Triangulation::Correspondence& correspondence_;
+  typename Triangulation::Places& places_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

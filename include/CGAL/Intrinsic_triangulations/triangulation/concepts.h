@@ -154,6 +154,28 @@ concept IntrinsicMetric = std::default_initializable<Metric> && std::movable<Met
   { c.scale_exponent() } -> std::same_as<int>;
 };
 
+namespace internal {
+
+// Computes what an insertion makes from what it has stored.
+template <class Metric>
+concept Measures_insertions = requires(Metric& m, const Vertex_star& star,
+                                       const Border_star& border,
+                                       const std::array<double, 3>& weights, double parameter) {
+  { m.insert_in_face(star, weights) } -> std::same_as<bool>;
+  { m.insert_in_border_edge(border, parameter) } -> std::same_as<bool>;
+};
+
+// Is told what an insertion makes, by who knows where vertices are on the input.
+template <class Metric>
+concept Defined_by_places = requires(Metric& m, const Vertex_star& star, const Border_star& border,
+                                     const Vertex_move_values<typename Metric::FT>& values) {
+  m.insert_in_face(star, values);
+  m.insert_in_border_edge(border, values);
+  { m.is_defined_by_places() } -> std::same_as<bool>;
+};
+
+} // namespace internal
+
 /*!
 \brief asks for a metric that follows the insertion and removal of vertices.
 
@@ -161,11 +183,10 @@ Syntax of \ref ::RefinableMetric, where its meaning is described.
 */
 template <class Metric>
 concept RefinableMetric = IntrinsicMetric<Metric> &&
-    requires(Metric& m, const Vertex_star& star, const Border_star& border,
-             const std::array<double, 3>& weights, double parameter) {
-  { m.insert_in_face(star, weights) } -> std::same_as<bool>;
+    (internal::Measures_insertions<Metric> ||
+     internal::Defined_by_places<Metric>)&&requires(Metric& m, const Vertex_star& star,
+                                                    const Border_star& border) {
   m.remove_from_face(star);
-  { m.insert_in_border_edge(border, parameter) } -> std::same_as<bool>;
   m.remove_from_border_edge(border);
 };
 

@@ -8,9 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/corner_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/follow_curve.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Vertex_move_values.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -25,6 +23,13 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// returns the face of an input halfedge and its slot there. \pre it has a face
+inline Face_side input_side(const Input& input, std::uint32_t halfedge) {
+  const std::uint32_t f = input.face(halfedge), first = input.halfedge_of_face(f);
+  if (halfedge == first) return {f, 0};
+  return {f, halfedge == input.next(first) ? 1U : 2U};
+}
 
 /*!
 \brief unfolds the input triangles over which an intrinsic face lies, and places points of the face on them.
@@ -109,6 +114,30 @@ public:
     walk(p, result);
     const std::array<double, 3> in_triangle = barycentric(triangles_[result.triangle], p);
     return rounded(input, in_triangle, result) ? std::optional(result) : std::nullopt;
+  }
+
+  /*!
+  \brief places a point of the first side, which runs along an input edge.
+  \param input the input
+  \param location a point of the input halfedge that runs beside the face, approximately
+  \return the place; nothing if it is within rounding of an end
+  */
+  std::optional<Place> place_on_side(const Input& input, const Surface_point& location) const {
+    Place result;
+    result.region = middle_region();
+    if (fan_ < 3) result.region.right_of_fan = fan_ == 1 ? curves_.emanating[1] : 0;
+    result.triangle = region_at(fan_ == 0 ? 1 : 0, 0);
+    const double along = std::floor(location.weights[1] * 0x1p52) * 0x1p-52;
+    if (!(along > 0 && along < 1)) return std::nullopt;
+    result.location = {location.halfedge, {1 - along, along, 0}};
+    result.weights =
+        seen_from(input, result.location, triangles_[result.triangle].halfedge).weights;
+    for (unsigned k = 0; k < 2; ++k) { // not at an end, which may be inside the input edge
+      const Plane_point<double> d =
+          approximate(vector({result.triangle, result.weights}, corner_[k]));
+      if (d.x == 0 && d.y == 0) return std::nullopt;
+    }
+    return result;
   }
 
   /*!

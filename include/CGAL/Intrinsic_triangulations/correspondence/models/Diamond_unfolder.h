@@ -23,13 +23,6 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// returns the face of an input halfedge and its slot there. \pre it has a face
-inline Face_side input_side(const Input& input, std::uint32_t halfedge) {
-  const std::uint32_t f = input.face(halfedge), first = input.halfedge_of_face(f);
-  if (halfedge == first) return {f, 0};
-  return {f, halfedge == input.next(first) ? 1U : 2U};
-}
-
 /*!
 \brief finds the input triangles over which a diamond of an intrinsic triangulation lies, from normal
 coordinates, roundabouts and the input alone (ch. 7 of the course): integers only.
@@ -75,10 +68,17 @@ public:
     } else {
       corners_[3].side = corners_[0].side;
     }
-    for (Developed_corner& c : corners_) c.trim();
-    while (internal::move_base(corners_)) {
-    }
-    return unfold();
+    return unfold_from_common_base();
+  }
+
+  /// unfolds a face, that of a halfedge, as a diamond whose corner m is i.
+  template <class View>
+  const Unfolded_diamond& face(const View& view, const Integer_coordinates& coordinates,
+                               std::uint32_t h) {
+    reach_ends(view, coordinates, h);
+    reach_left(view, h, last(view, h));
+    corners_[3] = corners_[0];
+    return unfold_from_common_base();
   }
 
   /*!
@@ -101,6 +101,13 @@ private:
   using Side = Face_side;
 
   const Input& input() const { return coordinates_->input(); }
+
+  const Unfolded_diamond& unfold_from_common_base() {
+    for (Developed_corner& c : corners_) c.trim();
+    while (internal::move_base(corners_)) {
+    }
+    return unfold();
+  }
 
   template <class View>
   static std::uint32_t last(const View& view, std::uint32_t h) {

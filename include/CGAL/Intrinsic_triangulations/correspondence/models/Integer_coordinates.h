@@ -7,17 +7,21 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Insertion_placer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <CGAL/Interval_nt.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -106,11 +110,11 @@ public:
     update_roundabout(move.ij ^ 1U, move.mj, move.jk);
   }
 
-  /// announces the insertion of a vertex in a face. \return true
+  /// announces the insertion of a vertex in a face.
+  /// \return whether a place on the input was found for it
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_in_face& move) {
-    announce_insertion(t, move.sides, move.weights);
-    return true;
+    return announce_insertion(t, move.sides, move.weights);
   }
 
   /// follows the insertion of a vertex in a face.
@@ -130,12 +134,17 @@ public:
       start_curves_in_face(to);
   }
 
-  /// announces the insertion of a vertex on the border. \return true
+  /// announces the insertion of a vertex on the border.
+  /// \return as for an insertion in a face
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_on_border& move) {
-    announce_insertion(t, {move.ip, move.jk, move.ki}, {1 - move.parameter, move.parameter, 0});
-    return true;
+    return announce_insertion(t, {move.ip, move.jk, move.ki},
+                              {1 - move.parameter, move.parameter, 0});
   }
+
+  /// returns the values at the vertex whose insertion was announced last, in a face or on the border: see
+  /// `Unfolded_face::values()`. \pre the metric is defined by places
+  const Vertex_move_values<Interval_nt<false>>& inserted_values() const { return placer_.values(); }
 
   /// follows the insertion of a vertex on the border.
   template <class Triangulation>
@@ -214,28 +223,19 @@ private:
   };
 
   template <class Triangulation>
-  void announce_insertion(const Triangulation& t, const std::array<std::uint32_t, 3>& sides,
+  bool announce_insertion(const Triangulation& t, const std::array<std::uint32_t, 3>& sides,
                           const std::array<double, 3>& weights) {
-    const Intrinsic_view<Triangulation> view(t);
-    const std::uint32_t h = sides[0];
-    const Corner_coordinates corners = corner_coordinates(normals(sides));
+    const std::optional<Placed_insertion> p = placer_(t, *this, sides[0], weights);
+    if (!p) return false;
     Insertion& n = insertion_;
-    n = {};
-    n.along_side = weights[2] == 0 && normal_[h / 2] < 0;
-    if (n.along_side) {
-      n.location = location_on_side(view, *this, h, weights[1]);
-      n.region.cutting = corners.cutting;
-      n.region.right_of_fan = corners.emanating[1];
-      n.region.fan_corner = corners.fan_corner();
-    } else {
-      const internal::Located l = internal::locate_by_curves(t, *this, h, weights);
-      n.region = l.region;
-      n.location = l.place.point;
-    }
-    n.normal = inserted_normal_coordinates(corners, n.region);
+    n.along_side = p->along_side;
+    n.region = p->region;
+    n.location = p->location;
+    n.normal = inserted_normal_coordinates(corner_coordinates(normals(sides)), n.region);
     if (n.along_side) n.normal[0] = n.normal[1] = -1;
     for (unsigned k = 0; k < 3; ++k)
       n.roundabout[k] = turned(sides[k], n.region.fan_corner == k ? n.region.right_of_fan : 0);
+    return true;
   }
 
   // The roundabout of an edge between the first side of a corner and the last: that of the first,
@@ -322,6 +322,7 @@ private:
   // of the move that has been announced
   Normal_coordinate flipped_ = 0;
   Insertion insertion_{};
+  Insertion_placer placer_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INSERTION_PLACER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INSERTION_PLACER_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
+#include <CGAL/Intrinsic_triangulations/exact/escalation.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <CGAL/Gmpfi.h>
+#include <CGAL/Interval_nt.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// tells where a vertex that is to be inserted lies.
+struct Placed_insertion {
+  bool along_side = false; ///< on the first side of the face, which runs along an input edge
+  Face_region region;      ///< the region of the face
+  Surface_point location;  ///< the place on the input
+};
+
+/*!
+\brief finds a place on the input for a vertex that is to be inserted in an intrinsic face, and what lengths and areas
+that place makes.
+
+Barycentric coordinates in an input face are rounded to multiples of 2^-52, which then *define* the vertex: all that
+follows from it, in whatever arithmetic, depends on the input alone. See `Unfolded_face`.
+*/
+class Insertion_placer {
+public:
+  /// Number type of values.
+  using FT = Interval_nt<false>;
+
+  /*!
+  \brief places a vertex.
+  \param t the triangulation; if its metric is exact, its scope is live
+  \param coordinates a model of `CurveCoordinates`
+  \param h a halfedge of the face
+  \param weights barycentric coordinates, approximately; if the last one is zero and the halfedge runs along an input
+  edge, the vertex will be on that
+  \return the place; nothing if it is within rounding of a vertex, or, for exact metrics, not proven to be in the face
+  */
+  template <class Triangulation, CurveCoordinates Coordinates>
+  std::optional<Placed_insertion> operator()(const Triangulation& t, const Coordinates& coordinates,
+                                             std::uint32_t h,
+                                             const std::array<double, 3>& weights) {
+    const bool along_side = weights[2] == 0 && coordinates.normal_coordinate(h / 2) < 0;
+    const Input& input = coordinates.input();
+    const Intrinsic_view<Triangulation> view(t);
+    if constexpr (!internal::Defined_by_places<typename Triangulation::Metric>) {
+      const auto place = place_with(rough_, view, coordinates, h, weights, along_side,
+                                    [&](std::uint32_t x) { return approximate(input, x); });
+      return placed(place, along_side);
+    } else {
+      const auto place = place_with(face_, view, coordinates, h, weights, along_side,
+                                    values_from(input, intervals_.of(input.metric())));
+      if (!place) return std::nullopt;
+      values_ = face_.values(*place);
+      if (along_side) values_.quadruple_areas[0] = FT(0);
+      if (!are_positive(values_, along_side) &&
+          !find_values(view, coordinates, h, *place, along_side))
+        return std::nullopt;
+      return placed(place, along_side);
+    }
+  }
+
+  /// returns the values at the vertex that was placed last, if the metric of its triangulation is exact.
+  const Vertex_move_values<FT>& values() const { return values_; }
+
+private:
+  static constexpr unsigned bits = 256; // an area that shows no sign then is not worth an insertion
+
+  template <class U, class View, class Coordinates, class Values>
+  static auto place_with(U& face, const View& view, const Coordinates& coordinates, std::uint32_t h,
+                         const std::array<double, 3>& weights, bool along_side,
+                         const Values& values) {
+    face.unfold(view, coordinates, h, values);
+    return along_side ? face.place_on_side(coordinates.input(),
+                                           location_on_side(view, coordinates, h, weights[1]))
+                      : face.place(coordinates.input(), weights);
+  }
+
+  template <class Place>
+  static std::optional<Placed_insertion> placed(const std::optional<Place>& p, bool along_side) {
+    if (!p) return std::nullopt;
+    return Placed_insertion{along_side, p->region, p->location};
+  }
+
+  static Face_values<double> approximate(const Input& input, std::uint32_t x) {
+    const std::uint32_t y = input.next(x), z = input.next(y);
+    return {{input.squared_length(x / 2), input.squared_length(y / 2), input.squared_length(z / 2)},
+            input.quadruple_area(input.face(x))};
+  }
+
+  // from the values of a face to those from a halfedge of it on
+  template <class Faces>
+  static auto values_from(const Input& input, Faces faces) {
+    return [&input, faces](std::uint32_t x) {
+      const Face_side s = input_side(input, x);
+      const auto& [l, area] = faces(s.face);
+      return Face_values<std::decay_t<decltype(area)>>{
+          {l[s.slot], l[(s.slot + 1) % 3], l[(s.slot + 2) % 3]}, area};
+    };
+  }
+
+  static bool are_positive(const Vertex_move_values<FT>& v, bool along_side) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!(v.squared_lengths[k].inf() > 0) ||
+          (!(v.quadruple_areas[k].inf() > 0) && !(along_side && k == 0)))
+        return false;
+    return true;
+  }
+
+  // in more bits
+  template <class View, class Coordinates, class Place>
+  bool find_values(const View& view, const Coordinates& coordinates, std::uint32_t h,
+                   const Place& place, bool along_side) {
+    const Gmpfi_precision precision(bits);
+    Input_face_intervals<Gmpfi> intervals;
+    Unfolded_face<Gmpfi> face;
+    const Input& input = coordinates.input();
+    face.unfold(view, coordinates, h, values_from(input, intervals.of(input.metric())));
+    const Vertex_move_values<Gmpfi> wide =
+        face.values({place.region, place.triangle, place.weights, place.location});
+    for (std::size_t k = 0; k < 3; ++k) {
+      values_.squared_lengths[k] = internal::interval(wide.squared_lengths[k]);
+      if (!along_side || k > 0)
+        values_.quadruple_areas[k] = internal::interval(wide.quadruple_areas[k]);
+    }
+    return are_positive(values_, along_side);
+  }
+
+  Unfolded_face<double> rough_;
+  Unfolded_face<FT> face_;
+  Input_face_intervals<FT> intervals_;
+  Vertex_move_values<FT> values_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INSERTION_PLACER_H
