@@ -138,8 +138,8 @@ public:
       return;
     }
     if (weights[2] == 0) // four flips are the identity; the vertex is a source, then a target
-      if (flip_to_zero_area(h) != Move_status::done || flip(h) != Move_status::done ||
-          flip_to_zero_area(opposite(h, mesh_)) != Move_status::done)
+      if (flip_back(h) != Move_status::done || flip(h) != Move_status::done ||
+          flip_back(opposite(h, mesh_)) != Move_status::done)
         return;
     remove_from_face(h);
   }
@@ -202,12 +202,32 @@ private:
     return {Move_status::done, v};
   }
 
+  // Whether the edge that a vertex was inserted on, or within rounding of, can be flipped.
+  bool is_convex(Halfedge h) const {
+    if constexpr (Defined_by_places<Metric>) {
+      const Diamond d = diamond_of(h, mesh_, number_);
+      return metric_.is_degenerate(d.f) ||
+             (metric_.sign(d, Convexity_at_source_expression()) == POSITIVE &&
+              metric_.sign(d, Convexity_at_target_expression()) == POSITIVE);
+    } else {
+      return true;
+    }
+  }
+
+  // a flip after which the source of the edge is on, or within rounding of, the edge opposite it
+  Move_status flip_back(Halfedge h) {
+    if constexpr (Defined_by_places<Metric>)
+      if (metric_.sign(diamond_of(h, mesh_, number_), Convexity_at_source_expression()) != ZERO)
+        return flip(h);
+    return flip_to_zero_area(h);
+  }
+
   // inside: a vertex in the face, at distance zero from the edge, which is flipped away
   Insertion insert_on_edge(Halfedge h, const Weights& weights) {
     if (is_on_border(h)) return insert_on_border(h, weights[1]);
     const Insertion n = insert_in_face(h, weights);
     if (n.status != Move_status::done) return n;
-    const Move_status s = flip(h);
+    const Move_status s = is_convex(h) ? flip(h) : Move_status::not_convex;
     if (s == Move_status::done) return n;
     remove_from_face(h);
     return {s};

@@ -50,8 +50,8 @@ public:
   \param t the triangulation; if its metric is exact, its scope is live
   \param coordinates a model of `CurveCoordinates`
   \param h a halfedge of the face
-  \param weights barycentric coordinates, approximately; if the last one is zero and the halfedge runs along an input
-  edge, the vertex will be on that
+  \param weights barycentric coordinates, approximately; if the last one is zero, the vertex will be on the side, if
+  that runs along an input edge, else within rounding of it, inside the face
   \return the place; nothing if it is within rounding of a vertex, or, for exact metrics, not proven to be in the face
   */
   template <class Triangulation, CurveCoordinates Coordinates>
@@ -66,8 +66,9 @@ public:
                                     [&](std::uint32_t x) { return approximate(input, x); });
       return placed(place, along_side);
     } else {
-      const auto place = place_with(face_, view, coordinates, h, weights, along_side,
-                                    values_from(input, intervals_.of(input.metric())));
+      const auto place =
+          place_with(face_, view, coordinates, h, along_side ? weights : inside(weights),
+                     along_side, values_from(input, intervals_.of(input.metric())));
       if (!place) return std::nullopt;
       values_ = face_.values(*place);
       if (along_side) values_.quadruple_areas[0] = FT(0);
@@ -82,6 +83,8 @@ public:
   const Vertex_move_values<FT>& values() const { return values_; }
 
 private:
+  // distance of points of a side from it, in units of the height of the face
+  static constexpr double nearness = 0x1p-40;
   static constexpr unsigned bits = 256; // an area that shows no sign then is not worth an insertion
 
   template <class U, class View, class Coordinates, class Values>
@@ -92,6 +95,11 @@ private:
     return along_side ? face.place_on_side(coordinates.input(),
                                            location_on_side(view, coordinates, h, weights[1]))
                       : face.place(coordinates.input(), weights);
+  }
+
+  // A point of a side that runs across input faces cannot be represented, as a rule: one beside it can.
+  static std::array<double, 3> inside(const std::array<double, 3>& w) {
+    return w[2] > 0 ? w : std::array{w[0] * (1 - nearness), w[1] * (1 - nearness), nearness};
   }
 
   template <class Place>

@@ -373,8 +373,8 @@ private:
     return true;
   }
 
-  // Names the curve over which a triangle is entered. Returns whether the triangle is where the location of a vertex
-  // on the curve is seen from: nearer to the corner that the curve cuts off, or on the left of a curve of the fan.
+  // Names the curve over which a triangle is entered. Returns whether the triangle is on the left of the curve as it
+  // leaves the face through the side that starts from the corner it cuts off, or as it starts from its corner.
   bool name_curve(std::uint32_t child, Face_region& r) const {
     const auto c = static_cast<Normal_coordinate>(child);
     const unsigned end = (first_ + 1) % 3, third = (first_ + 2) % 3;
@@ -390,7 +390,7 @@ private:
       r.cutting[r.corner] = at_first      ? c - 1
                             : c <= along_ ? along_ - c
                                           : along_ + curves_.cutting[third] - c;
-    return !at_first;
+    return at_first || in_fan;
   }
 
   std::array<std::uint32_t, 3> sides_{};
