@@ -59,6 +59,14 @@ public:
     to_ = place(seen_from(input_, to, entered.back()), s.source, s.target);
   }
 
+  /// unfolds the strip along an intrinsic halfedge, which enters the faces of `entered`.
+  template <class View, CurveCoordinates Coordinates>
+  void unfold(const View& view, const Coordinates& coordinates, std::uint32_t h,
+              std::span<const std::uint32_t> entered) {
+    unfold(corner_on_input(view, coordinates, h), corner_on_input(view, coordinates, h ^ 1U),
+           entered);
+  }
+
   /// returns the vector from end to end.
   Point vector() const { return to_ - from_; }
 
@@ -130,8 +138,7 @@ Crossing_parameters crossing_parameters(const Triangulation& t, const Coordinate
   for (std::uint32_t e = 0; e + 1 < crossings.begin.size(); ++e) {
     const std::span<const std::uint32_t> entered = crossings.entered_on(e);
     if (entered.empty()) continue;
-    strip.unfold(corner_on_input(coordinates, 2 * e, view.source(2 * e)),
-                 corner_on_input(coordinates, 2 * e + 1, view.target(2 * e)), entered);
+    strip.unfold(view, coordinates, 2 * e, entered);
     for (std::size_t i = 0; i < entered.size(); ++i) {
       const double x = strip.parameter(i);
       p.on_input[crossings.begin[e] + i] = entered[i] % 2 == 0 ? x : 1 - x;

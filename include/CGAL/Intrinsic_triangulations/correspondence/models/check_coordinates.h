@@ -187,8 +187,8 @@ private:
     if (normal(h) < 0)
       return extent(along(h), view_.source(h), view_.target(h)) *
              std::sqrt(input.squared_length(along(h) / 2));
-    const Surface_point a = corner_on_input(coordinates_, h, view_.source(h)),
-                        b = corner_on_input(coordinates_, h ^ 1U, view_.target(h));
+    const Surface_point a = corner_on_input(view_, coordinates_, h),
+                        b = corner_on_input(view_, coordinates_, h ^ 1U);
     if (normal(h) == 0) {
       if (input.face(a.halfedge) != input.face(b.halfedge)) return std::nan("");
       const Planar_vector<double> v = vector_between(input, a, b);

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TANGENT_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/curve_directions.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/trace_by_curves.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>

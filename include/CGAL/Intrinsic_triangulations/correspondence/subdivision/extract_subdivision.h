@@ -175,8 +175,7 @@ private:
     const auto& input = coordinates_.input();
     for (unsigned k = 0; k < 3; ++k)
       if (c[k] > 0) return finish_cell(input.face(crossings_.entered_by(sides_[k], c[k] - 1)));
-    finish_cell(
-        input.face(corner_on_input(coordinates_, sides_[0], view_.source(sides_[0])).halfedge));
+    finish_cell(input.face(corner_on_input(view_, coordinates_, sides_[0]).halfedge));
   }
 
   void add_fan(unsigned k) {
