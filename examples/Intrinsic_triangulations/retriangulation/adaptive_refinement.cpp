@@ -5,7 +5,7 @@
 // estimated error asks for them.
 
 #include <CGAL/Intrinsic_triangulations.h>
-#include <CGAL/Intrinsic_triangulations/operators/point_sources.h>
+#include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
 
 #include <CGAL/Simple_cartesian.h>

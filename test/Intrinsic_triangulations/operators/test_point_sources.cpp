@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/operators/point_sources.h>
+#include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
 
 #include "operator_test_meshes.h"
 

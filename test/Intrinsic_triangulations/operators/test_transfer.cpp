@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 using IT::Transfer_direction;
 
 // Areas and parameters of crossings have relative errors of 1e-11 at most, see
-// test_interpolation_matrices.cpp; scaled mass matrices have condition numbers below 4.
+// test_subdivision_matrices.cpp; scaled mass matrices have condition numbers below 4.
 constexpr double tolerance = 1e-10;
 
 double norm(const Matrix& mass, const Eigen::VectorXd& v) { return std::sqrt(v.dot(mass * v)); }

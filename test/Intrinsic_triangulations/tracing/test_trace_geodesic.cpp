@@ -155,6 +155,14 @@ void expect_straight_lines(const meshes::Mesh& mesh, unsigned seed, double lengt
 
 } // namespace
 
+// The angle from a halfedge that starts at the vertex is that on the surface, not scaled.
+template <class Complex>
+Geodesic_end trace_from_vertex(const Complex& complex, Corner_direction start, double length,
+                               std::vector<Geodesic_crossing>& crossings) {
+  return IT::internal::finish_walk(complex, IT::Geodesic_walk<Complex>(complex, start), length, {},
+                                   crossings);
+}
+
 TEST(Trace_geodesic, Is_a_straight_line_in_the_plane) {
   expect_straight_lines(meshes::grid(20, 20), 1, 15, 500);
   for (unsigned seed = 2; seed < 6; ++seed)
@@ -250,8 +258,7 @@ TEST(Trace_geodesic, Follows_straight_lines_on_flat_tori) {
       const std::uint32_t n1 = s.next(h);
       const double angle = 2 * pi * random(), length = 30 * random();
       std::vector<Geodesic_crossing> crossings;
-      const Geodesic_end e =
-          IT::internal::trace_geodesic(s, Corner_direction{h, angle}, length * unit, crossings);
+      const Geodesic_end e = trace_from_vertex(s, {h, angle}, length * unit, crossings);
       ASSERT_EQ(e.status, Status::done);
       const double base = std::atan2(corner[n1][1] - corner[h][1], corner[n1][0] - corner[h][0]);
       std::array<double, 2> to{corner[h][0] + length * std::cos(base + angle),
@@ -274,8 +281,7 @@ TEST(Trace_geodesic, Leaves_a_cone_vertex_with_equal_angles_on_both_sides) {
   for (std::uint32_t h = 0; h < s.surface.number_of_halfedges(); ++h) {
     // along an edge, then on along the one across the vertex, four times around
     std::vector<Geodesic_crossing> crossings;
-    const Geodesic_end e =
-        IT::internal::trace_geodesic(s.surface, Corner_direction{h, 0}, 3.5 * side, crossings);
+    const Geodesic_end e = trace_from_vertex(s.surface, {h, 0}, 3.5 * side, crossings);
     ASSERT_EQ(e.status, Status::done);
     const Point a = s.corner(h), b = s.corner(h ^ 1U), p = s.position(e.point);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(p[k], 0.5 * (a[k] - b[k]), 1e-14);
@@ -304,8 +310,7 @@ TEST(Trace_geodesic, Stops_at_the_border_and_at_border_vertices) {
   std::vector<Geodesic_crossing> crossings;
   const auto trace = [&](std::uint32_t h, double angle, double length) {
     crossings.clear();
-    return IT::internal::trace_geodesic(s.surface, Corner_direction{h, angle}, length * unit,
-                                        crossings);
+    return trace_from_vertex(s.surface, {h, angle}, length * unit, crossings);
   };
   Geodesic_end e = trace(halfedge(4, 5), 0.25, 10); // from the middle to the right side
   EXPECT_EQ(e.status, Status::border);
@@ -377,8 +382,7 @@ TEST(Trace_geodesic, Ends_on_every_surface_of_the_gallery) {
       const Geodesic_end e = IT::internal::trace_geodesic(s, p, random.direction(), 20, crossings);
       EXPECT_NE(e.status, Status::cap) << g.name;
       expect_point_of_a_face(e.point);
-      const Geodesic_end v = IT::internal::trace_geodesic(
-          s, Corner_direction{p.halfedge, 100 * random() - 50}, 20, crossings);
+      const Geodesic_end v = trace_from_vertex(s, {p.halfedge, 100 * random() - 50}, 20, crossings);
       EXPECT_NE(v.status, Status::cap) << g.name;
       expect_point_of_a_face(v.point);
     }

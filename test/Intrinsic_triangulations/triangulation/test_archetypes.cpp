@@ -5,7 +5,6 @@
 
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
@@ -22,7 +21,6 @@
 #include <CGAL/Intrinsic_triangulations/operators/Face_vector_transfer.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/point_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>

@@ -13,8 +13,6 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
-#include <cstddef>
-#include <utility>
 
 /*!
 \file
@@ -138,52 +136,6 @@ FT planar_cross_with_vector(const std::array<FT, 2>& p, const std::array<FT, 2>&
                                 difference(q[1], p[1]), Unevaluated_sum<FT>{v[0], zero});
 }
 
-// Three equations in three unknowns, the last column being the right-hand side.
-template <class FT>
-using Augmented_matrix = std::array<std::array<FT, 4>, 3>;
-
-// Brings the largest remaining entry to row and column `step`.
-template <class FT>
-void pivot(Augmented_matrix<FT>& m, std::array<std::size_t, 3>& unknowns, std::size_t step) {
-  std::size_t row = step, column = step;
-  for (std::size_t r = step; r < 3; ++r)
-    for (std::size_t c = step; c < 3; ++c)
-      if (is_less(FT(CGAL::abs(m[row][column])), FT(CGAL::abs(m[r][c])))) row = r, column = c;
-  std::swap(m[step], m[row]);
-  for (std::array<FT, 4>& equation : m) std::swap(equation[step], equation[column]);
-  std::swap(unknowns[step], unknowns[column]);
-}
-
-// Solves by Gaussian elimination with complete pivoting. The matrix must be regular.
-template <class FT>
-std::array<FT, 3> solve(Augmented_matrix<FT> m) {
-  std::array<std::size_t, 3> unknowns{0, 1, 2};
-  for (std::size_t s = 0; s < 3; ++s) {
-    pivot(m, unknowns, s);
-    CGAL_precondition(m[s][s] != FT(0));
-    for (std::size_t r = s + 1; r < 3; ++r) {
-      const FT factor = m[r][s] / m[s][s];
-      for (std::size_t c = s + 1; c < 4; ++c) m[r][c] = m[r][c] - factor * m[s][c];
-    }
-  }
-  std::array<FT, 3> x{FT(0), FT(0), FT(0)};
-  for (std::size_t s = 3; s-- > 0;) {
-    FT value = m[s][3];
-    for (std::size_t c = s + 1; c < 3; ++c) value = value - m[s][c] * x[unknowns[c]];
-    x[unknowns[s]] = value / m[s][s];
-  }
-  return x;
-}
-
-// Solves for the coordinates that give (p_x, p_y) and sum to p_1.
-template <class FT>
-std::array<FT, 3> solve_barycentric(const std::array<std::array<FT, 2>, 3>& f,
-                                    const std::array<FT, 3>& p) {
-  return solve(Augmented_matrix<FT>{{{f[0][0], f[1][0], f[2][0], p[0]},
-                                     {f[0][1], f[1][1], f[2][1], p[1]},
-                                     {FT(1), FT(1), FT(1), p[2]}}});
-}
-
 } // namespace internal
 
 /*!
@@ -220,26 +172,6 @@ std::array<FT, 3> barycentric_coordinates_of_vector(const Planar_triangle<FT>& f
   return {internal::planar_cross_with_vector(f[1], f[2], v) / area,
           internal::planar_cross_with_vector(f[2], f[0], v) / area,
           internal::planar_cross_with_vector(f[0], f[1], v) / area};
-}
-
-/*!
-\brief computes barycentric coordinates of a point as the solution of a linear system.
-
-The rows say that the coordinates give p and sum to one. Solved by elimination with complete
-pivoting: the coordinates give back `p` up to rounding even where they are ill-determined.
-\pre the triangle has an area
-*/
-template <class FT>
-std::array<FT, 3> solve_barycentric_coordinates_of_point(const Planar_triangle<FT>& f,
-                                                         const Planar_vector<FT>& p) {
-  return internal::solve_barycentric(f, {p[0], p[1], FT(1)});
-}
-
-/// computes barycentric coordinates of a vector, see `solve_barycentric_coordinates_of_point()`.
-template <class FT>
-std::array<FT, 3> solve_barycentric_coordinates_of_vector(const Planar_triangle<FT>& f,
-                                                          const Planar_vector<FT>& v) {
-  return internal::solve_barycentric(f, {v[0], v[1], FT(0)});
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_TRIANGLE_FORMULAS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_TRIANGLE_FORMULAS_H
 
-#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/compensated_arithmetic.h>
 
 #include <CGAL/Uncertain.h>
@@ -18,7 +17,7 @@
 
 /*!
 \file
-Triangle inequality, area and the opposite diagonal of triangles given by lengths or by points.
+Triangle inequality and area of triangles given by lengths or by points.
 
 The three sides of triangle ijk are always passed as ij, jk, ki. `l` is a length, `L` its square,
 `a = 4A` the quadruple area.
@@ -172,45 +171,6 @@ FT quadruple_area_from_points(const Point& p, const Point& q, const Point& r) {
   const std::array<FT, 3> n =
       internal::cross_product(points[c], points[(c + 1) % 3], points[(c + 2) % 3]);
   return FT(2) * CGAL::sqrt(FT(CGAL::square(n[0]) + CGAL::square(n[1]) + CGAL::square(n[2])));
-}
-
-/// returns the area A of a quadruple area 4A; exact.
-template <class FT>
-FT area_from_quadruple_area(const FT& a) {
-  return a / FT(4);
-}
-
-/*!
-\brief computes the squared length of the diagonal km that crosses ij, as a sum of squares.
-
-L_km = ((p_k - p_m)^2 + (a_f + a_g)^2) / (4 L_ij): the squared distance of k and m laid out on both
-sides of ij. Equal to `flipped()` and to Eq. 22, but free of cancellation between its terms: those
-lose the short diagonal of two caps.
-\pre `d.ij` is not zero
-\return the value; relative errors of the areas are at most doubled, and 8 u is added, up to
-  O(u^2) (L_ki + L_jk + L_im + L_mj)^2 / (L_ij L_km)
-*/
-template <class FT>
-FT squared_diagonal(const Diamond_values<FT>& d) {
-  FT x;
-  if constexpr (internal::is_floating_point<FT>) {
-    const auto s = internal::two_sum(d.ki, -d.jk);
-    const auto t = internal::two_sum(d.mj, -d.im);
-    const auto r = internal::two_sum(s.high, t.high);
-    x = r.high + (r.low + (s.low + t.low));
-  } else
-    x = (d.ki - d.jk) + (d.mj - d.im);
-  return (CGAL::square(x) + CGAL::square(FT(d.area_f + d.area_g))) / (FT(4) * d.ij);
-}
-
-/*!
-\brief computes the same as `squared_diagonal()` by the course's Eq. 22, for comparison.
-\pre `d.ij` is not zero
-*/
-template <class FT>
-FT squared_diagonal_by_eq_22(const Diamond_values<FT>& d) {
-  const FT sides = d.im + d.jk + d.mj + d.ki - d.ij;
-  return (sides + ((d.im - d.mj) * (d.jk - d.ki) + d.area_f * d.area_g) / d.ij) / FT(2);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

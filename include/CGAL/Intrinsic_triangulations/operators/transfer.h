@@ -142,22 +142,18 @@ private:
   void keep_values_without_area(const Common_subdivision& s, bool back) {
     const std::vector<std::uint32_t> number = internal::operator_numbers(s);
     std::vector<Eigen::Triplet<double>> ones, copies;
-    std::vector<char> has_vertex(static_cast<std::size_t>(mass_.rows()), 0);
     const Eigen::VectorXd diagonal = mass_.diagonal();
     for (const Common_subdivision::Vertex& v : s.vertices) {
       const auto i = static_cast<int>(number[v.intrinsic]);
-      if (i >= mass_.rows()) continue;
-      has_vertex[static_cast<std::size_t>(i)] = 1;
-      if (diagonal[i] != 0) continue;
+      if (i >= mass_.rows() || diagonal[i] != 0) continue;
       if (back)
         copies.emplace_back(i, i, 1);
       else
         for (std::size_t k = 0; k < v.on_input.size; ++k)
           copies.emplace_back(i, static_cast<int>(v.on_input.vertices[k]), v.on_input.weights[k]);
-      ones.emplace_back(i, i, 1);
     }
     for (int i = 0; i < mass_.rows(); ++i)
-      if (has_vertex[static_cast<std::size_t>(i)] == 0) ones.emplace_back(i, i, 1);
+      if (diagonal[i] == 0) ones.emplace_back(i, i, 1);
     if (ones.empty()) return;
     Matrix one(mass_.rows(), mass_.cols()), copy(cross_.rows(), cross_.cols());
     one.setFromTriplets(ones.begin(), ones.end());

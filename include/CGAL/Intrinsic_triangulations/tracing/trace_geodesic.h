@@ -64,30 +64,26 @@ bool hits_vertex(const Geodesic_walk<Complex>& walk, typename Geodesic_walk<Comp
   return true;
 }
 
-template <NumberedComplex Complex>
-Geodesic_end end_of(const Geodesic_walk<Complex>& walk, Status status, const Surface_point& p,
-                    double length) {
-  return {status, p, walk.direction(), length, walk.position_error()};
-}
-
 // Where a walk that is given a length ends.
 template <NumberedComplex Complex>
-Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, double length,
+Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex> walk, double length,
                          const Trace_options& options, std::vector<Geodesic_crossing>& crossings) {
   length = std::max(0.0, length);
+  const auto end = [&walk](Status status, const Surface_point& p, double travelled) {
+    return Geodesic_end{status, p, walk.direction(), travelled, walk.position_error()};
+  };
   if (walk.is_blocked())
-    return end_of(walk, length > 0 ? Status::border : Status::done,
-                  {walk.face().side[0], walk.weights()}, 0);
+    return end(length > 0 ? Status::border : Status::done, {walk.face().side[0], walk.weights()},
+               0);
   for (std::size_t faces = 1;; ++faces) {
     typename Geodesic_walk<Complex>::Exit e = walk.exit();
     const double remaining = std::max(0.0, length - walk.travelled());
     if (remaining <= e.distance) {
       const Surface_point p = walk.point(e, remaining);
       walk.advance({e.side, e.source_weight, e.target_weight, remaining, e.slope});
-      return end_of(walk, Status::done, p, length);
+      return end(Status::done, p, length);
     }
-    if (faces >= options.maximum_faces)
-      return end_of(walk, Status::cap, walk.point(e, 0), walk.travelled());
+    if (faces >= options.maximum_faces) return end(Status::cap, walk.point(e, 0), walk.travelled());
     walk.advance(e);
     unsigned corner = 0;
     const bool is_at_vertex = options.snaps_to_vertices && hits_vertex(walk, e, corner);
@@ -95,8 +91,8 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex>& walk, d
     const Surface_point p = walk.point(e, e.distance);
     if (is_at_vertex ? !walk.pass_vertex(corner) : complex.is_border(out ^ 1U)) {
       const bool is_rounding = length - walk.travelled() <= walk.position_error();
-      return end_of(walk, is_rounding ? Status::done : Status::border, p,
-                    is_rounding ? length : walk.travelled());
+      return end(is_rounding ? Status::done : Status::border, p,
+                 is_rounding ? length : walk.travelled());
     }
     crossings.push_back({out, e.target_weight});
     if (!is_at_vertex) walk.cross(e);
@@ -111,17 +107,8 @@ Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
                             const Planar_vector<double>& direction, double length,
                             std::vector<Geodesic_crossing>& crossings,
                             const Trace_options& options = {}) {
-  Geodesic_walk<Complex> walk(complex, start, direction);
-  return finish_walk(complex, walk, length, options, crossings);
-}
-
-// The same from a vertex: the angle from a halfedge that starts there is that on the surface, not scaled.
-template <NumberedComplex Complex>
-Geodesic_end trace_geodesic(const Complex& complex, const Corner_direction& start, double length,
-                            std::vector<Geodesic_crossing>& crossings,
-                            const Trace_options& options = {}) {
-  Geodesic_walk<Complex> walk(complex, start);
-  return finish_walk(complex, walk, length, options, crossings);
+  return finish_walk(complex, Geodesic_walk<Complex>(complex, start, direction), length, options,
+                     crossings);
 }
 
 } // namespace internal

@@ -16,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -58,6 +59,9 @@ Example labelled() {
   Example e = grid(2);
   e.s.vertices[4] = {
       17, IT::Subdivision_vertex_kind::inserted, 3, {3, {1, 4, 5}, {0.25, 0.125, 0.625}}};
+  e.s.number_of_intrinsic_vertices = 18;
+  for (IT::Common_subdivision::Crossing& c : e.s.crossings)
+    std::replace(c.on_intrinsic.vertices.begin(), c.on_intrinsic.vertices.end(), 4U, 17U);
   return e;
 }
 

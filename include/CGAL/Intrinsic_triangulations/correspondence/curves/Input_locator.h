@@ -112,14 +112,14 @@ Planar_vector<double> vector_between(const Input& input, const Surface_point& fr
 /*!
 \brief returns the point of the input at a corner of an intrinsic face, in the input face in which the
 corner begins, counterclockwise from its first side.
+\param view the intrinsic triangulation
 \param coordinates the correspondence
 \param side first side of the corner
-\param vertex its source
 */
-template <CurveCoordinates Coordinates>
-Surface_point corner_on_input(const Coordinates& coordinates, std::uint32_t side,
-                              std::uint32_t vertex) {
-  const std::uint32_t slot = coordinates.roundabout(side);
+template <class View, CurveCoordinates Coordinates>
+Surface_point corner_on_input(const View& view, const Coordinates& coordinates,
+                              std::uint32_t side) {
+  const std::uint32_t slot = coordinates.roundabout(side), vertex = view.source(side);
   if (slot == Gluing::none) return coordinates.location(vertex);
   const std::uint32_t h = coordinates.fans().halfedge(slot);
   const double x = parameter_on_halfedge(coordinates, vertex, h, true);
@@ -129,20 +129,19 @@ Surface_point corner_on_input(const Coordinates& coordinates, std::uint32_t side
 
 /*!
 \brief returns the point of the input at a point of an intrinsic face that no curve enters.
+\param view the intrinsic triangulation
 \param coordinates the correspondence
 \param sides the sides of the face
-\param vertices its corners
 \param weights barycentric coordinates of the point
 */
-template <CurveCoordinates Coordinates>
-Surface_point point_between_corners(const Coordinates& coordinates,
+template <class View, CurveCoordinates Coordinates>
+Surface_point point_between_corners(const View& view, const Coordinates& coordinates,
                                     const std::array<std::uint32_t, 3>& sides,
-                                    const std::array<std::uint32_t, 3>& vertices,
                                     const std::array<double, 3>& weights) {
-  Surface_point p{corner_on_input(coordinates, sides[0], vertices[0]).halfedge, {0, 0, 0}};
+  Surface_point p{corner_on_input(view, coordinates, sides[0]).halfedge, {0, 0, 0}};
   for (unsigned k = 0; k < 3; ++k) {
-    const Surface_point corner = seen_from(
-        coordinates.input(), corner_on_input(coordinates, sides[k], vertices[k]), p.halfedge);
+    const Surface_point corner =
+        seen_from(coordinates.input(), corner_on_input(view, coordinates, sides[k]), p.halfedge);
     for (std::size_t i = 0; i < 3; ++i) p.weights[i] += weights[k] * corner.weights[i];
   }
   return p;
@@ -246,13 +245,11 @@ private:
 
   // in a face that no curve enters: the first side's direction on the input is turned back
   Mapped_point between_corners() const {
-    const std::array<std::uint32_t, 3> v{view_.source(sides_[0]), view_.source(sides_[1]),
-                                         view_.source(sides_[2])};
     const auto [x, y] =
-        vector_between(coordinates_.input(), corner_on_input(coordinates_, sides_[0], v[0]),
-                       corner_on_input(coordinates_, sides_[1], v[1]));
+        vector_between(coordinates_.input(), corner_on_input(view_, coordinates_, sides_[0]),
+                       corner_on_input(view_, coordinates_, sides_[1]));
     const double length = std::hypot(x, y);
-    return {point_between_corners(coordinates_, sides_, v, weights_),
+    return {point_between_corners(view_, coordinates_, sides_, weights_),
             {length > 0 ? x / length : 1, length > 0 ? -y / length : 0},
             {1, 0}};
   }

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {

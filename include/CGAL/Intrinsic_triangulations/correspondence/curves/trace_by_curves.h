@@ -6,44 +6,54 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 /*!
 \file
-Edges of one triangulation traced over the other, by integer coordinates or explicit crossings.
+Edges of one triangulation traced over the other, and directions at vertices, by integer coordinates or explicit
+crossings.
 */
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The input halfedges that halfedge 2e crosses: read, or found by following the curves.
+// The input halfedges of the faces that an intrinsic halfedge enters: read, or found by following the curves.
 template <class Triangulation, CurveCoordinates Coordinates>
-std::vector<std::uint32_t> entered_on(const Triangulation& t, const Coordinates& coordinates,
-                                      std::uint32_t edge) {
+std::vector<std::uint32_t> entered_by_halfedge(const Triangulation& t,
+                                               const Coordinates& coordinates, std::uint32_t h) {
   std::vector<std::uint32_t> entered;
-  if constexpr (requires { coordinates.entered_on(edge); }) {
-    const std::span<const std::uint32_t> list = coordinates.entered_on(edge);
+  if constexpr (requires { coordinates.entered_on(h / 2); }) {
+    const std::span<const std::uint32_t> list = coordinates.entered_on(h / 2);
     entered.assign(list.begin(), list.end());
   } else {
     const Intrinsic_view<Triangulation> view(t);
-    const Normal_coordinate n = crossings(coordinates.normal_coordinate(edge));
+    const Normal_coordinate n = crossings(coordinates.normal_coordinate(h / 2));
     entered.resize(static_cast<std::size_t>(n));
     std::vector<Curve_bundle> stack;
-    follow_curves(view, coordinates, {2 * edge, 0, n, 0}, stack,
+    follow_curves(view, coordinates, {h & ~1U, 0, n, 0}, stack,
                   [&](Normal_coordinate i, const Curve_end& end) {
                     // the curve crosses from left to right; the way back starts along its opposite
                     entered[static_cast<std::size_t>(i)] = input_halfedge(coordinates, end) ^ 1U;
                   });
+  }
+  if (h % 2 != 0) {
+    std::reverse(entered.begin(), entered.end());
+    for (std::uint32_t& g : entered) g ^= 1U;
   }
   return entered;
 }
@@ -65,20 +75,18 @@ Edge_path trace_edge_by_curves(const Triangulation& t, const Coordinates& coordi
       add(point_on_halfedge(input, g, location_on_side(view, coordinates, h, x).weights[1]), x);
     return path;
   }
-  const Surface_point start = corner_on_input(coordinates, h, view.source(h)),
-                      end = corner_on_input(coordinates, h ^ 1U, view.target(h));
-  const std::vector<std::uint32_t> entered = entered_on(t, coordinates, edge);
+  const std::vector<std::uint32_t> entered = entered_by_halfedge(t, coordinates, h);
   Edge_strip strip(input);
-  if (!entered.empty()) strip.unfold(start, end, entered);
+  if (!entered.empty()) strip.unfold(view, coordinates, h, entered);
   path.points.reserve(entered.size() + 2);
-  add(start, 0);
+  add(corner_on_input(view, coordinates, h), 0);
   double last = 0;
   for (std::size_t i = 0; i < entered.size(); ++i) {
     const double x = strip.parameter(i);
     last = std::max(last, strip.along(i, x)); // in order whatever rounding does
     add({entered[i], {1 - x, x, 0}}, last);
   }
-  add(end, 1);
+  add(corner_on_input(view, coordinates, h ^ 1U), 1);
   return path;
 }
 
@@ -131,6 +139,89 @@ Edge_path trace_input_edge_by_curves(const Triangulation& t, const Coordinates& 
     from = to;
   }
   return path;
+}
+
+// ---- Directions at vertices: the integers tell the sector, the input's geometry the angle within it, with an error
+// that does not grow with the number of moves
+
+// The direction of an intrinsic halfedge that starts at a vertex of the input: from an input halfedge there.
+template <class Triangulation, CurveCoordinates Coordinates>
+Corner_direction direction_on_input(const Triangulation& t, const Coordinates& coordinates,
+                                    std::uint32_t h) {
+  const Intrinsic_view<Triangulation> view(t);
+  const auto& input = coordinates.input();
+  const std::uint32_t after = coordinates.fans().halfedge(coordinates.roundabout(h));
+  if (coordinates.normal_coordinate(h / 2) < 0) return {after, 0};
+  const std::uint32_t first = input.next(after ^ 1U); // before `h`, counterclockwise
+  const std::vector<std::uint32_t> entered = entered_by_halfedge(t, coordinates, h);
+  Surface_point p = corner_on_input(view, coordinates, h ^ 1U); // in that face, or beyond it
+  if (entered.empty()) {
+    p = seen_from(input, p, first);
+  } else {
+    Edge_strip strip(input);
+    strip.unfold(view, coordinates, h, entered);
+    p = {first, {0, strip.parameter(0), 1 - strip.parameter(0)}};
+  }
+  const Planar_vector<double> v = Geodesic_face(input, first).position(p.weights);
+  return {first, std::atan2(std::max(0.0, v[1]), v[0])};
+}
+
+// The angle of an intrinsic halfedge that starts at an inserted vertex, in the frame of the input face of
+// `start`, which becomes its source.
+template <class Triangulation, CurveCoordinates Coordinates>
+double angle_at_inserted_vertex(const Triangulation& t, const Coordinates& coordinates,
+                                std::uint32_t h, Surface_point& start) {
+  const Intrinsic_view<Triangulation> view(t);
+  const auto& input = coordinates.input();
+  if (coordinates.normal_coordinate(h / 2) < 0) {
+    const std::uint32_t g = coordinates.fans().halfedge(coordinates.roundabout(h));
+    start =
+        point_on_halfedge(input, g, parameter_on_halfedge(coordinates, view.source(h), g, true));
+    return start.halfedge == g ? 0 : std::numbers::pi;
+  }
+  start = corner_on_input(view, coordinates, h);
+  const std::vector<std::uint32_t> entered = entered_by_halfedge(t, coordinates, h);
+  if (entered.empty()) {
+    const Planar_vector<double> v =
+        vector_between(input, start, corner_on_input(view, coordinates, h ^ 1U));
+    return std::atan2(v[1], v[0]);
+  }
+  Edge_strip strip(input);
+  strip.unfold(view, coordinates, h, entered);
+  start = seen_from(input, start,
+                    entered.front() ^ 1U); // whose frame is half a turn from that of the strip
+  return std::atan2(-strip.vector().y, -strip.vector().x);
+}
+
+// Starts a geodesic on the input from the source of an intrinsic halfedge, at an angle from it.
+template <class Triangulation, CurveCoordinates Coordinates>
+auto walk_by_curves(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+                    double turn) {
+  const auto& input = coordinates.input();
+  using Walk = Geodesic_walk<std::remove_cvref_t<decltype(input)>>;
+  if (!coordinates.is_inserted(Intrinsic_view<Triangulation>(t).source(h))) {
+    const Corner_direction d = direction_on_input(t, coordinates, h);
+    return Walk(input, Corner_direction{d.halfedge, d.angle + turn});
+  }
+  Surface_point start;
+  const double angle = angle_at_inserted_vertex(t, coordinates, h, start) + turn;
+  return Walk(input, start, {std::cos(angle), std::sin(angle)});
+}
+
+// The direction of an input halfedge among the intrinsic halfedges at its source; none if the coordinates are
+// not those of the triangulation.
+template <class Triangulation, CurveCoordinates Coordinates>
+std::optional<Corner_direction>
+direction_on_intrinsic(const Triangulation& t, const Coordinates& coordinates, std::uint32_t x) {
+  const Intrinsic_view<Triangulation> view(t);
+  const auto start = find_curve(view, coordinates, coordinates.input().source(x), x);
+  if (!start) return std::nullopt;
+  if (start->index < 0) return Corner_direction{start->halfedge, 0};
+  const Curve_strip strip(view, coordinates, sides_of_face(view, start->halfedge),
+                          first_crossing(view, coordinates, *start));
+  const std::vector<Point> points = strip.unfold_approximately(view);
+  const Point d = points[strip.last()] - points[strip.first()];
+  return Corner_direction{start->halfedge, std::atan2(std::max(0.0, d.y), d.x)};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -5,10 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_CROSSINGS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_crossing_lists.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/explicit_edge_lists.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
 #include <CGAL/assertions.h>
@@ -21,6 +21,46 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+/*!
+\brief finds the curves that cross the edge from a corner of a face to a vertex inserted in it.
+
+These are the curves between the corner and the region of the vertex: first the arcs about the corner,
+then curves that emanate from another one, then the arcs about another corner which cut off the region,
+from the outermost one.
+\param k the corner
+\param sides the sides of the face
+\param normal their normal coordinates
+\param c how curves run in the face
+\param r the region of the vertex
+\param append called as `append(h, first, last)` for ranges of curves that cross halfedge `h`, counted from its
+source, in the order in which the edge crosses them, and so that they cross both from the same side: then the input
+halfedges of the faces entered are those of `h`
+*/
+template <class Append>
+void find_crossings_of_spoke(unsigned k, const std::array<std::uint32_t, 3>& sides,
+                             const std::array<Normal_coordinate, 3>& normal,
+                             const Corner_coordinates& c, const Face_region& r, Append append) {
+  const unsigned next = (k + 1) % 3, before = (k + 2) % 3;
+  append(sides[k], 0, r.cutting[k]);
+  const bool on_fan = r.is_on_curve && r.corner == r.fan_corner;
+  if (r.fan_corner == before) // its curves leave through the side from k, the first ones first
+    append(sides[k], c.cutting[k], c.cutting[k] + r.right_of_fan);
+  else if (r.fan_corner == next) { // through the side to k, the last ones first
+    const Normal_coordinate crossed = c.emanating[next] - r.right_of_fan - (on_fan ? 1 : 0);
+    append(sides[before] ^ 1U, c.cutting[k], c.cutting[k] + crossed);
+  }
+  for (const unsigned l : {next, before}) {
+    const bool on_arc = r.is_on_curve && r.corner == l && r.fan_corner != l;
+    const std::uint32_t to_l = l == next ? sides[k] : sides[before] ^ 1U;
+    const Normal_coordinate n = crossings(normal[l == next ? k : before]);
+    append(to_l, n - c.cutting[l], n - r.cutting[l] - (on_arc ? 1 : 0));
+  }
+}
+
+} // namespace internal
 
 /*!
 \brief represents how an intrinsic triangulation lies on the input by the crossings themselves (§3.3 of
@@ -79,14 +119,23 @@ public:
   /// \complexity linear in the number of crossings of the new edge
   template <class Triangulation>
   bool before(const Triangulation&, const Flip& move) {
-    const internal::Quad_sides q{{move.ij, move.jk, move.ki}, {move.ij ^ 1U, move.im, move.mj}};
-    const Normals left = normals(q.left), right = normals(q.right);
+    const Normals left = normals({move.ij, move.jk, move.ki}),
+                  right = normals({move.ij, move.im, move.mj});
     const Corner_coordinates f = corner_coordinates(left), g = corner_coordinates(right);
     if (!before_flip(move, f, g)) return false;
+    // Curves that cross km have one end on the path k, i, m around the quad, without k and m, and the other on the path
+    // k, j, m. Seen from ki and im, all do but those arcs about i, counted from i along ij, that are arcs about i on
+    // the other side too, or end there at the opposite corner: they are last on ki and first on im. Between ki and im
+    // the curves from i cross: to jk, along ij, to mj.
     std::vector<std::uint32_t>& list = announced_[0];
     list.clear();
-    internal::find_crossings_of_flipped_edge(q, left, right, f, g, Appender{*this, list},
-                                             [&] { list.push_back(along(move.ij ^ 1U)); });
+    Appender append{*this, list};
+    const Normal_coordinate n_ki = crossings(left[2]), n_im = crossings(right[1]);
+    append(move.ki, 0, n_ki - std::min(f.cutting[0], g.cutting[1] + g.emanating[2]));
+    append(move.jk ^ 1U, f.cutting[2], f.cutting[2] + f.emanating[0]);
+    if (left[0] < 0) list.push_back(along(move.ij ^ 1U));
+    append(move.mj ^ 1U, g.cutting[0], g.cutting[0] + g.emanating[1]);
+    append(move.im, std::min(g.cutting[1], f.cutting[0] + f.emanating[2]), n_im);
     return true;
   }
   /// follows a flip.

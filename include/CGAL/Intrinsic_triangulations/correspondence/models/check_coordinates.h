@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
@@ -187,8 +187,8 @@ private:
     if (normal(h) < 0)
       return extent(along(h), view_.source(h), view_.target(h)) *
              std::sqrt(input.squared_length(along(h) / 2));
-    const Surface_point a = corner_on_input(coordinates_, h, view_.source(h)),
-                        b = corner_on_input(coordinates_, h ^ 1U, view_.target(h));
+    const Surface_point a = corner_on_input(view_, coordinates_, h),
+                        b = corner_on_input(view_, coordinates_, h ^ 1U);
     if (normal(h) == 0) {
       if (input.face(a.halfedge) != input.face(b.halfedge)) return std::nan("");
       const Planar_vector<double> v = vector_between(input, a, b);

@@ -60,7 +60,7 @@ std::optional<Mapped_point> locate_from_corners(const Complex& complex, const Ge
                                                 const std::array<double, 3>& weights, Start start) {
   std::vector<Geodesic_crossing> crossings;
   for (const Corner_geodesic& g : corner_geodesics(face, weights)) {
-    Geodesic_walk<Complex> walk = start(face.side[g.corner], g.angle);
+    const Geodesic_walk<Complex> walk = start(face.side[g.corner], g.angle);
     if (walk.is_blocked() && g.length > 0) continue;
     crossings.clear();
     const Geodesic_end end =

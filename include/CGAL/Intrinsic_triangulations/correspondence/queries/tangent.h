@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TANGENT_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/curve_directions.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/trace_by_curves.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -74,6 +74,27 @@ Tangent_vector at_start(const Walk& walk, double length, double turn = 0) {
   return {{walk.face().side[0], walk.weights()}, {d[0] * c - d[1] * s, d[0] * s + d[1] * c}};
 }
 
+// Takes a vector from a point of `complex`: in a face as `map` says, at a corner by a walk from a side of the face,
+// `walk(h, turn)`. A walk that is blocked starts along the side, and the vector is turned.
+template <class Complex, class Map, class Walk>
+std::optional<Tangent_vector> take_tangent(const Complex& complex, const Tangent_vector& v,
+                                           const Map& map, const Walk& walk) {
+  const unsigned corner = corner_of(v.point);
+  if (corner == 3) {
+    const std::optional<Mapped_point> p = map(v.point);
+    if (!p) return std::nullopt;
+    return Tangent_vector{p->point, p->transfer(v.vector)};
+  }
+  const Geodesic_face face(complex, v.point.halfedge);
+  const Planar_vector<double> r = face.relative_to(corner, v.vector);
+  const double length = std::hypot(r[0], r[1]), angle = std::atan2(r[1], r[0]);
+  const auto turned = walk(face.side[corner], angle);
+  if (turned && !turned->is_blocked()) return at_start(*turned, length);
+  const auto straight = walk(face.side[corner], 0);
+  if (!straight) return std::nullopt;
+  return at_start(*straight, length, angle);
+}
+
 } // namespace internal
 
 /*!
@@ -89,18 +110,12 @@ the border is given in the frame of a face beside it.
 */
 template <internal::Queried_triangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tangent_vector& v) {
-  const unsigned corner = internal::corner_of(v.point);
-  if (corner == 3) {
-    const std::optional<Mapped_point> p = internal::map_to_input(t, v.point);
-    if (!p) return std::nullopt;
-    return Tangent_vector{p->point, p->transfer(v.vector)};
-  }
-  const Geodesic_face face(Intrinsic_view<Triangulation>(t), v.point.halfedge);
-  const Planar_vector<double> r = face.relative_to(corner, v.vector);
-  const double length = std::hypot(r[0], r[1]), angle = std::atan2(r[1], r[0]);
-  const auto walk = internal::walk_on_input(t, face.side[corner], angle);
-  if (!walk.is_blocked()) return internal::at_start(walk, length);
-  return internal::at_start(internal::walk_on_input(t, face.side[corner], 0), length, angle);
+  return internal::take_tangent(
+      Intrinsic_view<Triangulation>(t), v,
+      [&](const Surface_point& p) { return internal::map_to_input(t, p); },
+      [&](std::uint32_t h, double turn) {
+        return std::optional(internal::walk_on_input(t, h, turn));
+      });
 }
 
 /*!
@@ -116,21 +131,11 @@ See `tangent_to_input()`.
 template <internal::Queried_triangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_intrinsic(const Triangulation& t,
                                                    const Tangent_vector& v) {
-  const unsigned corner = internal::corner_of(v.point);
-  if (corner == 3) {
-    const std::optional<Mapped_point> p = internal::map_to_intrinsic(t, v.point);
-    if (!p) return std::nullopt;
-    return Tangent_vector{p->point, p->transfer(v.vector)};
-  }
   const Intrinsic_view<Triangulation> view(t);
-  const Geodesic_face face(t.correspondence().input(), v.point.halfedge);
-  const Planar_vector<double> r = face.relative_to(corner, v.vector);
-  const double length = std::hypot(r[0], r[1]), angle = std::atan2(r[1], r[0]);
-  const auto walk = internal::walk_on_intrinsic(view, t, face.side[corner], angle);
-  if (walk && !walk->is_blocked()) return internal::at_start(*walk, length);
-  const auto straight = internal::walk_on_intrinsic(view, t, face.side[corner], 0);
-  if (!straight) return std::nullopt;
-  return internal::at_start(*straight, length, angle);
+  return internal::take_tangent(
+      t.correspondence().input(), v,
+      [&](const Surface_point& p) { return internal::map_to_intrinsic(t, p); },
+      [&](std::uint32_t h, double turn) { return internal::walk_on_intrinsic(view, t, h, turn); });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

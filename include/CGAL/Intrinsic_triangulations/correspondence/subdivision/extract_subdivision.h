@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
@@ -175,8 +174,7 @@ private:
     const auto& input = coordinates_.input();
     for (unsigned k = 0; k < 3; ++k)
       if (c[k] > 0) return finish_cell(input.face(crossings_.entered_by(sides_[k], c[k] - 1)));
-    finish_cell(
-        input.face(corner_on_input(coordinates_, sides_[0], view_.source(sides_[0])).halfedge));
+    finish_cell(input.face(corner_on_input(view_, coordinates_, sides_[0]).halfedge));
   }
 
   void add_fan(unsigned k) {

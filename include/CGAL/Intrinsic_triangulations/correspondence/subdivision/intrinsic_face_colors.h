@@ -21,18 +21,9 @@ using Rgb_color = std::array<std::uint8_t, 3>;
 namespace internal {
 
 /// Light colours that differ in hue or lightness, on which black lines are seen.
-inline constexpr std::array<Rgb_color, 12> face_palette{{{141, 211, 199},
-                                                         {255, 237, 111},
-                                                         {190, 174, 212},
-                                                         {251, 128, 114},
-                                                         {128, 177, 211},
-                                                         {253, 180, 98},
-                                                         {179, 222, 105},
-                                                         {252, 205, 229},
-                                                         {189, 189, 189},
-                                                         {188, 128, 189},
-                                                         {204, 235, 197},
-                                                         {229, 196, 148}}};
+inline constexpr std::array<std::uint32_t, 12> face_palette{0x8dd3c7, 0xffed6f, 0xbeaed4, 0xfb8072,
+                                                            0x80b1d3, 0xfdb462, 0xb3de69, 0xfccde5,
+                                                            0xbdbdbd, 0xbc80bd, 0xccebc5, 0xe5c494};
 
 // The up to three neighbours of each intrinsic face, `none` where there are fewer.
 inline std::vector<std::array<std::uint32_t, 3>>
@@ -86,7 +77,8 @@ inline std::vector<Rgb_color> intrinsic_face_colors(const Common_subdivision& s)
     };
     while (std::any_of(neighbours[f].begin(), neighbours[f].end(), is_taken)) c = (c + 1) % size;
     chosen[f] = static_cast<std::uint8_t>(c);
-    result[f] = internal::face_palette[c];
+    for (std::size_t i = 0; i < 3; ++i)
+      result[f][i] = static_cast<std::uint8_t>(internal::face_palette[c] >> (16 - 8 * i));
   }
   return result;
 }
