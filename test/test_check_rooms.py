@@ -92,6 +92,11 @@ class Rooms(unittest.TestCase):
         quoted = header(name).replace("#endif", '#include "a.h"\n#endif')
         self.assert_one_error("not the full path", {name: quoted})
 
+    def test_a_page_is_included_by_its_full_path(self):
+        name, page = path("low/c.h"), path("low/page.html")
+        self.assert_one_error("not the full path", {name: header(name, page)})
+        self.assertEqual(self.errors({name: header(name, page), page: 'R"(text)"\n'}), [])
+
     def test_a_room_must_not_be_named_twice(self):
         with self.assertRaises(ValueError):
             self.errors({}, README + "## `low/`\n")

@@ -121,6 +121,13 @@ public:
     return {h, n, next(n)};
   }
 
+  /// returns the border halfedge after `h` around its target, within one umbrella. \pre `is_oriented()`
+  Halfedge next_on_border(Halfedge h) const {
+    Halfedge n = opposite(h);
+    while (face(n).index != Gluing::none) n = opposite(next(next(n)));
+    return n;
+  }
+
   /// returns the halfedge before `h`; constant time in a face, linear in the degree on the border.
   Halfedge previous(Halfedge h) const {
     if (face(h).index != Gluing::none) return next(next(h));
@@ -250,10 +257,7 @@ private:
       if (halfedge_[h].face != Gluing::none) continue;
       halfedge_[h].target = target(next(next({h ^ 1U}))).index;
       vertex_[halfedge_[h].target] = h;
-      if (!is_oriented()) continue;
-      Halfedge n = opposite({h});
-      while (face(n).index != Gluing::none) n = opposite(next(next(n)));
-      halfedge_[h].next = n.index;
+      if (is_oriented()) set_next({h}, next_on_border({h}));
     }
   }
 

@@ -150,17 +150,6 @@ private:
   std::uint32_t count_ = 0;
 };
 
-// Lets each border halfedge be followed by the next one around its target. Where several umbrellas
-// meet at a vertex, meshes may go on in another one, but `Gluing_map::previous()` does not.
-inline void link_border_within_umbrellas(Gluing_map& map) {
-  for (std::uint32_t h = 0; h < map.number_of_halfedges(); ++h) {
-    if (map.face({h}).index != Gluing::none) continue;
-    Gluing_map::Halfedge n = Gluing_map::opposite({h});
-    while (map.face(n).index != Gluing::none) n = Gluing_map::opposite(map.next(map.next(n)));
-    map.set_next({h}, n);
-  }
-}
-
 } // namespace internal
 
 /*!
@@ -210,7 +199,9 @@ Gluing_map gluing_map_unless_polygonal(const FaceGraph& mesh, std::uint32_t& pol
     if (sides[f] != 3 && polygon == Gluing::none) polygon = f;
     map.set_halfedge(Gluing_map::Face{f++}, {side(number.halfedge(h))});
   }
-  if (polygon == Gluing::none) internal::link_border_within_umbrellas(map);
+  // where several umbrellas meet at a vertex, meshes may go on in another one; `previous()` does not
+  for (std::uint32_t h = 0; h < map.number_of_halfedges() && polygon == Gluing::none; ++h)
+    if (map.face({h}).index == Gluing::none) map.set_next({h}, map.next_on_border({h}));
   return map;
 }
 

@@ -174,12 +174,6 @@ inline Interval_nt<false> quadruple_area_interval(const Input_metric& m, std::ui
   return CGAL::sqrt(from_rational<FT>(checked_squared_quadruple_area(m, f)));
 }
 
-inline Interval_nt<true> protected_quadruple_area_interval(const Input_metric& m, std::uint32_t f) {
-  const Protect_FPU_rounding<true> upwards;
-  const Interval_nt<false> a = quadruple_area_interval(m, f);
-  return {a.inf(), a.sup()};
-}
-
 template <class FT>
 FT quadruple_area_exact(const Input_metric& m, std::uint32_t f) {
   const FT d = m.is_embedded() ? Embedded_area<FT>(m, f).squared : m.squared_quadruple_area<FT>(f);
@@ -215,9 +209,11 @@ FT quadruple_area(const Input_metric& m, std::uint32_t f) {
   using Structure = Algebraic_structure_traits<FT>;
   if constexpr (std::is_same_v<FT, Interval_nt<false>>)
     return internal::quadruple_area_interval(m, f);
-  else if constexpr (std::is_same_v<FT, Interval_nt<true>>)
-    return internal::protected_quadruple_area_interval(m, f);
-  else if constexpr (std::is_same_v<typename Structure::Sqrt, Null_functor>)
+  else if constexpr (std::is_same_v<FT, Interval_nt<true>>) {
+    const Protect_FPU_rounding<true> upwards;
+    const Interval_nt<false> a = internal::quadruple_area_interval(m, f);
+    return {a.inf(), a.sup()};
+  } else if constexpr (std::is_same_v<typename Structure::Sqrt, Null_functor>)
     return internal::quadruple_area_rational<FT>(m, f);
   else if constexpr (std::is_same_v<typename Structure::Is_exact, Tag_true>)
     return internal::quadruple_area_exact<FT>(m, f);

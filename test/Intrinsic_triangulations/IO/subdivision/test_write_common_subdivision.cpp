@@ -323,6 +323,12 @@ TEST(Write_common_subdivision, Splits_polygons_into_fans_for_STL) {
   }
 }
 
+TEST(Write_common_subdivision, Takes_the_parameter_of_CGAL) {
+  const std::string text = written("ply", grid(2), CGAL::parameters::use_binary_mode(false));
+  EXPECT_EQ(text.substr(0, 21), "ply\nformat ascii 1.0\n");
+  EXPECT_EQ(text, written("ply", grid(2), IT::parameters::use_binary_mode(false)));
+}
+
 TEST(Write_common_subdivision, Writes_all_labels_to_PLY_as_text_and_in_binary) {
   for (const Example& e : {grid(1), grid(4), tetrahedron(), labelled()})
     for (const bool binary : {false, true})

@@ -46,9 +46,11 @@ namespace internal {
 
 // The page with the program that draws and answers to the pointer; what stands between two @ is a place to
 // be filled. The file is HTML between the marks of a raw string.
+#ifndef DOXYGEN_RUNNING // which does not look for files here
 inline constexpr std::string_view html_view_page =
 #include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.html>
     ;
+#endif
 
 /// Writes the parts of a page.
 class Html_view_writer {
@@ -129,40 +131,36 @@ private:
     out_.text("</script>\n");
   }
 
-  // A fan for each convex polygon; the visitor takes the polygon and three vertices.
-  template <class Visit>
-  void for_each_triangle(Visit visit) const {
-    for (std::size_t f = 0; f < s_.number_of_faces(); ++f) {
-      const std::span<const std::uint32_t> v = s_.face(f);
-      for (std::size_t k = 2; k < v.size(); ++k) visit(f, std::array{v[0], v[k - 1], v[k]});
-    }
-  }
-
   void write_data() {
     write_points();
-    data("triangles", [&](Base64_writer& out) {
-      for_each_triangle([&](std::size_t, const std::array<std::uint32_t, 3>& t) {
-        for (const std::uint32_t v : t) out.put(v);
-      });
-    });
-    const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
-    data("colors", [&](Base64_writer& out) {
-      for_each_triangle([&](std::size_t f, const auto&) {
-        for (const std::uint8_t c : colors[s_.intrinsic_face[f]]) out.put(c);
-      });
-    });
-    data("sources", [&](Base64_writer& out) {
-      for_each_triangle([&](std::size_t f, const auto&) {
-        out.put(s_.intrinsic_face[f]);
-        out.put(s_.input_face[f]);
-      });
-    });
+    write_triangles();
     write_vertices();
     write_edges("input-edges", "input-edges-room", &Common_subdivision::Side::input_edge,
                 s_.input_face);
     write_edges("intrinsic-edges", "intrinsic-edges-room",
                 &Common_subdivision::Side::intrinsic_edge, s_.intrinsic_face);
     write_field();
+  }
+
+  // A fan for each convex polygon.
+  void write_triangles() {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::size_t> polygon;
+    for (std::size_t f = 0; f < s_.number_of_faces(); ++f)
+      for (std::size_t k = 2; k < s_.face(f).size(); ++k) {
+        triangles.push_back({s_.face(f)[0], s_.face(f)[k - 1], s_.face(f)[k]});
+        polygon.push_back(f);
+      }
+    numbers("triangles", std::views::join(triangles));
+    const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
+    data("colors", [&](Base64_writer& out) {
+      for (const std::size_t f : polygon)
+        for (const std::uint8_t c : colors[s_.intrinsic_face[f]]) out.put(c);
+    });
+    data("sources", [&](Base64_writer& out) {
+      for (const std::size_t f : polygon)
+        for (const std::uint32_t source : {s_.intrinsic_face[f], s_.input_face[f]}) out.put(source);
+    });
   }
 
   void write_edges(std::string_view id, std::string_view room_id,

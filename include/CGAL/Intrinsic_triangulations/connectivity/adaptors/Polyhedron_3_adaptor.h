@@ -67,15 +67,10 @@ public:
 
   void add(Vertex v, const Mesh&) { add(v, vertices_); }
   void add(Edge e, const Mesh& mesh) {
-    const Halfedge h = CGAL::halfedge(e, mesh);
-    // the side that was freed last is the odd one
-    if (halfedges_.free.empty()) {
-      add(h, halfedges_);
-      add(h->opposite(), halfedges_);
-    } else {
-      add(h->opposite(), halfedges_);
-      add(h, halfedges_);
-    }
+    Halfedge h = CGAL::halfedge(e, mesh);
+    if (!halfedges_.free.empty()) h = h->opposite(); // the side that was freed last is the odd one
+    add(h, halfedges_);
+    add(h->opposite(), halfedges_);
   }
   void add(Face f, const Mesh&) { add(f, faces_); }
   void remove(Vertex v, const Mesh&) { remove(v, vertices_); }
