@@ -4,12 +4,15 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_UNFOLDED_FACE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_UNFOLDED_FACE_H
 
+#include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <CGAL/number_utils.h>
@@ -29,6 +32,14 @@ inline Face_side input_side(const Input& input, std::uint32_t halfedge) {
   const std::uint32_t f = input.face(halfedge), first = input.halfedge_of_face(f);
   if (halfedge == first) return {f, 0};
   return {f, halfedge == input.next(first) ? 1U : 2U};
+}
+
+/// returns a functor from an input halfedge to the values of its face, from it on, as doubles.
+inline auto approximate_values(const Input& input) {
+  return [&input](std::uint32_t h) {
+    return Face_values<double>{squared_lengths_of_face(input, h),
+                               input.quadruple_area(input.face(h))};
+  };
 }
 
 /*!
@@ -158,13 +169,23 @@ public:
     return result;
   }
 
-  /// returns the direction of the halfedge of a location, in the frame of the face whose first axis is its first side.
-  Plane_point<double> direction(const Place& p) const {
-    const Triangle& t = triangles_[p.triangle];
-    const Plane_point<double> d = approximate(t.point[1]) - approximate(t.point[0]),
-                              side = approximate(position(corner_[1])) -
-                                     approximate(position(corner_[0]));
-    return d * Plane_point<double>{side.x, -side.y};
+  /*!
+  \brief finds the point of the input at a point of the face, without rounding it.
+  \param weights barycentric coordinates of the point in the face
+  \return the point, and the direction of its halfedge from the first side of the face
+  */
+  Mapped_point locate(const std::array<double, 3>& weights) const {
+    const Plane_point<double> p = combination(weights);
+    Place place;
+    place.region = middle_region();
+    walk(p, place);
+    const Triangle& t = triangles_[place.triangle];
+    const Plane_point<double> d = approximate(t.point[1]) - approximate(t.point[0]);
+    const Plane_point<double> side =
+        approximate(position(corner_[1])) - approximate(position(corner_[0]));
+    const double length = std::sqrt(dot(d, d) * dot(side, side));
+    return {
+        {t.halfedge, barycentric(t, p)}, {dot(side, d) / length, cross(side, d) / length}, {1, 0}};
   }
 
 private:
@@ -178,7 +199,6 @@ private:
     std::array<double, 3> weights;
   };
 
-  static FT cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
   static Plane_point<double> approximate(const Point& p) {
     return {CGAL::to_double(p.x), CGAL::to_double(p.y)};
   }
@@ -319,21 +339,18 @@ private:
   }
 
   static std::array<double, 3> barycentric(const Triangle& t, const Plane_point<double>& p) {
-    const Plane_point<double> z = approximate(t.point[0]), a = approximate(t.point[1]) - z,
-                              b = approximate(t.point[2]) - z, q = p - z;
-    const double area = a.x * b.y - a.y * b.x;
-    std::array<double, 3> w{0, (q.x * b.y - q.y * b.x) / area, (a.x * q.y - a.y * q.x) / area};
-    w[0] = 1 - w[1] - w[2];
-    return w;
+    const Plane_point<double> from = approximate(t.point[0]), side = approximate(t.point[1]) - from;
+    const auto seen = [&](const Plane_point<double>& q) {
+      const Plane_point<double> v = q - from;
+      return Plane_point<double>{dot(side, v) / dot(side, side), cross(side, v) / dot(side, side)};
+    };
+    return weights_above_side(seen(p), seen(approximate(t.point[2])));
   }
 
   // relative distance from a curve within which a point is put on it: a few roundings of a circumcenter
   static constexpr double nearness = 0x1p-40;
 
   bool rounded(const Input& input, std::array<double, 3> w, Place& result) const {
-    for (double& x : w) x = std::max(x, 0.0);
-    const double sum = w[0] + w[1] + w[2];
-    for (double& x : w) x /= sum;
     const std::uint32_t t = result.triangle;
     if (t > 0 && w[2] < nearness) return put_on_curve(t, 2, w, result);
     for (const std::uint32_t child : {t + 1, static_cast<std::uint32_t>(along_) + 1}) {
