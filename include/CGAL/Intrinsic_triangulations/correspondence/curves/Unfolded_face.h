@@ -89,7 +89,7 @@ public:
       if (curves_.emanating[k] > 0) fan_ = k, first_ = (k + 1) % 3;
     std::array<Surface_point, 3> corners;
     for (unsigned k = 0; k < 3; ++k)
-      corners[k] = corner_on_input(coordinates, sides_[k], complex.source(sides_[k]));
+      corners[k] = corner_on_input(complex, coordinates, sides_[k]);
     const Input& input = coordinates.input();
     triangles_.clear();
     unit_ = values(corners[first_].halfedge).squared_lengths[0];
