@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INPUT_LOCATOR_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INPUT_LOCATOR_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_POINTS_ON_INPUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_POINTS_ON_INPUT_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
@@ -116,4 +116,4 @@ Surface_point location_on_side(const View& view, const Coordinates& coordinates,
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INPUT_LOCATOR_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_POINTS_ON_INPUT_H
