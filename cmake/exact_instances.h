@@ -7,7 +7,6 @@
 #ifndef INTRINSIC_TRIANGULATIONS_EXACT_INSTANCES_H
 #define INTRINSIC_TRIANGULATIONS_EXACT_INSTANCES_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
@@ -43,9 +42,6 @@ INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
     std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
     const Long_side_expression&) const;
-INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_euclidean_metric::exact_sign(
-    std::span<const Indexed_face>, std::vector<Face_values<Interval_nt<false>>>&,
-    const Side_of_curve_expression&) const;
 
 INTRINSIC_TRIANGULATIONS_INSTANCE Sign Exact_evaluation::sign(const Input_metric&,
                                                               const Unfolded_diamond&,

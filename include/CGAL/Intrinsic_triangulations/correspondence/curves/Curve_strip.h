@@ -138,32 +138,6 @@ private:
   Curve_end start_{}, end_{};
 };
 
-/*!
-\brief evaluates to a value that is positive iff a point of the first face of a strip is on the left of
-the curve, zero iff it is on it.
-*/
-class Side_of_curve_expression {
-public:
-  /// constructs the expression for the point with barycentric coordinates `weights`; the strip must
-  /// outlive it.
-  Side_of_curve_expression(const Curve_strip& strip, const std::array<double, 3>& weights)
-      : strip_(strip), weights_(weights) {}
-
-  /// evaluates the expression
-  template <class FT>
-  FT operator()(std::span<const Face_values<FT>> values) const {
-    const std::vector<Plane_point<FT>> points = strip_.unfold<FT>(values);
-    const FT j(weights_[1]), k(weights_[2]);
-    const Plane_point<FT> u = points[strip_.first()], d = points[strip_.last()] - u;
-    const Plane_point<FT> p{j + k * points[2].x - u.x, k * points[2].y - u.y};
-    return cross(d, p);
-  }
-
-private:
-  const Curve_strip& strip_;
-  std::array<double, 3> weights_;
-};
-
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_CURVE_STRIP_H

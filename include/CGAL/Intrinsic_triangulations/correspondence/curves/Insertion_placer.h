@@ -62,8 +62,8 @@ public:
     const Input& input = coordinates.input();
     const Intrinsic_view<Triangulation> view(t);
     if constexpr (!internal::Defined_by_places<typename Triangulation::Metric>) {
-      const auto place = place_with(rough_, view, coordinates, h, weights, along_side,
-                                    [&](std::uint32_t x) { return approximate(input, x); });
+      const auto place =
+          place_with(rough_, view, coordinates, h, weights, along_side, approximate_values(input));
       return placed(place, along_side);
     } else {
       const auto place =
@@ -106,12 +106,6 @@ private:
   static std::optional<Placed_insertion> placed(const std::optional<Place>& p, bool along_side) {
     if (!p) return std::nullopt;
     return Placed_insertion{along_side, p->region, p->location};
-  }
-
-  static Face_values<double> approximate(const Input& input, std::uint32_t x) {
-    const std::uint32_t y = input.next(x), z = input.next(y);
-    return {{input.squared_length(x / 2), input.squared_length(y / 2), input.squared_length(z / 2)},
-            input.quadruple_area(input.face(x))};
   }
 
   // from the values of a face to those from a halfedge of it on

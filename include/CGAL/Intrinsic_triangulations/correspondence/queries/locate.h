@@ -4,8 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Input_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -25,10 +25,15 @@ namespace internal {
 
 template <class Triangulation>
 std::optional<Mapped_point> map_to_input(const Triangulation& t, const Surface_point& p) {
-  if constexpr (Has_curves<Triangulation>)
-    return locate_by_curves(t, t.correspondence(), p.halfedge, p.weights).place;
-  else
+  if constexpr (Has_curves<Triangulation>) {
+    const auto& coordinates = t.correspondence();
+    Unfolded_face<double> face;
+    face.unfold(Intrinsic_view<Triangulation>(t), coordinates, p.halfedge,
+                approximate_values(coordinates.input()));
+    return face.locate(p.weights);
+  } else {
     return find_on_input(t, t.correspondence(), p);
+  }
 }
 
 template <class Triangulation>
@@ -48,8 +53,7 @@ std::optional<Mapped_point> map_to_intrinsic(const Triangulation& t, const Surfa
 \param t the triangulation
 \param p a point of it
 \return the point; nothing only if `Signposts` have lost the way by rounding
-\complexity with curves, that of following a number of them logarithmic in the number of crossings of the
-  face; with signposts, linear in the number of input edges between the point and a corner of its face
+\complexity with curves, linear in the number of crossings of the face, and that of following them; with signposts, linear in the number of input edges between the point and a corner of its face
 */
 template <internal::Queried_triangulation Triangulation>
 std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surface_point& p) {

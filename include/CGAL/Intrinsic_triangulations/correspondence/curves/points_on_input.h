@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_POINTS_ON_INPUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_POINTS_ON_INPUT_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/*!
+\file
+Where vertices and edges of the intrinsic triangulation are on the input, by integer coordinates.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// returns the input halfedge along which a curve starts.
+template <CurveCoordinates Coordinates>
+std::uint32_t input_halfedge(const Coordinates& coordinates, const Curve_end& start) {
+  const std::uint32_t h = start.halfedge;
+  const std::uint32_t on_it = coordinates.normal_coordinate(h / 2) < 0 ? 1 : 0;
+  return coordinates.fans().halfedge(coordinates.fans().advance(
+      coordinates.roundabout(h), on_it + static_cast<std::uint32_t>(start.index)));
+}
+
+/*!
+\brief returns where a vertex is along an input halfedge that it lies on: 0 at its source, 1 at its
+target.
+\param coordinates a correspondence that knows the location of inserted vertices
+\param vertex an intrinsic vertex
+\param halfedge an input halfedge, of which a part starts or ends at the vertex
+\param starts whether a part of it starts from the vertex
+*/
+template <class Coordinates>
+double parameter_on_halfedge(const Coordinates& coordinates, std::uint32_t vertex,
+                             std::uint32_t halfedge, bool starts) {
+  if (!coordinates.is_inserted(vertex)) return starts ? 0 : 1;
+  const Surface_point& p = coordinates.location(vertex);
+  return p.halfedge == halfedge ? p.weights[1] : p.weights[0];
+}
+
+/*!
+\brief describes a point of the input from another halfedge of the same face.
+\pre `base` and the halfedge of `p` have one face
+*/
+template <class Input>
+Surface_point seen_from(const Input& input, const Surface_point& p, std::uint32_t base) {
+  const std::array<double, 3>& w = p.weights;
+  if (p.halfedge == base) return p;
+  if (p.halfedge == input.next(base)) return {base, {w[2], w[0], w[1]}};
+  return {base, {w[1], w[2], w[0]}};
+}
+
+/// returns the vector from a point of the input to another one of the same face, in the frame of the first.
+template <class Input>
+Planar_vector<double> vector_between(const Input& input, const Surface_point& from,
+                                     const Surface_point& to) {
+  const Geodesic_face face(input, from.halfedge);
+  const Planar_vector<double> a = face.to_corner(from.weights, 0),
+                              b = face.to_corner(seen_from(input, to, from.halfedge).weights, 0);
+  return {a[0] - b[0], a[1] - b[1]};
+}
+
+/*!
+\brief returns the point of the input at a corner of an intrinsic face, in the input face in which the
+corner begins, counterclockwise from its first side.
+\param view the intrinsic triangulation
+\param coordinates the correspondence
+\param side first side of the corner
+*/
+template <class View, CurveCoordinates Coordinates>
+Surface_point corner_on_input(const View& view, const Coordinates& coordinates,
+                              std::uint32_t side) {
+  const std::uint32_t slot = coordinates.roundabout(side), vertex = view.source(side);
+  if (slot == Gluing::none) return coordinates.location(vertex);
+  const std::uint32_t h = coordinates.fans().halfedge(slot);
+  const double x = parameter_on_halfedge(coordinates, vertex, h, true);
+  return coordinates.normal_coordinate(side / 2) < 0 ? Surface_point{h, {1 - x, x, 0}}
+                                                     : Surface_point{h ^ 1U, {x, 1 - x, 0}};
+}
+
+/*!
+\brief returns the point of the input at a point of an intrinsic edge that runs along an input edge.
+\param view the intrinsic triangulation
+\param coordinates the correspondence
+\param h a halfedge of the edge, with a face
+\param parameter 0 at the source of `h`, 1 at its target
+\return a point on a halfedge of the input with the direction of `h`
+*/
+template <class View, CurveCoordinates Coordinates>
+Surface_point location_on_side(const View& view, const Coordinates& coordinates, std::uint32_t h,
+                               double parameter) {
+  const std::uint32_t x = coordinates.fans().halfedge(coordinates.roundabout(h));
+  const double from = parameter_on_halfedge(coordinates, view.source(h), x, true);
+  const double to = parameter_on_halfedge(coordinates, view.target(h), x, false);
+  const double along = from + parameter * (to - from);
+  return {x, {1 - along, along, 0}};
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_POINTS_ON_INPUT_H
