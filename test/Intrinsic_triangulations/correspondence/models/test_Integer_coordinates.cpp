@@ -104,6 +104,7 @@ TEST(Integer_coordinates, Count_the_crossings_in_the_plane_after_moves_of_vertic
       }
     }
     EXPECT_GT(mover.statuses[0], 50) << name;
+    EXPECT_LT(p.deviation, 0x1p-34) << name; // 2^-40 of the height of an input face, at most 64
   }
 }
 
