@@ -233,9 +233,9 @@ public:
   /*!
   \brief inserts a vertex in a face, or on an edge if one weight is zero.
 
-  The weights are rounded to multiples of 2^-52, see `representable_weights()`, which then define the
-  point exactly. A vertex on an edge splits the edge; one on an edge that runs along an input edge
-  splits that too.
+  With exact traits the point is rounded on the input: to an input face and barycentric coordinates there that are
+  multiples of 2^-52, which define it exactly from then on. Else the weights are, see `representable_weights()`. A
+  vertex on an edge splits the edge; one on an edge that runs along an input edge splits that too.
   \param h a halfedge of the face
   \param weights barycentric coordinates: of the source of `h`, its target, the third corner
   \return the new vertex, or why there is none; nothing has changed then

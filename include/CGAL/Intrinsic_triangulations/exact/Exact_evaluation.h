@@ -35,15 +35,14 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief decides signs that floating point intervals leave open, of expressions of any degree.
 
-A diamond is unfolded from the input, along the history of moves or by who asks. Ties over strips that are folded
+A diamond or a face is unfolded from the input, along the history of flips or by who asks. Ties over strips that are folded
 along parallel lines are found first. Then values are computed in doubles, which may be enough: stored ones carry
 the errors of all flips before. Most of the others are zero, which a `Diamond_zero_test` tells. If not, values are
 computed in intervals of 128 bits, and the precision is doubled until the sign shows, which must happen if the
 value is proven not to be zero. One that is only probably zero counts as zero at 1024 bits.
 
-Where a diamond or a face cannot be unfolded, or inserted vertices are defined by many others, values are computed
-by the moves instead, from 512 bits on, since errors grow with the moves. They are remembered, so that every move
-is evaluated once, as a rule.
+What the history cannot unfold is computed by the flips instead, from 512 bits on, since errors grow with their number.
+Their values are remembered, so that every flip is evaluated once, as a rule.
 */
 class Exact_evaluation {
 public:
