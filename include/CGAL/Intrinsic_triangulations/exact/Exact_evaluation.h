@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
@@ -72,6 +73,10 @@ public:
       better = in_doubles;
       ++statistics.escalations[53];
       return get_certain(s);
+    }
+    if (const std::optional<Sign> flat = sign_in_plane(input, diamond, expression)) {
+      ++(*flat == ZERO ? statistics.certified_zero : statistics.integer);
+      return *flat;
     }
     return internal::escalated_sign(
         first_bits, [&] { return values(input, diamond); },
@@ -241,6 +246,18 @@ private:
       return Integer_faces::is_in_space(input) && is_cocircular_strip(input, diamond);
     else
       return false;
+  }
+
+  // among inserted vertices; others have been tried in integers of fixed size
+  template <class Expression>
+  static std::optional<Sign> sign_in_plane(const Input_metric& input,
+                                           const Unfolded_diamond& diamond,
+                                           const Expression& expression) {
+    if constexpr (PolynomialExpression<Expression>)
+      if (degree_of(expression).is_linear_in_areas() && !diamond.combinations.empty() &&
+          Integer_faces::is_in_space(input))
+        return coplanar_diamond_sign(input, diamond, expression);
+    return std::nullopt;
   }
 
   Intervals& intervals() { return intervals_[Gmpfi::get_default_precision()]; }
