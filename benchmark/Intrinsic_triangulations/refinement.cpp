@@ -1,13 +1,16 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How long does Delaunay refinement take, compared with CGAL's intrinsic Delaunay triangulation of the heat
-// method, and does its time grow linearly with the vertices inserted?
+// How long does Delaunay refinement take, exactly (the default setting: with integer coordinates) and with doubles,
+// compared with CGAL's intrinsic Delaunay triangulation of the heat method, and does its time grow linearly with the
+// vertices inserted?
 // Usage: refinement [DIRECTORY [REPETITIONS [MAXIMUM_INSERTIONS]]] > result.json
 
 #include "benchmark_support.h"
 
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <nlohmann/json.hpp>
@@ -28,9 +31,13 @@ using namespace IT::benchmark;
 
 namespace {
 
-using Lengths_only = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
-using With_integers = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
-                                                  IT::Integer_coordinates>;
+template <class Correspondence>
+using Doubles =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>, Correspondence>;
+template <class Correspondence>
+using Exact =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Correspondence>;
+using Lengths_only = Doubles<IT::No_correspondence>;
 
 struct Refined {
   double milliseconds = 0;
@@ -60,8 +67,16 @@ struct Contender {
   std::string name;
   Refined (*run)(const Surface_mesh&, const Criteria&);
 };
-const std::vector<Contender> contenders = {{"double", run_refinement<Lengths_only>},
-                                           {"double_integer", run_refinement<With_integers>}};
+// each exact one after its double
+const std::vector<Contender> contenders = {
+    {"double_integer", run_refinement<Doubles<IT::Integer_coordinates>>},
+    {"exact_integer", run_refinement<Exact<IT::Integer_coordinates>>},
+    {"double", run_refinement<Lengths_only>},
+    {"exact", run_refinement<Exact<IT::No_correspondence>>},
+    {"double_crossings", run_refinement<Doubles<IT::Explicit_crossings>>},
+    {"exact_crossings", run_refinement<Exact<IT::Explicit_crossings>>},
+    {"double_signposts", run_refinement<Doubles<IT::Signposts>>},
+    {"exact_signposts", run_refinement<Exact<IT::Signposts>>}};
 
 struct Workload {
   std::string name;
@@ -70,8 +85,12 @@ struct Workload {
 
 std::vector<Workload> workloads(const std::string& directory) {
   std::vector<Workload> result;
-  for (const char* name : {"camel", "armadillo", "refined_elephant"})
+  for (const char* name : {"camel", "armadillo", "refined_elephant", "spool", "blade", "cheese"})
     result.push_back({name, [=] { return read_mesh(directory, name); }});
+  result.push_back({"shear_torus", [] {
+                      return IT::synthetic::to_surface_mesh<Kernel::Point_3>(
+                          IT::synthetic::shear_torus());
+                    }});
   result.push_back({"arma_split200k", [=] { return split_armadillo(directory, 200000); }});
   result.push_back({"arma_s2x6", [=] {
                       const auto soup = IT::synthetic::to_soup(read_mesh(directory, "armadillo"));
@@ -106,8 +125,9 @@ nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
       for (std::size_t a = 0; a < angles.size(); ++a) {
         const Refined r = contenders[c].run(mesh, {.minimum_angle = angles[a]});
         fastest[c][a] = std::min(fastest[c][a], r.milliseconds);
-        result[contenders[c].name][std::to_string(static_cast<int>(angles[a]))] =
-            row(r, fastest[c][a], yardstick);
+        nlohmann::json entry = row(r, fastest[c][a], yardstick);
+        if (c % 2 == 1) entry["ratio_to_double"] = fastest[c][a] / fastest[c - 1][a];
+        result[contenders[c].name][std::to_string(static_cast<int>(angles[a]))] = entry;
       }
   }
   result["cgal"]["milliseconds"] = yardstick;

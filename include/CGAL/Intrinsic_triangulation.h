@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Session.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <array>
@@ -116,7 +117,9 @@ public:
   */
   Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input)
       : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
-        metric_(std::move(metric)) {
+        metric_(std::move(metric)), rows_(input_->number_of_vertices()) {
+    for (const vertex_descriptor v : vertices(mesh_))
+      if (is_inserted(v)) rows_.insert(index(v));
     static_assert(IntrinsicCorrespondence<Correspondence, Intrinsic_triangulation>);
     correspondence_.start(*this);
   }
@@ -124,14 +127,16 @@ public:
   /// copies everything but the input, which is shared; elements keep their numbers.
   Intrinsic_triangulation(const Intrinsic_triangulation& other)
       : input_(other.input_), mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
-        metric_(other.metric_), correspondence_(other.correspondence_), places_(other.places_) {
+        metric_(other.metric_), correspondence_(other.correspondence_), places_(other.places_),
+        rows_(other.rows_) {
     places_.attach(*this, metric_);
   }
   /// moves everything; elements keep their numbers.
   Intrinsic_triangulation(Intrinsic_triangulation&& other)
       : input_(std::move(other.input_)), mesh_(std::move(other.mesh_)),
         number_(mesh_, other.number_, other.mesh_), metric_(std::move(other.metric_)),
-        correspondence_(std::move(other.correspondence_)), places_(std::move(other.places_)) {
+        correspondence_(std::move(other.correspondence_)), places_(std::move(other.places_)),
+        rows_(std::move(other.rows_)) {
     places_.attach(*this, metric_);
   }
   /// assigns everything; elements keep their numbers.
@@ -143,6 +148,7 @@ public:
     metric_ = std::move(other.metric_);
     correspondence_ = std::move(other.correspondence_);
     places_ = std::move(other.places_);
+    rows_ = std::move(other.rows_);
     places_.attach(*this, metric_);
     return *this;
   }
@@ -163,10 +169,13 @@ public:
   const Input_report& report() const { return input_->report(); }
 
   /// returns the number that vertex `v` has in the input, in the order of iteration there; of an
-  /// inserted vertex, one that follows those. It is the row of `v` in all matrices of operators.
+  /// inserted vertex, one that follows those, without gaps: removal of a vertex changes those after it. It is the row
+  /// of `v` in all matrices of operators, and its place in files.
   std::uint32_t input_vertex(vertex_descriptor v) const {
-    return input_->names().vertices.user(index(v));
+    return is_inserted(v) ? rows_.row(index(v)) : input_->names().vertices.user(index(v));
   }
+  /// returns the number of vertices, which is that of rows of matrices.
+  std::uint32_t number_of_vertices() const { return rows_.number_of_rows(); }
 
   /// returns the number of a vertex: from 0, unchanged by moves.
   std::uint32_t index(vertex_descriptor v) const { return number_.vertex(v); }
@@ -224,9 +233,9 @@ public:
   /*!
   \brief inserts a vertex in a face, or on an edge if one weight is zero.
 
-  The weights are rounded to multiples of 2^-52, see `representable_weights()`, which then define the
-  point exactly. A vertex on an edge splits the edge; one on an edge that runs along an input edge
-  splits that too.
+  With exact traits the point is rounded on the input: to an input face and barycentric coordinates there that are
+  multiples of 2^-52, which define it exactly from then on. Else the weights are, see `representable_weights()`. A
+  vertex on an edge splits the edge; one on an edge that runs along an input edge splits that too.
   \param h a halfedge of the face
   \param weights barycentric coordinates: of the source of `h`, its target, the third corner
   \return the new vertex, or why there is none; nothing has changed then
@@ -290,6 +299,7 @@ private:
   Metric metric_;
   [[no_unique_address]] Correspondence correspondence_;
   [[no_unique_address]] Places places_;
+  internal::Vertex_rows rows_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -16,7 +16,7 @@ measures shapes, and what matrices are assembled from. No edge is flipped.
 
 | operation | needs |
 |---|---|
-| \itf{lumped_mass_matrix}, \itf{galerkin_mass_matrix} | `area`, `input_vertex`, `numbers` |
+| \itf{lumped_mass_matrix}, \itf{galerkin_mass_matrix} | `area`, `input_vertex`, `number_of_vertices`, `numbers` |
 | \itf{cotangent_laplacian} | also `Const_session::cotangent_weight`, `Metric::is_degenerate`; `input` to name a face without area |
 | \itf{solve_reaction_diffusion}, \itf{harmonic_green_function}, \itf{short_time_heat_kernel} | what the matrices need |
 | \itf{residual_indicators} | also `squared_length` |
@@ -25,7 +25,7 @@ measures shapes, and what matrices are assembled from. No edge is flipped.
 
 \cgalHeading{Invariants}
 
-Those of \ref ::IntrinsicMetric on values. Rows of different vertices differ and are below `vertex_capacity()`.
+Those of \ref ::IntrinsicMetric on values. Rows of different vertices differ and are below `number_of_vertices()`.
 
 \cgalHeading{Complexity}
 
@@ -77,12 +77,14 @@ public:
   double area(face_descriptor f) const;
   /// returns the row of a vertex in matrices: its number in the user's mesh, or one that follows those.
   std::uint32_t input_vertex(vertex_descriptor v) const;
+  /// returns the number of vertices, which is that of rows.
+  std::uint32_t number_of_vertices() const;
   /// returns the surface that the triangulation was built from, for the names of its elements.
   const CGAL::Intrinsic_triangulations::Input& input() const;
   /// returns the squared length of an edge, in the units of the input.
   double squared_length(edge_descriptor e) const;
   /// returns the metric.
   const Metric& metric() const;
-  /// returns an object with members `vertex_capacity(mesh)`, `edge_capacity(mesh)`, `face_capacity(mesh)`: bounds of numbers.
+  /// returns an object with members `edge_capacity(mesh)`, `face_capacity(mesh)`: bounds of numbers.
   unspecified_type numbers() const;
 };

@@ -68,6 +68,8 @@ public:
   double area(face_descriptor f) const;
   /// returns the row of a vertex in matrices: its number in the user's mesh, or one that follows those.
   std::uint32_t input_vertex(vertex_descriptor v) const;
+  /// returns the number of vertices, which is that of rows.
+  std::uint32_t number_of_vertices() const;
   /// returns the surface that the triangulation was built from, for the names of its elements.
   const CGAL::Intrinsic_triangulations::Input& input() const;
   /// tells whether a vertex was inserted.

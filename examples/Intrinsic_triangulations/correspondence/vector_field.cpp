@@ -27,7 +27,7 @@ int main(int argc, char* argv[]) {
   IT::delaunay_refine(t, IT::parameters::minimum_angle(30));
 
   // at each vertex the unit vector along its first edge: 1 in the polar coordinates there
-  const IT::Tangent_field field(t.numbers().vertex_capacity(t.mesh()), 1);
+  const IT::Tangent_field field(t.number_of_vertices(), 1);
   //! [field]
   const auto at_vertices = IT::vectors_in_space(t, field, mesh);
   const auto on_faces = IT::vectors_in_space(t, field, IT::common_subdivision(t), mesh);

@@ -76,6 +76,9 @@ Json delaunay_json(const IT::Flip_to_delaunay_result& flips,
   json["escalations"] = Json::object();
   for (const auto& [bits, count] : statistics.escalations)
     json["escalations"][std::to_string(bits)] = count;
+  json["sharpenings"] = Json::object();
+  for (const auto& [bits, count] : statistics.sharpenings)
+    json["sharpenings"][std::to_string(bits)] = count;
   json["certified_zero"] = statistics.certified_zero;
   json["probable_zero"] = statistics.probable_zero + check.probable_zero;
   json["non_delaunay_edges"] = check.non_delaunay_edges;

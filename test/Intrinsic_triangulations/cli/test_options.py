@@ -13,7 +13,7 @@ KEYS = {
     "input": {"file", "vertices", "edges", "faces", "boundary_edges", "components", "genus",
               "degenerate_faces"},
     "mollification": {"kind", "delta"},
-    "delaunay": {"checks", "flips", "filter_failures", "escalations", "certified_zero",
+    "delaunay": {"checks", "flips", "filter_failures", "escalations", "sharpenings", "certified_zero",
                  "probable_zero", "non_delaunay_edges"},
     "quality": {"min_angle_deg", "max_angle_deg", "min_cotan_weight"},
     "laplacian": {"trace"},

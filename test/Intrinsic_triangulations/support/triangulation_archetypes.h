@@ -109,9 +109,6 @@ protected:
 class Capacities {
 public:
   explicit Capacities(const Wrapped& t) : t_(t) {}
-  std::uint32_t vertex_capacity(const Wrapped::Mesh& m) const {
-    return t_.numbers().vertex_capacity(m);
-  }
   std::uint32_t edge_capacity(const Wrapped::Mesh& m) const {
     return t_.numbers().edge_capacity(m);
   }
@@ -149,6 +146,7 @@ public:
   double squared_length(edge_descriptor e) const { return t_.squared_length(e); }
   double area(face_descriptor f) const { return t_.area(f); }
   std::uint32_t input_vertex(vertex_descriptor v) const { return t_.input_vertex(v); }
+  std::uint32_t number_of_vertices() const { return t_.number_of_vertices(); }
   const IT::Input& input() const { return t_.input(); }
   Capacities numbers() const { return Capacities(t_); }
 
@@ -160,6 +158,9 @@ private:
 class Numbers : public Capacities {
 public:
   using Capacities::Capacities;
+  std::uint32_t vertex_capacity(const Wrapped::Mesh& m) const {
+    return t_.numbers().vertex_capacity(m);
+  }
   std::uint32_t vertex(Wrapped::vertex_descriptor v) const { return t_.numbers().vertex(v); }
   std::uint32_t halfedge(Wrapped::halfedge_descriptor h) const { return t_.numbers().halfedge(h); }
   std::uint32_t face(Wrapped::face_descriptor f) const { return t_.numbers().face(f); }
@@ -185,6 +186,7 @@ public:
   bool is_inserted(vertex_descriptor v) const { return t_.is_inserted(v); }
   const Metric& metric() const { return metric_; }
   std::uint32_t input_vertex(vertex_descriptor v) const { return t_.input_vertex(v); }
+  std::uint32_t number_of_vertices() const { return t_.number_of_vertices(); }
   const IT::Input& input() const { return t_.input(); }
   Numbers numbers() const { return Numbers(t_); }
 

@@ -236,7 +236,7 @@ TEST(Archetypes, corresponding_triangulation_is_enough_for_queries) {
   EXPECT_EQ(s.number_of_faces(), IT::common_subdivision(all).number_of_faces());
   const Eigen::VectorXd g = alternating(static_cast<Eigen::Index>(num_vertices(mesh)));
   EXPECT_EQ(IT::copy_to_intrinsic(t, g), IT::copy_to_intrinsic(all, g));
-  const IT::Tangent_field field(t.numbers().vertex_capacity(t.mesh()), {1, 0});
+  const IT::Tangent_field field(t.number_of_vertices(), {1, 0});
   EXPECT_EQ(IT::vectors_in_space(t, field, mesh), IT::vectors_in_space(all, field, mesh));
   EXPECT_EQ(IT::vectors_in_space(t, field, s, mesh), IT::vectors_in_space(all, field, s, mesh));
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
@@ -35,14 +36,14 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief decides signs that floating point intervals leave open, of expressions of any degree.
 
-A diamond is unfolded from the input, along the history of flips or by who asks. Ties over strips that are folded
-along parallel lines are found first. Then values are computed in doubles, which may be enough: stored ones carry
-the errors of all flips before. Most of the others are zero, which a `Diamond_zero_test` tells. If not, values are
+A diamond or a face is unfolded from the input, along the history of flips or by who asks. Ties over strips that
+are folded along parallel lines are found first. Then values are computed in doubles, which may be enough: stored
+ones carry the errors of all flips before. Most of the others are zero, which a `Diamond_zero_test` tells. If not, values are
 computed in intervals of 128 bits, and the precision is doubled until the sign shows, which must happen if the
 value is proven not to be zero. One that is only probably zero counts as zero at 1024 bits.
 
-Where a diamond or a face cannot be unfolded along the history, values are computed by the flips instead, from 512
-bits on, since errors grow with the flips. They are remembered, so that every flip is evaluated once, as a rule.
+What the history cannot unfold is computed by the flips instead, from 512 bits on, since errors grow with their number.
+Their values are remembered, so that every flip is evaluated once, as a rule.
 */
 class Exact_evaluation {
 public:
@@ -72,6 +73,10 @@ public:
       better = in_doubles;
       ++statistics.escalations[53];
       return get_certain(s);
+    }
+    if (const std::optional<Sign> flat = sign_in_plane(input, diamond, expression)) {
+      ++(*flat == ZERO ? statistics.certified_zero : statistics.integer);
+      return *flat;
     }
     return internal::escalated_sign(
         first_bits, [&] { return values(input, diamond); },
@@ -241,6 +246,18 @@ private:
       return Integer_faces::is_in_space(input) && is_cocircular_strip(input, diamond);
     else
       return false;
+  }
+
+  // among inserted vertices; others have been tried in integers of fixed size
+  template <class Expression>
+  static std::optional<Sign> sign_in_plane(const Input_metric& input,
+                                           const Unfolded_diamond& diamond,
+                                           const Expression& expression) {
+    if constexpr (PolynomialExpression<Expression>)
+      if (degree_of(expression).is_linear_in_areas() && diamond.has_inserted_corners() &&
+          Integer_faces::is_in_space(input))
+        return coplanar_diamond_sign(input, diamond, expression);
+    return std::nullopt;
   }
 
   Intervals& intervals() { return intervals_[Gmpfi::get_default_precision()]; }

@@ -21,7 +21,7 @@ struct Predicate_statistics {
   std::uint64_t integer = 0;
   /// Predicates decided by interval arithmetic of so many bits; 53: doubles, unfolded anew from the input.
   std::map<unsigned, std::uint64_t> escalations;
-  /// Faces whose stored values were made narrow by interval arithmetic of so many bits, to place points by them.
+  /// Faces whose values were computed by interval arithmetic of so many bits, for an insertion or a query.
   std::map<unsigned, std::uint64_t> sharpenings;
   /// Values proven to be zero by exact arithmetic.
   std::uint64_t certified_zero = 0;

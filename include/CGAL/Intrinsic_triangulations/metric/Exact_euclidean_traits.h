@@ -41,12 +41,10 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief stores the metric as intervals that contain the exact values, and decides exactly.
 
-A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, the
-values are recomputed from the input by the history of moves, in multi-precision intervals of 128,
-256, ... bits, between which exact arithmetic tells whether the value is zero: see
-`Exact_evaluation`. Better intervals found on the way replace the stored ones: they are a cache, so that
-predicates are const. Nothing is locked: not even predicates of one metric may run in two threads at a
-time.
+A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, `Exact_evaluation` decides
+by the input faces underneath, which the history of flips tells, or an `Input_unfolder` once vertices have been
+inserted. Better intervals found on the way replace the stored ones: they are a cache, so that predicates are const.
+Nothing is locked: not even predicates of one metric may run in two threads at a time.
 
 All members but the constructors and `Scope` ask for a live `Scope`, which sets the rounding mode
 that interval arithmetic needs.

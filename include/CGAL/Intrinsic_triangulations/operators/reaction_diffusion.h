@@ -42,7 +42,7 @@ inline void check(const Reaction_diffusion& e) {
 template <class Triangulation>
 bool is_connected(const Triangulation& t) {
   const auto& mesh = t.mesh();
-  std::vector<std::uint32_t> root(t.numbers().vertex_capacity(mesh));
+  std::vector<std::uint32_t> root(t.number_of_vertices());
   std::iota(root.begin(), root.end(), 0U);
   const auto find = [&root](std::uint32_t v) {
     while (root[v] != v) v = root[v] = root[root[v]];
@@ -51,7 +51,7 @@ bool is_connected(const Triangulation& t) {
   std::vector<char> has_edge(root.size(), 0);
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
-    const std::uint32_t i = t.index(source(h, mesh)), j = t.index(target(h, mesh));
+    const std::uint32_t i = t.input_vertex(source(h, mesh)), j = t.input_vertex(target(h, mesh));
     has_edge[i] = has_edge[j] = 1;
     root[find(i)] = find(j);
   }

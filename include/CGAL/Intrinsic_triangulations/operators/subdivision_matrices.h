@@ -125,15 +125,6 @@ using Interpolation_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 namespace internal {
 
-// A vertex of the input has one number in both triangulations, that of the input, as in all operators.
-inline std::vector<std::uint32_t> operator_numbers(const Common_subdivision& s) {
-  std::vector<std::uint32_t> number(s.number_of_intrinsic_vertices, 0);
-  for (const Common_subdivision::Vertex& v : s.vertices)
-    number[v.intrinsic] =
-        v.kind == Subdivision_vertex_kind::input ? v.on_input.vertices[0] : v.intrinsic;
-  return number;
-}
-
 // entries of one row; sorted, and equal columns added up
 inline void append_row(Weighted_vertices w, Interpolation_matrix& m, Eigen::Index row) {
   m.startVec(row);
@@ -187,19 +178,15 @@ triangulation to values at the vertices of the common subdivision.
 
 Its shape is |V_S| x |V_int|. Rows have one or two entries, since the faces of the intrinsic triangulation
 have no vertices inside. Columns are numbered as in all operators: vertices of the input as there,
-then the inserted ones. Columns of removed vertices are empty.
+then the inserted ones.
 \param s the subdivision
 \return a compressed matrix
 \throws Invalid_input if the subdivision is too large for the index type of Eigen
 \complexity linear
 */
 inline Interpolation_matrix interpolation_from_intrinsic(const Common_subdivision& s) {
-  const std::vector<std::uint32_t> number = internal::operator_numbers(s);
-  return internal::interpolation_matrix(s, s.number_of_intrinsic_vertices, [&](std::size_t v) {
-    Weighted_vertices w = s.on_intrinsic(v);
-    for (std::size_t i = 0; i < w.size; ++i) w.vertices[i] = number[w.vertices[i]];
-    return w;
-  });
+  return internal::interpolation_matrix(s, s.number_of_intrinsic_vertices,
+                                        [&s](std::size_t v) { return s.on_intrinsic(v); });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -143,7 +143,7 @@ Vertices that have been removed have a row too, until their number is taken agai
 */
 template <MeasuredTriangulation Triangulation>
 int checked_matrix_size(const Triangulation& t) {
-  const std::uint64_t rows = t.numbers().vertex_capacity(t.mesh()),
+  const std::uint64_t rows = t.number_of_vertices(),
                       entries = rows + 2 * std::uint64_t{t.numbers().edge_capacity(t.mesh())};
   internal::expect_countable(entries,
                              "a matrix of the mesh has " + std::to_string(entries) + " entries");

@@ -53,14 +53,13 @@ typename Derived::PlainObject copy_to_input(const Triangulation& t,
 the value that the function has there.
 \param t the triangulation, with a correspondence if vertices were inserted
 \param g values at the vertices of the input, a function per column
-\return values at the vertices; zero at numbers that no vertex has
+\return values at the vertices
 \complexity linear
 */
 template <internal::Queried_triangulation Triangulation, class Derived>
 typename Derived::PlainObject copy_to_intrinsic(const Triangulation& t,
                                                 const Eigen::MatrixBase<Derived>& g) {
-  typename Derived::PlainObject f =
-      Derived::PlainObject::Zero(t.numbers().vertex_capacity(t.mesh()), g.cols());
+  typename Derived::PlainObject f = Derived::PlainObject::Zero(t.number_of_vertices(), g.cols());
   for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh())) {
     const std::uint32_t row = t.input_vertex(v);
     if (!t.is_inserted(v)) {
@@ -140,11 +139,10 @@ private:
 
   // rows without area become those of copying
   void keep_values_without_area(const Common_subdivision& s, bool back) {
-    const std::vector<std::uint32_t> number = internal::operator_numbers(s);
     std::vector<Eigen::Triplet<double>> ones, copies;
     const Eigen::VectorXd diagonal = mass_.diagonal();
     for (const Common_subdivision::Vertex& v : s.vertices) {
-      const auto i = static_cast<int>(number[v.intrinsic]);
+      const auto i = static_cast<int>(v.intrinsic);
       if (i >= mass_.rows() || diagonal[i] != 0) continue;
       if (back)
         copies.emplace_back(i, i, 1);

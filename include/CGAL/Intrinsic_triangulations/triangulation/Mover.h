@@ -147,6 +147,7 @@ public:
   Move_status remove_from_face(Halfedge h) {
     const Removal_from_face move{star_of_vertex(h)};
     if (!ask(move)) return Move_status::not_removable;
+    t_.rows_.remove(move.vertex);
     metric_.remove_from_face(move.edges_and_faces());
     remove_degree_3_vertex(h, mesh_, number_);
     tell(move);
@@ -156,6 +157,7 @@ public:
   Move_status remove_from_border(Halfedge h) {
     const Removal_from_border move{star_on_border(h)};
     if (!ask(move)) return Move_status::not_removable;
+    t_.rows_.remove(move.vertex);
     metric_.remove_from_border_edge(move.edges_and_faces());
     remove_border_vertex(h, mesh_, number_);
     tell(move);
@@ -197,6 +199,7 @@ private:
       remove_degree_3_vertex(h, mesh_, number_);
       return {Move_status::arithmetic};
     }
+    t_.rows_.insert(move.vertex);
     tell(move);
     return {Move_status::done, v};
   }
@@ -242,6 +245,7 @@ private:
       remove_border_vertex(h, mesh_, number_);
       return {Move_status::arithmetic};
     }
+    t_.rows_.insert(move.vertex);
     tell(move);
     return {Move_status::done, v};
   }

@@ -260,7 +260,7 @@ concept Has_matrix_rows = requires(const Triangulation& t,
   { t.index(v) } -> std::same_as<std::uint32_t>;
   { t.input() } -> std::same_as<const Input&>;
   { t.input_vertex(v) } -> std::same_as<std::uint32_t>;
-  { t.numbers().vertex_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;
+  { t.number_of_vertices() } -> std::same_as<std::uint32_t>;
   { t.numbers().edge_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;
   { t.numbers().face_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;
 };

@@ -50,7 +50,7 @@ Surface_mesh surface_mesh(const meshes::Mesh& m) {
 /// The vector (1, 2, 0) of the plane at every vertex.
 template <class T>
 IT::Tangent_field constant_field(const T& t, const Surface_mesh& mesh) {
-  IT::Tangent_field field(t.numbers().vertex_capacity(t.mesh()));
+  IT::Tangent_field field(t.number_of_vertices());
   for (const auto v : vertices(t.mesh())) {
     const auto h = opposite(halfedge(v, t.mesh()), t.mesh());
     auto points = IT::polyline(t, IT::trace_edge(t, edge(h, t.mesh())), mesh);
@@ -117,7 +117,7 @@ TYPED_TEST(Vector_field, Keeps_lengths_on_curved_surfaces) {
   const Surface_mesh mesh = surface_mesh(meshes::potato(2, 6));
   T t(mesh);
   IT::delaunay_refine(t, IT::parameters::maximum_circumradius(0.2));
-  IT::Tangent_field field(t.numbers().vertex_capacity(t.mesh()));
+  IT::Tangent_field field(t.number_of_vertices());
   for (std::size_t i = 0; i < field.size(); ++i)
     field[i] = std::polar(1 + 0.01 * static_cast<double>(i), static_cast<double>(i));
   const auto vectors = IT::vectors_in_space(t, field, mesh);

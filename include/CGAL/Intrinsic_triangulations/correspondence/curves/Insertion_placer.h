@@ -72,9 +72,10 @@ public:
       if (!place) return std::nullopt;
       values_ = face_.values(*place);
       if (along_side) values_.quadruple_areas[0] = FT(0);
-      if (!are_positive(values_, along_side) &&
-          !find_values(view, coordinates, h, *place, along_side))
-        return std::nullopt;
+      if (!are_positive(values_, along_side)) {
+        ++t.metric().statistics().sharpenings[bits];
+        if (!find_values(view, coordinates, h, *place, along_side)) return std::nullopt;
+      }
       return placed(place, along_side);
     }
   }

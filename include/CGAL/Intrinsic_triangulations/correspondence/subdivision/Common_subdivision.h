@@ -46,8 +46,9 @@ the coarsest polygon mesh in which every edge of both is a path.
 Vertices are numbered from 0: first the vertices of the intrinsic triangulation, then the crossings,
 those on one intrinsic edge together. Faces are convex polygons on the faces of both triangulations,
 counterclockwise, those in one intrinsic face together. Vertices and faces of the input go by
-their names, the user's numbers (see `Input_names`); intrinsic elements and input edges by the numbers that
-the intrinsic triangulation and its input have.
+their names, the user's numbers (see `Input_names`), intrinsic vertices by their rows
+(`Intrinsic_triangulation::input_vertex()`); intrinsic edges and faces, and input edges, by the numbers that the
+intrinsic triangulation and its input have.
 */
 struct Common_subdivision {
   /// A number that names nothing.
@@ -62,7 +63,7 @@ struct Common_subdivision {
 
   /// A vertex of the intrinsic triangulation.
   struct Vertex {
-    std::uint32_t intrinsic = none;                                ///< its number there
+    std::uint32_t intrinsic = none;                                ///< its row there
     Subdivision_vertex_kind kind = Subdivision_vertex_kind::input; ///< input or inserted
     std::uint32_t input_face = none; ///< a face of the input that contains it
     Weighted_vertices on_input;      ///< its location on the input
@@ -82,7 +83,7 @@ struct Common_subdivision {
 
   /// Number of vertices of the input: columns of the matrix that interpolates from it.
   std::uint32_t number_of_input_vertices = 0;
-  /// Bound of the numbers of intrinsic vertices: columns of the matrix that interpolates from them.
+  /// Number of vertices of the intrinsic triangulation: columns of the matrix that interpolates from them.
   std::uint32_t number_of_intrinsic_vertices = 0;
   /// Vertices of the intrinsic triangulation: vertices 0, 1, ... of the subdivision.
   std::vector<Vertex> vertices;

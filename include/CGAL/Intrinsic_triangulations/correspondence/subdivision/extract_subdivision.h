@@ -42,6 +42,8 @@ private:
   std::uint32_t user_vertex(std::uint32_t v) const { return t_.input().names().vertices.user(v); }
   std::uint32_t user_face(std::uint32_t f) const { return t_.input().names().faces.user(f); }
 
+  std::uint32_t row(std::uint32_t v) const { return t_.input_vertex(t_.numbers().vertex_at(v)); }
+
   void add_vertices() {
     const auto& input = coordinates_.input();
     s_.number_of_input_vertices = input.number_of_vertices();
@@ -51,13 +53,13 @@ private:
       vertex_[v] = static_cast<std::uint32_t>(s_.vertices.size());
       s_.vertices.push_back(vertex(v));
     }
-    s_.number_of_intrinsic_vertices = static_cast<std::uint32_t>(vertex_.size());
+    s_.number_of_intrinsic_vertices = t_.number_of_vertices();
   }
 
   Common_subdivision::Vertex vertex(std::uint32_t v) const {
     const auto& input = coordinates_.input();
     Common_subdivision::Vertex r;
-    r.intrinsic = v;
+    r.intrinsic = row(v);
     if (!coordinates_.is_inserted(v)) {
       r.kind = Subdivision_vertex_kind::input;
       r.on_input = {1, {user_vertex(v), none, none}, {1, 0, 0}};
@@ -81,7 +83,7 @@ private:
         const std::uint32_t x = crossings_.entered[i] & ~1U;
         s_.crossings[i] = {
             {x / 2, {user_vertex(input.source(x)), user_vertex(input.target(x))}, p.on_input[i]},
-            {e, {view_.source(2 * e), view_.target(2 * e)}, p.on_intrinsic[i]}};
+            {e, {row(view_.source(2 * e)), row(view_.target(2 * e))}, p.on_intrinsic[i]}};
       }
   }
 

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_ROWS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_ROWS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Counts the inserted vertices without the gaps that removals leave in their numbers: rows of matrices, in the order
+// of the numbers. After a removal, they are counted again when somebody asks.
+class Vertex_rows {
+public:
+  explicit Vertex_rows(std::uint32_t input_vertices = 0) : first_(input_vertices) {}
+
+  // the number of an inserted vertex, and of one that is removed
+  void insert(std::uint32_t number) {
+    const std::uint32_t i = number - first_;
+    if (i >= is_there_.size()) is_there_.resize(i + 1, 0);
+    is_there_[i] = 1;
+    if (is_current_ && i == row_.size())
+      row_.push_back(first_ + count_);
+    else
+      is_current_ = false;
+    ++count_;
+  }
+  void remove(std::uint32_t number) {
+    is_there_[number - first_] = 0;
+    is_current_ = false;
+    --count_;
+  }
+
+  std::uint32_t row(std::uint32_t number) const {
+    if (number < first_) return number;
+    if (!is_current_) count_again();
+    return row_[number - first_];
+  }
+  std::uint32_t number_of_rows() const { return first_ + count_; }
+
+private:
+  void count_again() const {
+    row_.resize(is_there_.size());
+    std::uint32_t next = first_;
+    for (std::size_t i = 0; i < row_.size(); ++i) {
+      row_[i] = next;
+      next += is_there_[i];
+    }
+    is_current_ = true;
+  }
+
+  std::uint32_t first_, count_ = 0;
+  std::vector<std::uint8_t> is_there_;
+  mutable std::vector<std::uint32_t> row_;
+  mutable bool is_current_ = true;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_ROWS_H
