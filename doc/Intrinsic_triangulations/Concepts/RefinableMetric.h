@@ -14,16 +14,28 @@ flips, and `insert_vertex()` and `remove_vertex()` do not compile.
 
 \cgalHasModel{all metrics of the package: \itc{Euclidean_metric}\, \itc{Exact_euclidean_metric}}
 
+\cgalHeading{What defines an inserted vertex}
+
+There are two kinds of models, which differ in the functions for insertions:
+
+- A metric that *measures* insertions computes new values from those that it has stored, and from barycentric coordinates
+  in the intrinsic face: \itc{Euclidean_metric}.
+- A metric that is *defined by places* is told the values, by what knows where all vertices are on the input:
+  \itc{Exact_euclidean_metric}. A vertex is exactly at a point of an input face whose barycentric coordinates are multiples
+  of 2^-52, so that values depend on the input alone, not on the moves that led there. The triangulation finds that point
+  within rounding of the one that was asked for.
+
 \cgalHeading{Which operation needs what}
 
 | operation | needs |
 |---|---|
-| `insert_vertex()`, `split_edge()` | `insert_in_face`, `insert_in_border_edge`, and the others to take them back |
+| `insert_vertex()`, `split_edge()` | `insert_in_face`, `insert_in_border_edge` of either kind, and the others to take them back |
 | `remove_vertex()` | `remove_from_face`, `remove_from_border_edge` |
 
 \cgalHeading{Invariants}
 
-Removing a vertex that was inserted restores the values, up to rounding.
+Removing a vertex that was inserted restores the values: up to rounding if the metric measures insertions, exactly what
+places define if it is defined by these.
 
 \cgalHeading{Complexity}
 
@@ -33,8 +45,10 @@ The C++20 concept \itc{RefinableMetric} in concepts.h checks the syntax.
 */
 class RefinableMetric {
 public:
+  /// Number type of stored values.
+  typedef unspecified_type FT;
   /*!
-  \brief computes the values at a vertex inserted in a face, and stores them.
+  \brief computes the values at a vertex inserted in a face, and stores them, if the metric measures insertions.
   \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one are stored
   \param weights barycentric coordinates, multiples of 2^-52 that sum to 1
   \return whether it was done; if not, nothing has changed
@@ -44,7 +58,7 @@ public:
   /// stores the values of a face from which a vertex is removed, in place of the first face of the star.
   void remove_from_face(const CGAL::Intrinsic_triangulations::Vertex_star& s);
   /*!
-  \brief computes the values at a vertex inserted on a border edge, and stores them.
+  \brief computes the values at a vertex inserted on a border edge, and stores them, if the metric measures insertions.
   \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge and face
   \param parameter weight of `j`
   \return whether it was done; if not, nothing has changed
@@ -52,4 +66,16 @@ public:
   bool insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s, double parameter);
   /// stores the values of a border edge and its face from which a vertex is removed.
   void remove_from_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s);
+  /// stores the values at a vertex inserted in a face, if the metric is defined by places.
+  void insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
+                      const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
+  /*!
+  \brief stores the values at a vertex inserted on a border edge, if the metric is defined by places.
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge and face
+  \param values those at the vertex as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip
+  */
+  void insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s,
+                             const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
+  /// tells whether places define the values: from the first insertion on.
+  bool is_defined_by_places() const;
 };

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
 #include "meshes.h"
+#include "places.h"
 
 #include <CGAL/Gmpq.h>
 
@@ -179,6 +180,8 @@ public:
     set(n, p);
     return n;
   }
+  /// The largest distance of a vertex from where it was asked for.
+  double deviation = 0;
   auto reposition(IT::Gluing_map::Vertex v, std::uint32_t h, const std::array<double, 3>& weights) {
     const Point p = at(h, weights);
     const auto n = t.reposition_vertex(v, {h}, weights);
@@ -207,8 +210,13 @@ private:
   template <class Insertion>
   void set(const Insertion& n, const Point& p) {
     if (n.status != IT::Move_status::done) return;
-    if (t.index(n.vertex) >= position.size()) position.resize(t.index(n.vertex) + 1);
-    position[t.index(n.vertex)] = p;
+    const std::uint32_t v = t.index(n.vertex);
+    if (v >= position.size()) position.resize(v + 1);
+    const IT::Surface_point& place = t.correspondence().location(v);
+    const bool is_place = places::is_exact(place);
+    const IT::Input& s = t.correspondence().input();
+    position[v] = places::combination(s, place.halfedge, place.weights, position);
+    deviation = std::max(deviation, is_place ? places::distance(p, position[v]) : 1);
   }
   IT::Normal_coordinate count(std::uint32_t e) const {
     const Point &a = position[view().source(2 * e)], &b = position[view().target(2 * e)];

@@ -65,6 +65,10 @@ using Integer_only = IT::Integer_only_triangulation<>;
 static_assert(IT::RefinableMetric<IT::Exact_euclidean_metric>);
 static_assert(IT::RefinableMetric<IT::Euclidean_metric<double>>);
 static_assert(!IT::RefinableMetric<archetypes::Metric>);
+static_assert(IT::internal::Defined_by_places<IT::Exact_euclidean_metric>);
+static_assert(!IT::internal::Measures_insertions<IT::Exact_euclidean_metric>);
+static_assert(IT::internal::Measures_insertions<IT::Euclidean_metric<double>>);
+static_assert(!IT::internal::Defined_by_places<IT::Euclidean_metric<double>>);
 static_assert(!IT::RefinableMetric<double>);
 
 // ---- NumberedComplex

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -66,10 +65,10 @@ plane, with integer coordinates: the hinge counts as 1. For other hinges in spac
 any common divisor of its coordinates: it stays a vector with integer coordinates in both planes. Thus
 hinges along an axis count as 1, too.
 
-<b>Vertices that were inserted</b> are convex combinations of others: s leaves the weights alone, so that
-they are no farther away. Where weights are multiples of 2^-e, 2^e times the point is a combination with
-integer coefficients of the corners of triangles. So with the largest such e the unit is divided by 2^e,
-and what was said holds of all triangles that the combinations reach.
+<b>Vertices that were inserted</b> are convex combinations of the corners of a triangle: s leaves the
+weights alone, so that they are no farther away. Where weights are multiples of 2^-e, 2^e times the point
+is a combination of these with integer coefficients. So with the largest such e the unit is divided by 2^e,
+and what was said holds of the triangles in which they are.
 
 The three integers are the products over the hinges between i and j, and over those that the left
 and the right face need besides.
@@ -130,34 +129,19 @@ private:
       distance.push_back(std::min(distance[t.start()] + length(*faces[n], (t.entry + 2) % 3),
                                   distance[t.end()] + length(*faces[n], (t.entry + 1) % 3)));
     }
-    for (const Unfolded_diamond::Combination& c : diamond.combinations) {
-      double farthest = 0;
-      for (const Unfolded_diamond::Corner& k : c.corners)
-        farthest = std::max(farthest, distance[diamond.point(k)]);
-      distance.push_back(farthest);
-    }
     double farthest = 0;
-    for (std::size_t c = 0; c < 4; ++c) farthest = std::max(farthest, distance[diamond.point(c)]);
+    for (const Unfolded_diamond::Corner& c : diamond.corners)
+      for (std::size_t k = 0; k < (c.is_inserted() ? 3U : 1U); ++k)
+        farthest = std::max(farthest, distance[diamond.points(c)[k]]);
     reach_ = std::log2(farthest) + static_cast<double>(exponent_);
   }
 
-  // For each combination the e for which 2^e times it has integer coefficients; refines the unit.
+  // finds the least e for which 2^e times all weights are integers; refines the unit
   void find_denominators(const Unfolded_diamond& diamond) {
-    std::vector<int> denominators;
-    for (const Unfolded_diamond::Combination& c : diamond.combinations) {
-      int e = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (c.weights[k] == 0) continue;
-        const bool is_nested = c.corners[k].is_combination();
-        e = std::max(e, fractional_bits(c.weights[k]) +
-                            (is_nested ? denominators[c.corners[k].index] : 0));
-      }
-      denominators.push_back(e);
-    }
-    int largest = 0;
+    int e = 0;
     for (const Unfolded_diamond::Corner& c : diamond.corners)
-      if (c.is_combination()) largest = std::max(largest, denominators[c.index]);
-    reach_ += largest;
+      for (const double w : c.weights) e = std::max(e, fractional_bits(w));
+    reach_ += e;
   }
 
   // the least e >= 0 for which 2^e x is an integer
@@ -176,39 +160,23 @@ private:
     return std::sqrt(std::ldexp(m, static_cast<int>(e - 2 * f.exponent))) + tiny;
   }
 
-  // how many triangles each corner of the diamond needs
-  using Counts = std::array<std::uint32_t, 4>;
-
-  // which triangles they are: 0 or 1 for each
-  static std::vector<Counts> triangles_of_corners(const Unfolded_diamond& diamond) {
-    std::vector<Counts> triangles(diamond.triangles.size(), Counts{});
-    std::vector<Counts> combinations(diamond.combinations.size(), Counts{});
-    const auto counts = [&](const Unfolded_diamond::Corner& c) -> Counts& {
-      return c.is_combination() ? combinations[c.index] : triangles[c.index];
-    };
-    for (std::size_t c = 0; c < 4; ++c) counts(diamond.corners[c])[c] = 1;
-    for (std::size_t n = combinations.size(); n-- > 0;)
-      for (const Unfolded_diamond::Corner& k : diamond.combinations[n].corners)
-        for (std::size_t c = 0; c < 4; ++c) counts(k)[c] |= combinations[n][c];
-    return triangles;
-  }
+  // of the corners of the diamond
+  using Flags = std::array<bool, 4>;
 
   void find_hinges(const Unfolded_diamond& diamond, const std::vector<const Integer_face*>& faces,
                    bool in_space) {
-    std::vector<Counts> beyond = triangles_of_corners(diamond); // summed over the subtree
-    Counts total{};
-    for (const Counts& own : beyond)
-      for (std::size_t c = 0; c < 4; ++c) total[c] += own[c];
+    std::vector<Flags> beyond(faces.size(), Flags{}); // whether a corner is in the subtree
+    for (std::size_t c = 0; c < 4; ++c) beyond[diamond.corners[c].triangle][c] = true;
     for (std::size_t n = faces.size(); n-- > 1;) {
       const Unfolded_diamond::Triangle& t = diamond.triangles[n];
-      for (std::size_t c = 0; c < 4; ++c) beyond[t.parent][c] += beyond[n][c];
+      for (std::size_t c = 0; c < 4; ++c) beyond[t.parent][c] = beyond[t.parent][c] || beyond[n][c];
       if (in_space && Integer_faces::are_flat(*faces[n], *faces[t.parent])) continue;
-      const auto separates = [&inside = beyond[n], &total](unsigned set) {
+      const auto separates = [&inside = beyond[n]](unsigned set) {
         bool some = false, others = false;
         for (std::size_t c = 0; c < 4; ++c) {
           if ((set >> c) % 2 == 0) continue;
-          some = some || inside[c] > 0;
-          others = others || inside[c] < total[c];
+          some = some || inside[c];
+          others = others || !inside[c];
         }
         return some && others;
       };

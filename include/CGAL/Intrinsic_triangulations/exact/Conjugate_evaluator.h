@@ -58,14 +58,14 @@ public:
   Conjugate_evaluator(const Unfolded_diamond& diamond, const std::vector<Shape>& shapes,
                       long exponent, const Square_class_basis& basis, const Prime_field& field)
       : diamond_(diamond), field_(field), dimension_(basis.dimension()),
-        points_(shapes.size() + 2 + diamond.combinations.size()) {
+        points_(shapes.size() + 2) {
     if (!find_roots(basis) || !find_ratios(shapes)) return;
     const Element four = field_.element(Gmpz(4));
     unit_ = field_.multiply(
         field_.element((*shapes.front().squared_lengths)[0]),
         exponent < 0 ? field_.power(four, static_cast<std::uint64_t>(-exponent))
                      : field_.power(field_.inverse(four), static_cast<std::uint64_t>(exponent)));
-    find_weights();
+    find_corners();
     is_defined_ = true;
     const Gaussian_residue zero(field_, 0, 0), one(field_, field_.one(), 0);
     points_[0] = {zero, zero};
@@ -129,7 +129,7 @@ private:
     bool is_imaginary;
   };
 
-  const Point& corner(std::size_t c) const { return points_[diamond_.point(c)]; }
+  const Point& corner(std::size_t c) const { return points_[corners_[c]]; }
 
   Gaussian_residue length(const Point& u) const { return scaled(unit_, u.z * u.conjugate); }
   // i (u v' - u' v), where (u, v) turns to the left
@@ -198,32 +198,37 @@ private:
     return true;
   }
 
-  // of combinations: n / 2^e for an integer n
-  void find_weights() {
-    weights_.reserve(diamond_.combinations.size());
-    if (diamond_.combinations.empty()) return;
-    const Element half = field_.inverse(field_.add(field_.one(), field_.one()));
-    for (const Unfolded_diamond::Combination& c : diamond_.combinations) {
-      std::array<Element, 3>& weights = weights_.emplace_back();
+  // corners that were inserted follow the other points
+  void find_corners() {
+    Element half = 0;
+    if (diamond_.has_inserted_corners())
+      half = field_.inverse(field_.add(field_.one(), field_.one()));
+    for (std::size_t c = 0; c < 4; ++c) {
+      const Unfolded_diamond::Corner& corner = diamond_.corners[c];
+      corners_[c] = corner.is_inserted() ? points_.size() : diamond_.point(c);
+      if (!corner.is_inserted()) continue;
+      points_.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
-        int e = 0; // the weight is not negative and at most 1: e <= 1
-        const double n = std::ldexp(std::frexp(c.weights[k], &e), 53);
-        weights[k] = field_.multiply(field_.element(Gmpz(n)),
-                                     field_.power(half, static_cast<std::uint64_t>(53 - e)));
+        int e = 0; // n / 2^e for an integer n; the weight is not negative and at most 1: e <= 1
+        const double n = std::ldexp(std::frexp(corner.weights[k], &e), 53);
+        weights_[c][k] = field_.multiply(field_.element(Gmpz(n)),
+                                         field_.power(half, static_cast<std::uint64_t>(53 - e)));
       }
     }
   }
 
   void combine() {
-    for (std::size_t n = 0; n < weights_.size(); ++n) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (!diamond_.corners[c].is_inserted()) continue;
       const Gaussian_residue zero(field_, 0, 0);
       Point sum{zero, zero};
+      const std::array<std::uint32_t, 3> points = diamond_.points(diamond_.corners[c]);
       for (std::size_t k = 0; k < 3; ++k) {
-        const Point& p = points_[diamond_.point(diamond_.combinations[n].corners[k])];
-        sum = {sum.z + scaled(weights_[n][k], p.z),
-               sum.conjugate + scaled(weights_[n][k], p.conjugate)};
+        const Point& p = points_[points[k]];
+        sum = {sum.z + scaled(weights_[c][k], p.z),
+               sum.conjugate + scaled(weights_[c][k], p.conjugate)};
       }
-      points_[ratios_.size() + 2 + n] = sum;
+      points_[corners_[c]] = sum;
     }
   }
 
@@ -249,9 +254,10 @@ private:
   const Prime_field& field_;
   std::size_t dimension_;
   std::vector<Point> points_;
-  std::vector<Element> roots_;                  // r, where r or i r is the root of a representative
-  std::vector<Ratio> ratios_;                   // one for each triangle
-  std::vector<std::array<Element, 3>> weights_; // one triple for each combination
+  std::array<std::size_t, 4> corners_{};            // points
+  std::array<std::array<Element, 3>, 4> weights_{}; // of those that were inserted
+  std::vector<Element> roots_; // r, where r or i r is the root of a representative
+  std::vector<Ratio> ratios_;  // one for each triangle
   std::vector<std::size_t> first_use_;
   Mask imaginary_ = 0; // representatives whose root is i r
   Mask fixed_ = 0;     // representatives whose roots keep their signs, see `next()`

@@ -254,7 +254,7 @@ private:
                                            const Unfolded_diamond& diamond,
                                            const Expression& expression) {
     if constexpr (PolynomialExpression<Expression>)
-      if (degree_of(expression).is_linear_in_areas() && !diamond.combinations.empty() &&
+      if (degree_of(expression).is_linear_in_areas() && diamond.has_inserted_corners() &&
           Integer_faces::is_in_space(input))
         return coplanar_diamond_sign(input, diamond, expression);
     return std::nullopt;

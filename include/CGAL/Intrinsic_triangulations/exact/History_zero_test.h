@@ -20,7 +20,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief decides whether an expression in the values of faces is exactly zero, by repeating the moves that made
+\brief decides whether an expression in the values of faces is exactly zero, by repeating the flips that made
 them: see `Field_zero_test`.
 */
 class History_zero_test {

@@ -85,14 +85,14 @@ private:
     return space_cross(difference(point(t, 1), a), difference(point(t, 2), a));
   }
 
-  Vector corner(std::size_t c) const { return corner(diamond_.corners[c]); }
-  Vector corner(const Unfolded_diamond::Corner& c) const {
-    if (!c.is_combination()) return point(diamond_.triangles[c.index], c.slot);
-    const Unfolded_diamond::Combination& combination = diamond_.combinations[c.index];
+  Vector corner(std::size_t number) const {
+    const Unfolded_diamond::Corner& c = diamond_.corners[number];
+    const Unfolded_diamond::Triangle& t = diamond_.triangles[c.triangle];
+    if (!c.is_inserted()) return point(t, c.slot);
     Vector sum{FT(0), FT(0), FT(0)};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector p = corner(combination.corners[k]);
-      const FT weight(combination.weights[k]);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const Vector p = point(t, (c.slot + k) % 3);
+      const FT weight(c.weights[k]);
       for (std::size_t x = 0; x < 3; ++x) sum[x] = sum[x] + weight * p[x];
     }
     return sum;

@@ -186,7 +186,7 @@ private:
 
   // adds |h| y of a corner, over the panels on the way to it
   void add_y(std::size_t corner, int coefficient, Root_sum& sum) const {
-    std::uint32_t point = diamond_.point(corner), triangle = diamond_.corners[corner].index;
+    std::uint32_t point = diamond_.point(corner), triangle = diamond_.corners[corner].triangle;
     for (;;) {
       const std::uint32_t p = triangles_[triangle].panel;
       const Panel& panel = panels_[p];
@@ -276,7 +276,7 @@ of an edge, with areas that are not negative
 \complexity linear in the number of triangles, about a tenth of a microsecond each
 */
 inline bool is_cocircular_strip(const Input_metric& input, const Unfolded_diamond& diamond) {
-  if (!diamond.combinations.empty()) return false;
+  if (diamond.has_inserted_corners()) return false;
   const internal::Strip_points points(input, diamond);
   if (points.width() <= 58) return internal::is_cocircular_strip<2>(diamond, points);
   return points.width() <= 122 && internal::is_cocircular_strip<4>(diamond, points);

@@ -100,41 +100,6 @@ struct Vertex_move_values {
 };
 
 /*!
-\brief computes the values at a vertex inserted in a face ijk.
-\param face the face, from side ij
-\param weights barycentric coordinates of the vertex
-\pre no side has length zero
-*/
-template <class FT>
-Vertex_move_values<FT> inserted_in_face(const Face_values<FT>& face,
-                                        const std::array<double, 3>& weights) {
-  Vertex_move_values<FT> result{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto side = [&](std::size_t l) { return face.squared_lengths[(k + l) % 3]; };
-    const FT next(weights[(k + 1) % 3]), last(weights[(k + 2) % 3]);
-    result.squared_lengths[k] =
-        squared_distance_from_corner(side(0), side(1), side(2), face.quadruple_area, next, last);
-    result.quadruple_areas[k] = last * face.quadruple_area;
-  }
-  return result;
-}
-
-/*!
-\brief computes the values at a vertex inserted on the border edge ij of a face ijk.
-\param face the face, from side ij
-\param parameter weight of j
-\pre ki does not have length zero
-*/
-template <class FT>
-Vertex_move_values<FT> inserted_in_border_edge(const Face_values<FT>& face, double parameter) {
-  const FT t(parameter), rest = FT(1) - t;
-  const auto& [ij, jk, ki] = face.squared_lengths;
-  const FT& area = face.quadruple_area;
-  return {{t * t * ij, rest * rest * ij, squared_distance_from_corner(ki, ij, jk, area, rest, t)},
-          {t * area, rest * area, FT(0)}};
-}
-
-/*!
 \brief computes the values of the face that three faces at a vertex make together, which has their outer
 sides.
 */

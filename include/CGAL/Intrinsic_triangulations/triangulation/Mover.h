@@ -176,7 +176,6 @@ private:
     correspondence_.after(t_, move);
   }
 
-  // `weights` are a `Weights` or a parameter on the border
   bool store_insertion(const Vertex_star& s, const Weights& weights) {
     if constexpr (Defined_by_places<Metric>)
       return metric_.insert_in_face(s, places_.inserted_values(t_)), true;

@@ -58,44 +58,6 @@ TEST(Flip_history, lists_ancestors_before_descendants_and_leaves_out_what_is_kno
             (std::vector<std::uint32_t>{2, 3}));
 }
 
-TEST(Flip_history, numbers_what_vertex_moves_make_and_finds_where_sides_were_made) {
-  using Kind = Flip_history::Vertex_move::Kind;
-  Flip_history history(2);
-  // ij is side 1 of face 0: ijp, jkp, kip are 2, 3, 4
-  EXPECT_EQ(history.record_vertex_move(Kind::insert_in_face, {Side{0, 1}}, {0.25, 0.25, 0.5}), 2U);
-  EXPECT_EQ(history.number_of_nodes(), 2U);
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    EXPECT_EQ(history.node_of(2 + k), 0U);
-    EXPECT_TRUE(is(history.origin({2 + k, 0}), 0, (1 + k) % 3));
-    EXPECT_TRUE(is(history.origin({2 + k, 1}), 2 + k, 1));
-    EXPECT_EQ(history.made_length({2 + k, 1}), (k + 1) % 3); // jp, kp, ip
-    EXPECT_EQ(history.made_length({2 + k, 2}), k);           // pi, pj, pk
-  }
-  EXPECT_EQ(history.record_flip({2, 0}, {1, 0}), 6U);
-  // on side 0 of face 1, as if on the border: ipk, pjk are 8, 9
-  EXPECT_EQ(history.record_vertex_move(Kind::insert_in_border_edge, {Side{1, 0}}), 8U);
-  EXPECT_TRUE(is(history.origin({8, 2}), 1, 2));
-  EXPECT_TRUE(is(history.origin({9, 1}), 1, 1));
-  EXPECT_EQ(history.made_length({8, 0}), 0U);
-  EXPECT_EQ(history.made_length({9, 0}), 1U);
-  EXPECT_EQ(history.made_length({8, 1}), 2U);
-  EXPECT_EQ(history.made_length({9, 2}), 2U);
-  EXPECT_EQ(history.record_vertex_move(Kind::remove_from_border_edge, {Side{8, 1}, Side{9, 2}}),
-            10U);
-  EXPECT_TRUE(is(history.origin({10, 0}), 10, 0));
-  EXPECT_TRUE(is(history.origin({10, 1}), 1, 1));
-  EXPECT_TRUE(is(history.origin({10, 2}), 1, 2));
-  EXPECT_EQ(
-      history.record_vertex_move(Kind::remove_from_face, {Side{2, 0}, Side{3, 0}, Side{4, 0}}),
-      12U);
-  for (std::uint32_t k = 0; k < 3; ++k) EXPECT_TRUE(is(history.origin({12, k}), 0, (1 + k) % 3));
-  EXPECT_EQ(history.number_of_vertex_moves(), 4U);
-  EXPECT_EQ(history.number_of_flips(), 1U);
-  const auto none = [](std::uint32_t) { return false; };
-  EXPECT_EQ(history.ancestors(12, 10, none), (std::vector<std::uint32_t>{0, 3, 4, 5}));
-  EXPECT_EQ(history.ancestors(6, 4, none), (std::vector<std::uint32_t>{0, 2}));
-}
-
 TEST(Flip_history, lists_a_million_ancestors_without_recursion) {
   Flip_history history(2);
   std::uint32_t v = 0;

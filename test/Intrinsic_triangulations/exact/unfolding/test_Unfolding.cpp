@@ -25,7 +25,7 @@ using CGAL::Gmpq;
 using IT::Multiquadratic_number;
 using random_history::Map;
 using random_history::Walk;
-using Face_values = IT::History_values<Multiquadratic_number>::Input_face;
+using Face_values = std::pair<std::array<Multiquadratic_number, 3>, Multiquadratic_number>;
 
 // input faces with exact areas
 class Exact_input {

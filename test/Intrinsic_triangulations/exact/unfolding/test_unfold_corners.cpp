@@ -5,12 +5,14 @@
 
 #include "gallery.h"
 #include "meshes.h"
+#include "places.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/exact/Conjugate_bound.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
-#include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
 #include <gtest/gtest.h>
 
@@ -18,12 +20,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <map>
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
 
-// Diamonds at vertices that were inserted, unfolded from the input, against repeated moves.
+// Diamonds at vertices that were inserted, unfolded from the input, against exact values that follow the moves: an
+// insertion adopts what unfolding says if that is a point of the face, and whatever comes after must agree.
 
 namespace {
 
@@ -31,13 +35,111 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using CGAL::Gmpq;
 using IT::Move_status;
 using IT::Multiquadratic_number;
-using Exact = IT::Intrinsic_triangulation<>;
-using Metric = IT::Exact_euclidean_metric;
+using Face = IT::Face_values<Multiquadratic_number>;
+using Diamond = IT::Diamond_values<Multiquadratic_number>;
+
+void expect_equal(const Multiquadratic_number& x, const Multiquadratic_number& y) {
+  EXPECT_TRUE((x - y).is_zero());
+}
+
+// 16 A^2 of a triangle with two sides from a corner and the one opposite
+Multiquadratic_number squared_area(const Multiquadratic_number& a, const Multiquadratic_number& b,
+                                   const Multiquadratic_number& opposite) {
+  const Multiquadratic_number p = a + b - opposite;
+  return Multiquadratic_number(Gmpq(4)) * a * b - p * p;
+}
+
+void expect_triangle(const Face& f) {
+  const auto& [a, opposite, b] = f.squared_lengths;
+  expect_equal(f.quadruple_area * f.quadruple_area, squared_area(a, b, opposite));
+}
+
+/// Integer coordinates, and exact values that follow the moves.
+class Followed : public IT::Integer_coordinates {
+public:
+  template <class T>
+  void start(const T& t) {
+    Integer_coordinates::start(t);
+    faces_ = std::make_shared<places::Exact_input>(t.input().metric());
+    for (const std::uint32_t h : places::halfedges_of_faces(t)) store(t, h);
+  }
+
+  template <class T>
+  void after(const T& t, const IT::Flip& move) {
+    Integer_coordinates::after(t, move);
+    const auto f = IT::flipped(values(move.diamond));
+    length_[move.diamond.ij] = f.km;
+    area_[move.diamond.f] = f.area_f;
+    area_[move.diamond.g] = f.area_g;
+  }
+
+  template <class T>
+  void after(const T& t, const IT::Insertion_in_face& move) {
+    Integer_coordinates::after(t, move);
+    Multiquadratic_number rest = area_.at(move.faces[0]);
+    for (unsigned k = 0; k < 3; ++k) {
+      const Multiquadratic_number side = length_.at(move.sides[k] / 2);
+      const Face f = store(t, move.sides[k]);
+      expect_equal(f.squared_lengths[0], side);
+      rest = rest - f.quadruple_area;
+      expect_triangle(f);
+    }
+    EXPECT_TRUE(rest.is_zero());
+  }
+
+  template <class T>
+  void after(const T& t, const IT::Insertion_on_border& move) {
+    Integer_coordinates::after(t, move);
+    const Multiquadratic_number whole = length_.at(move.ip / 2), area = area_.at(move.f);
+    const Face ipk = store(t, move.ki), pjk = store(t, move.jk);
+    expect_triangle(ipk);
+    expect_triangle(pjk);
+    expect_equal(ipk.quadruple_area + pjk.quadruple_area, area);
+    EXPECT_TRUE(
+        squared_area(length_.at(move.ip / 2), whole, length_.at(move.pj / 2)).is_zero());
+  }
+
+  template <class T>
+  void after(const T&, const IT::Removal_from_face& move) {
+    const auto [f, g, h] = move.faces;
+    area_[f] = area_.at(f) + area_.at(g) + area_.at(h);
+  }
+
+  template <class T>
+  void after(const T&, const IT::Removal_from_border& move) {
+    const IT::Border_star s = move.edges_and_faces();
+    length_[s.ip] = IT::flipped(values({s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g})).km;
+    area_[s.f] = area_.at(s.f) + area_.at(s.g);
+  }
+
+  Diamond values(const IT::Diamond& d) const {
+    return {length_.at(d.ij), length_.at(d.jk), length_.at(d.ki), length_.at(d.im),
+            length_.at(d.mj), area_.at(d.f),    area_.at(d.g)};
+  }
+  const places::Exact_input& exact_input() const { return *faces_; }
+
+private:
+  template <class T>
+  Face store(const T& t, std::uint32_t h) {
+    const IT::Intrinsic_view<T> view(t);
+    const Face f = places::Unfolded<T>(t).exact(h, *faces_);
+    area_[view.face(h)] = f.quadruple_area;
+    for (const Multiquadratic_number& l : f.squared_lengths) {
+      length_[h / 2] = l;
+      h = view.next(h);
+    }
+    return f;
+  }
+
+  std::shared_ptr<places::Exact_input> faces_;
+  std::map<std::uint32_t, Multiquadratic_number> length_, area_;
+};
+
+using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Followed>;
 using Halfedge = Exact::halfedge_descriptor;
 using Vertex = Exact::vertex_descriptor;
-using Side = IT::Flip_history::Side;
 
-/// A triangulation that moves at random, to points with small denominators.
+/// A triangulation that moves at random.
 class Walk {
 public:
   Walk(IT::Intrinsic_input input, unsigned seed) : t(std::move(input)), random_(seed) {}
@@ -67,14 +169,13 @@ public:
     }
   }
 
-  std::vector<std::pair<Side, Side>> inner_edges() const {
-    std::vector<std::pair<Side, Side>> result;
+  std::vector<Halfedge> inner_edges() const {
+    std::vector<Halfedge> result;
     for (const Halfedge h : halfedges(t.mesh())) {
       const Halfedge o = opposite(h, t.mesh());
-      if (h.index > o.index || is_border(h) || is_border(o) ||
-          face(h, t.mesh()) == face(o, t.mesh()))
-        continue;
-      result.emplace_back(side(h), side(o));
+      if (h.index < o.index && !is_border(h) && !is_border(o) &&
+          face(h, t.mesh()) != face(o, t.mesh()))
+        result.push_back(h);
     }
     return result;
   }
@@ -95,63 +196,29 @@ private:
     if (i.status == Move_status::done) inserted_.push_back(i.vertex);
   }
 
-  Side side(Halfedge h) const {
-    const auto [version, first] = t.metric().version(face(h, t.mesh()).index);
-    const Halfedge n = next(h, t.mesh());
-    return {version, first == h.index / 2 ? 0U : first == n.index / 2 ? 2U : 1U};
-  }
-
   std::mt19937 random_;
   std::vector<Vertex> inserted_;
 };
 
-IT::Intrinsic_input input_of(const gallery::Surface& s) {
-  return {IT::Gluing_map(s.gluing), gallery::squared_lengths(s)};
-}
-
-// input faces with exact areas
-struct Exact_input {
-  const IT::Input_metric& input;
-  mutable IT::Square_class_basis basis{};
-
-  IT::History_values<Multiquadratic_number>::Input_face operator()(std::uint32_t f) const {
-    const auto root = basis.sqrt_of(input.squared_quadruple_area<Gmpq>(f));
-    return {{Multiquadratic_number(input.squared_length<Gmpq>(f, 0)),
-             Multiquadratic_number(input.squared_length<Gmpq>(f, 1)),
-             Multiquadratic_number(input.squared_length<Gmpq>(f, 2))},
-            Multiquadratic_number(basis, root.value())};
-  }
-};
-
-void expect_same(const IT::Diamond_values<Multiquadratic_number>& x,
-                 const IT::Diamond_values<Multiquadratic_number>& y) {
-  EXPECT_TRUE((x.ij - y.ij).is_zero());
-  EXPECT_TRUE((x.jk - y.jk).is_zero());
-  EXPECT_TRUE((x.ki - y.ki).is_zero());
-  EXPECT_TRUE((x.im - y.im).is_zero());
-  EXPECT_TRUE((x.mj - y.mj).is_zero());
-  EXPECT_TRUE((x.area_f - y.area_f).is_zero());
-  EXPECT_TRUE((x.area_g - y.area_g).is_zero());
-}
-
 // returns the number of diamonds that have inserted vertices
 std::size_t check_all_diamonds(const Walk& walk) {
-  const auto& metric = walk.t.metric();
-  IT::Unfolding unfolding;
-  const Exact_input input{metric.input()};
-  IT::History_values<Multiquadratic_number> memory;
-  IT::History_evaluator<Multiquadratic_number, Exact_input> moves(metric.history(), input, memory);
+  const Followed& followed = walk.t.correspondence();
+  places::Unfolded<Exact> unfolded(walk.t);
   std::size_t result = 0;
-  for (const auto& [l, r] : walk.inner_edges()) {
-    if (l.face == r.face) continue;
-    const std::optional<IT::Unfolded_diamond> d = unfolding.diamond(metric.history(), l, r);
-    if (!d) {
-      ADD_FAILURE() << "a diamond is not unfolded";
-      continue;
-    }
-    expect_same(d->values<Multiquadratic_number>(input), moves.diamond(l, r));
-    result += d->combinations.empty() ? 0 : 1;
+  for (const Halfedge h : walk.inner_edges()) {
+    const IT::Unfolded_diamond& d = unfolded.diamond(h.index);
+    const Diamond x = d.values<Multiquadratic_number>(followed.exact_input()),
+                  y = followed.values(walk.t.diamond(h));
+    expect_equal(x.ij, y.ij);
+    expect_equal(x.jk, y.jk);
+    expect_equal(x.ki, y.ki);
+    expect_equal(x.im, y.im);
+    expect_equal(x.mj, y.mj);
+    expect_equal(x.area_f, y.area_f);
+    expect_equal(x.area_g, y.area_g);
+    result += d.has_inserted_corners() ? 1 : 0;
   }
+  EXPECT_EQ(places::first_wrong_value(walk.t), IT::Gluing::none);
   return result;
 }
 
@@ -172,7 +239,7 @@ TEST(unfold_corners, agrees_exactly_with_repeated_moves_on_Delta_complexes) {
   std::size_t checked = 0;
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
-    Walk walk(input_of(s), 5);
+    Walk walk(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)), 5);
     for (int round = 0; round < 3; ++round) {
       for (int i = 0; i < 2; ++i) walk.step();
       checked += check_all_diamonds(walk);
@@ -186,28 +253,26 @@ TEST(unfold_corners, agrees_exactly_with_repeated_moves_on_Delta_complexes) {
 TEST(unfold_corners, gives_diamonds_whose_conjugates_are_bounded) {
   Walk walk(meshes::integer_height_field(2, 3, 7).input(), 7);
   for (int i = 0; i < 14; ++i) walk.step();
-  const auto& metric = walk.t.metric();
-  IT::Unfolding unfolding;
+  const IT::Input_metric& input = walk.t.input().metric();
+  places::Unfolded<Exact> unfolded(walk.t);
   IT::Integer_faces integers;
   std::size_t checked = 0;
-  for (const auto& [l, r] : walk.inner_edges()) {
-    const auto d = l.face == r.face ? std::nullopt : unfolding.diamond(metric.history(), l, r);
-    if (!d) continue;
+  for (const Halfedge h : walk.inner_edges()) {
+    const IT::Unfolded_diamond& d = unfolded.diamond(h.index);
     std::vector<const IT::Integer_face*> faces;
-    for (const auto& t : d->triangles) faces.push_back(&integers(metric.input(), t.face));
-    const double bits = IT::Conjugate_bound(*d, faces, true).bits(IT::Delaunay_expression());
+    for (const auto& t : d.triangles) faces.push_back(&integers(input, t.face));
+    const double bits = IT::Conjugate_bound(d, faces, true).bits(IT::Delaunay_expression());
     for (unsigned signs = 0; signs < 256; ++signs) {
       const auto face = [&](std::uint32_t f) {
-        const double area = std::sqrt(metric.input().squared_quadruple_area<double>(f));
+        const double area = std::sqrt(input.squared_quadruple_area<double>(f));
         return std::pair<std::array<double, 3>, double>(
-            {metric.input().squared_length<double>(f, 0),
-             metric.input().squared_length<double>(f, 1),
-             metric.input().squared_length<double>(f, 2)},
+            {input.squared_length<double>(f, 0), input.squared_length<double>(f, 1),
+             input.squared_length<double>(f, 2)},
             (signs >> (f % 8)) % 2 != 0 ? -area : area);
       };
-      EXPECT_LE(std::log2(std::abs(IT::Delaunay_expression()(d->values<double>(face)))), bits);
+      EXPECT_LE(std::log2(std::abs(IT::Delaunay_expression()(d.values<double>(face)))), bits);
     }
-    checked += d->combinations.empty() ? 0 : 1;
+    checked += d.has_inserted_corners() ? 1 : 0;
   }
   EXPECT_GT(checked, 10U);
 }
@@ -224,15 +289,14 @@ TEST(unfold_corners, lets_a_zero_test_tell_a_straight_angle_from_one_that_is_ben
     ASSERT_EQ(p.status, Move_status::done);
     // around p: the sum of the angles between the ends of the edge
     std::size_t zeros = 0, others = 0;
-    IT::Exact_evaluation evaluation;
-    for (const auto& [l, r] : walk.inner_edges()) {
-      const auto answer = evaluation.zero_answer(t.input().metric(), t.metric().history(), l, r,
-                                                 IT::Convexity_at_source_expression());
-      EXPECT_NE(answer, IT::Zero_answer::probably_zero);
-      const auto oracle = IT::History_zero_test(t.input().metric(), t.metric().history(), l,
-                                                r)(IT::Convexity_at_source_expression());
-      EXPECT_EQ(answer, oracle);
-      ++(answer == IT::Zero_answer::zero ? zeros : others);
+    IT::Diamond_zero_test is_zero;
+    places::Unfolded<Exact> unfolded(t);
+    for (const Halfedge e : walk.inner_edges()) {
+      const IT::Convexity_at_source_expression expression;
+      const auto answer = is_zero(t.input().metric(), unfolded.diamond(e.index), expression);
+      const bool expected = expression(t.correspondence().values(t.diamond(e))).is_zero();
+      EXPECT_EQ(answer, expected ? IT::Zero_answer::zero : IT::Zero_answer::not_zero);
+      ++(expected ? zeros : others);
     }
     EXPECT_GT(others, 0U);
     straight[is_bent ? 1 : 0] = zeros;

@@ -55,7 +55,7 @@ class Face_layout {
 public:
   /// A point of the plane.
   using Point = Plane_point<FT>;
-  /// Values at an inserted vertex, see `inserted_in_face()`.
+  /// Values at an inserted vertex: of ip, jp, kp and of ijp, jkp, kip.
   using Values = Vertex_move_values<FT>;
 
   /*!

@@ -66,7 +66,7 @@ public:
       right_ = corner_coordinates(view, coordinates, h ^ 1U);
       reach_right(view, h);
     } else {
-      corners_[3].side = corners_[0].side;
+      end_at(corners_[3], corners_[0]);
     }
     return unfold_from_common_base();
   }
@@ -137,35 +137,32 @@ private:
   // The source of an intrinsic halfedge, in the input face in which it starts; beside the halfedge, on its
   // left or right, if it runs along a curve.
   template <class View>
-  Side corner(const View& view, std::uint32_t h, bool on_left) const {
+  Developed_corner corner(const View& view, std::uint32_t h, bool on_left) const {
     const std::uint32_t v = view.source(h), slot = coordinates_->roundabout(h);
     const bool is_inserted = coordinates_->is_inserted(v);
-    if (slot == Gluing::none) return node(v, false); // inserted inside a face
+    if (slot == Gluing::none) return inserted(v, false); // inside a face
     const std::uint32_t c = coordinates_->fans().halfedge(slot);
     const std::uint32_t in_face = is_along_curve(h) && on_left ? c : c ^ 1U;
-    if (is_inserted) return node(v, in_face != coordinates_->location(v).halfedge);
-    return side(in_face == c ? c : input().next(in_face));
+    if (is_inserted) return inserted(v, in_face != coordinates_->location(v).halfedge);
+    return {{}, side(in_face == c ? c : input().next(in_face))};
   }
 
-  // An inserted vertex, seen from the face of the halfedge of its location or from the opposite one.
-  static Side node(std::uint32_t vertex, bool is_opposite) {
-    return {2 * vertex + (is_opposite ? 1U : 0U), Developed_corner::inserted};
-  }
-
-  Developed_insertion insertion(std::uint32_t node) const {
-    const Surface_point& p = coordinates_->location(node / 2);
+  // An inserted vertex, in the face of the halfedge of its location or in the opposite one.
+  Developed_corner inserted(std::uint32_t vertex, bool is_opposite) const {
+    const Surface_point& p = coordinates_->location(vertex);
     std::array<double, 3> weights = representable_weights(p.weights).value_or(p.weights);
-    std::uint32_t h = p.halfedge;
-    if (node % 2 == 1) {
-      h ^= 1U;
-      std::swap(weights[0], weights[1]);
-    }
-    const Side s = side(h);
-    return {s.face, {{{{}, s}, {{}, next_side(s)}, {{}, last_side(s)}}}, weights};
+    if (is_opposite) std::swap(weights[0], weights[1]);
+    return {{}, side(is_opposite ? p.halfedge ^ 1U : p.halfedge), weights};
+  }
+
+  // a corner at the end of the path that has been found
+  static void end_at(Developed_corner& c, const Developed_corner& end) {
+    c.side = end.side;
+    c.weights = end.weights;
   }
 
   const Unfolded_diamond& unfold() {
-    unfolder_(corners_, [this](std::uint32_t node) { return insertion(node); });
+    unfolder_(corners_);
     return unfolder_.result();
   }
 
@@ -176,9 +173,9 @@ private:
     left_ = corner_coordinates(view, coordinates, h);
     cross_edge(view, h);
     for (Developed_corner& c : corners_) c.path.clear();
-    corners_[0].side = corner(view, h, true);
+    end_at(corners_[0], corner(view, h, true));
     for (const std::uint32_t x : crossed_) append(corners_[1].path, entering(x));
-    corners_[1].side = corner(view, h ^ 1U, false);
+    end_at(corners_[1], corner(view, h ^ 1U, false));
   }
 
   // finds the curves that cross ij, as the input halfedges over which faces are entered
@@ -230,7 +227,7 @@ private:
         append(k.path, entering(curve(jk, c) ^ 1U));
       append_followed(view, ki ^ 1U, p, k.path);
     }
-    k.side = corner(view, ki, true);
+    end_at(k, corner(view, ki, true));
   }
 
   // finds m: turns clockwise about i, crosses the curves that cut off i, emanate from j, cut off m
@@ -248,7 +245,7 @@ private:
         append(m.path, entering(curve(o, c)));
       append_followed(view, im, p, m.path);
     }
-    m.side = corner(view, im ^ 1U, false);
+    end_at(m, corner(view, im ^ 1U, false));
   }
 
   static std::size_t index(Normal_coordinate p) { return static_cast<std::size_t>(p); }

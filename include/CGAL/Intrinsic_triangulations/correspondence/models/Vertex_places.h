@@ -62,12 +62,12 @@ public:
       : mesh_(std::move(mesh)), number_(mesh_) {
     const Flip_history& history = metric.history();
     const std::uint32_t faces = mesh_.number_of_faces();
-    std::vector<Made> made(faces + 2 * std::size_t{history.number_of_nodes()});
+    std::vector<Made> made(faces + 2 * std::size_t{history.number_of_flips()});
     for (std::uint32_t f = 0; f < faces; ++f) {
       const auto& [version, edge] = metric.version(f);
       made[version] = {f, edge};
     }
-    for (std::uint32_t n = history.number_of_nodes(); n-- > 0;) {
+    for (std::uint32_t n = history.number_of_flips(); n-- > 0;) {
       const std::uint32_t version = history.left_version(n);
       const Made left = made[version], right = made[version + 1];
       const Gluing_map::Halfedge h = halfedge(left);

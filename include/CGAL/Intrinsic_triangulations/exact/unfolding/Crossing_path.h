@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
-#include <cstdint>
+#include <array>
 #include <vector>
 
 /*!
@@ -56,28 +56,25 @@ inline Crossing_path product_with_inverse(Crossing_path p, const Crossing_path& 
 \brief locates a vertex in the plane into which the input is unfolded along a path.
 */
 struct Developed_corner {
-  /// Value of `slot` for a vertex that was inserted.
-  static constexpr std::uint32_t inserted = 3;
-
   /// From a face to the one in which the vertex is found.
   Crossing_path path;
-  /// The vertex: where this side of an input face starts. If `slot` is `inserted`, the vertex that node
-  /// number `face` of the history inserted.
+  /// Where this side of an input face starts, unless the vertex was inserted.
   Face_side side;
+  /// Barycentric coordinates of the vertex in that face, of its corners from the start of `side` on.
+  std::array<double, 3> weights{1, 0, 0};
 
   /// tells whether the vertex was inserted.
-  bool is_inserted() const { return side.slot == inserted; }
+  bool is_inserted() const { return weights[0] != 1; }
+  /// tells whether the vertex is an end of a side.
+  bool is_end_of(Face_side s) const {
+    return !is_inserted() && (side == s || side == next_side(s));
+  }
 
   /// makes the path as short as it can be: an end of the last edge crossed is seen before crossing it.
   void trim() {
-    while (!path.empty()) {
+    while (!path.empty() && is_end_of(path.back().to)) {
       const auto [from, to] = path.back();
-      if (side == to)
-        side = next_side(from);
-      else if (!is_inserted() && side == next_side(to))
-        side = from;
-      else
-        return;
+      side = side == to ? next_side(from) : from;
       path.pop_back();
     }
   }

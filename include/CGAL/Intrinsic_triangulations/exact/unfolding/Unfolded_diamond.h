@@ -8,6 +8,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +18,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief is a tree of input triangles, to be unfolded into a plane, that reaches all corners of a
-diamond, and vertices that were inserted there.
+diamond.
 
 Points 0 and 1 are the ends of side 0 of the first triangle. Triangle number n adds point n + 2, the
 corner opposite the side by which it is entered. With that side from z_t to z_u, squared lengths
@@ -28,8 +29,7 @@ L_t of the side, L_u of the next and L_v of the last, and D = 4 L_t L_v - p^2, p
 in complex numbers. Nothing is ever divided by but squared lengths of the input, and the figure does
 not depend on the flips that made the diamond.
 
-A vertex that was inserted is a combination of three points with rational weights. With N triangles,
-combination number n is point N + 2 + n.
+A vertex that was inserted is a combination of the points of one triangle, with rational weights.
 */
 struct Unfolded_diamond {
   /// An input triangle in the tree.
@@ -45,24 +45,17 @@ struct Unfolded_diamond {
     std::uint32_t end() const { return point[(entry + 1) % 3]; }
   };
 
-  /// A corner of a triangle, or a combination.
+  /// A corner of the diamond.
   struct Corner {
-    std::uint32_t index; ///< triangle in the tree, or combination
-    std::uint32_t slot;  ///< corner in the triangle, or 3: it is a combination
-    /// tells whether it is a combination.
-    bool is_combination() const { return slot == 3; }
-  };
-
-  /// A vertex that was inserted.
-  struct Combination {
-    std::array<Corner, 3> corners; ///< of the face into which it was inserted
-    std::array<double, 3> weights; ///< barycentric coordinates
+    std::uint32_t triangle = 0;             ///< triangle in the tree
+    std::uint32_t slot = 0;                 ///< corner of the triangle
+    std::array<double, 3> weights{1, 0, 0}; ///< barycentric coordinates there, from that corner on
+    /// tells whether it is a vertex that was inserted, not the corner of the triangle.
+    bool is_inserted() const { return weights[0] != 1; }
   };
 
   /// The tree, parents first.
   std::vector<Triangle> triangles;
-  /// Inserted vertices, each after those that it refers to.
-  std::vector<Combination> combinations;
   /// Corners i, j, k, m of the diamond.
   std::array<Corner, 4> corners;
 
@@ -78,13 +71,20 @@ struct Unfolded_diamond {
     return t;
   }
 
-  /// returns the number of a point.
-  std::uint32_t point(const Corner& c) const {
-    return c.is_combination() ? static_cast<std::uint32_t>(triangles.size()) + 2 + c.index
-                              : triangles[c.index].point[c.slot];
+  /// tells whether a corner is a vertex that was inserted.
+  bool has_inserted_corners() const {
+    return std::any_of(corners.begin(), corners.end(),
+                       [](const Corner& c) { return c.is_inserted(); });
   }
-  /// returns the number of the point in corner `c` of the diamond.
-  std::uint32_t point(std::size_t c) const { return point(corners[c]); }
+  /// returns the numbers of the points of the triangle of a corner, from its slot on.
+  std::array<std::uint32_t, 3> points(const Corner& c) const {
+    const std::array<std::uint32_t, 3>& p = triangles[c.triangle].point;
+    return {p[c.slot], p[(c.slot + 1) % 3], p[(c.slot + 2) % 3]};
+  }
+  /// returns the number of the point in corner `c` of the diamond. \pre it was not inserted
+  std::uint32_t point(std::size_t c) const {
+    return triangles[corners[c].triangle].point[corners[c].slot];
+  }
 
   /*!
   \brief evaluates the diamond by unfolding.
@@ -104,18 +104,14 @@ struct Unfolded_diamond {
       z.push_back(
           {a.x + (e.x * p - e.y * face.second) * r, a.y + (e.x * face.second + e.y * p) * r});
     }
-    for (const Combination& c : combinations) {
-      Complex<FT> sum{FT(0), FT(0)};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Complex<FT>& corner = z[point(c.corners[k])];
-        const FT weight(c.weights[k]);
-        sum = {sum.x + weight * corner.x, sum.y + weight * corner.y};
-      }
-      z.push_back(sum);
+    std::array<std::size_t, 4> at{}; // of the corners
+    for (std::size_t c = 0; c < 4; ++c) {
+      at[c] = corners[c].is_inserted() ? z.size() : point(c);
+      if (corners[c].is_inserted()) z.push_back(combination(corners[c], z));
     }
     const auto& first = input(triangles.front().face);
     const FT& unit = first.first[0];
-    const Complex<FT>&i = z[point(0)], &j = z[point(1)], &k = z[point(2)], &m = z[point(3)];
+    const Complex<FT>&i = z[at[0]], &j = z[at[1]], &k = z[at[2]], &m = z[at[3]];
     const auto length = [&unit](const Complex<FT>& e) { return unit * (e.x * e.x + e.y * e.y); };
     const auto area = [&unit](const Complex<FT>& u, const Complex<FT>& v) {
       return (unit + unit) * (u.x * v.y - u.y * v.x);
@@ -130,6 +126,19 @@ private:
     FT x, y;
     friend Complex operator-(const Complex& a, const Complex& b) { return {a.x - b.x, a.y - b.y}; }
   };
+
+  // the position of a vertex that was inserted
+  template <class Points, class Point = typename Points::value_type>
+  Point combination(const Corner& c, const Points& z) const {
+    using FT = decltype(Point::x);
+    Point sum{FT(0), FT(0)};
+    const std::array<std::uint32_t, 3> p = points(c);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const FT weight(c.weights[k]);
+      sum = {sum.x + weight * z[p[k]].x, sum.y + weight * z[p[k]].y};
+    }
+    return sum;
+  }
 };
 
 } // namespace CGAL::Intrinsic_triangulations
