@@ -85,8 +85,8 @@ private:
     return space_cross(difference(point(t, 1), a), difference(point(t, 2), a));
   }
 
-  Vector corner(std::size_t c) const { return corner(diamond_.corners[c]); }
-  Vector corner(const Unfolded_diamond::Corner& c) const {
+  Vector corner(std::size_t number) const {
+    const Unfolded_diamond::Corner& c = diamond_.corners[number];
     const Unfolded_diamond::Triangle& t = diamond_.triangles[c.triangle];
     if (!c.is_inserted()) return point(t, c.slot);
     Vector sum{FT(0), FT(0), FT(0)};
