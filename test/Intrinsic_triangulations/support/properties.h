@@ -147,6 +147,7 @@ inline void expect_same_laplacian(std::map<Vertex_pair, double> a, std::map<Vert
 /// what `f` gets and must not leave it.
 template <class T, class Function>
 void with_exact_values(const T& t, Halfedge<T> h, const Function& f) {
+  ASSERT_FALSE(t.metric().is_defined_by_places()) << "there is no history";
   const IT::Diamond d = t.diamond(h);
   const auto side = [&](std::uint32_t face, std::uint32_t next_edge) -> IT::Flip_history::Side {
     const auto& [version, first] = t.metric().version(face);

@@ -66,16 +66,8 @@ public:
   \return numbers that are valid as long as this object
   */
   Diamond_values<Multiquadratic_number> exact_values() {
-    const auto faces = exact_faces();
+    const auto faces = values(is_zero_.exact_faces());
     return diamond_values(faces[0], faces[1]);
-  }
-
-  /*!
-  \brief computes the values of the faces exactly.
-  \return numbers that are valid as long as this object
-  */
-  std::vector<Face_values<Multiquadratic_number>> exact_faces() {
-    return values(is_zero_.exact_faces());
   }
 
 private:

@@ -61,8 +61,9 @@ template <class Input, class FT>
 IT::Diamond_values<FT> evaluate(const Walk& walk, Map::Halfedge h) {
   const Input input{&walk.input};
   IT::History_values<FT> memory;
-  return IT::History_evaluator<FT, Input>(walk.history, input, memory)
-      .diamond(walk.side(h), walk.side(Map::opposite(h)));
+  const auto faces = IT::History_evaluator<FT, Input>(walk.history, input, memory)
+                         .faces({walk.side(h), walk.side(Map::opposite(h))});
+  return IT::diamond_values(faces[0], faces[1]);
 }
 
 TEST(History_evaluator, reproduces_all_values_after_four_flips_exactly) {

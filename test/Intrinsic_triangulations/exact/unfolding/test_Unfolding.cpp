@@ -71,7 +71,8 @@ std::size_t check_all_edges(const Walk& walk) {
     const Exact_input input(walk.input);
     IT::History_values<Multiquadratic_number> memory;
     IT::History_evaluator<Multiquadratic_number, Exact_input> flips(walk.history, input, memory);
-    expect_same(d->values<Multiquadratic_number>(input), flips.diamond(l, r));
+    const auto faces = flips.faces({l, r});
+    expect_same(d->values<Multiquadratic_number>(input), IT::diamond_values(faces[0], faces[1]));
     ++checked;
   }
   return checked;

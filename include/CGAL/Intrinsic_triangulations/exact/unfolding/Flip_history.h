@@ -34,8 +34,6 @@ public:
   /// constructs the history of `number_of_faces` input faces and no flips.
   explicit Flip_history(std::uint32_t number_of_faces = 0) : faces_(number_of_faces) {}
 
-  /// returns the number of input faces.
-  std::uint32_t number_of_input_faces() const { return faces_; }
   /// returns the number of flips.
   std::uint32_t number_of_flips() const { return static_cast<std::uint32_t>(flips_.size()); }
   /// tells whether a version is an input face.

@@ -39,15 +39,6 @@ public:
       : history_(history), input_(input), values_(values) {}
 
   /*!
-  \brief evaluates the diamond between two sides that are glued together.
-  \complexity linear in the number of ancestors not evaluated yet
-  */
-  Diamond_values<FT> diamond(Flip_history::Side left, Flip_history::Side right) {
-    evaluate_ancestors({left.face, right.face});
-    return gather(left, right);
-  }
-
-  /*!
   \brief evaluates faces, each from a side on.
   \complexity linear in the number of ancestors not evaluated yet
   */
