@@ -36,8 +36,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using CGAL::Gmpq;
 using IT::Gluing_map;
 using IT::Move_status;
-using Exact = IT::Intrinsic_triangulation<Gluing_map, IT::Exact_euclidean_traits,
-                                          IT::Integer_coordinates>;
+using Exact =
+    IT::Intrinsic_triangulation<Gluing_map, IT::Exact_euclidean_traits, IT::Integer_coordinates>;
 using Halfedge = Exact::halfedge_descriptor;
 using Vertex = Exact::vertex_descriptor;
 using places::Position;

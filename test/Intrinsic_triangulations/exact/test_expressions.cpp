@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshes.h"
+#include "places.h"
 #include "properties.h"
 #include "radical_number.h"
 
@@ -23,6 +24,7 @@
 #include <random>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 // Signs of expressions of any kind in the values of a diamond, or of several faces, against numbers that are made
@@ -205,6 +207,10 @@ public:
       lengths_[edge_number(h)] = unit() * Number(CGAL::Gmpq(norm(u)));
       areas_[face_number(h)] = unit() * Number(2) * Number::sqrt(norm(cross(u, v)));
     }
+    for (std::uint32_t f = 0; f < t.input().number_of_faces(); ++f) {
+      const std::uint32_t h = t.input().halfedge_of_face(f), n = t.input().next(h);
+      input_[f] = {{length(h / 2), length(n / 2), length(t.input().next(n) / 2)}, area(f)};
+    }
   }
 
   Triangulation t;
@@ -253,16 +259,27 @@ public:
     const IT::Face_values<Number> v = values(face_of(h));
     const std::array<Halfedge, 3> sides{h, next(h, t.mesh()), next(next(h, t.mesh()), t.mesh())};
     if (t.insert_vertex(h, w).status != Move_status::done) return;
+    // where the vertex is on the input; all that follows is told by the moves
+    places::Unfolded<Triangulation> unfolded(t);
     const auto& [l, a] = v;
-    const std::array<Vector, 3> p{Vector{0, 0}, Vector{1, 0}, apex(l[0], l[1], l[2], a)};
-    Vector q{0, 0};
-    for (std::size_t k = 0; k < 3; ++k)
-      q = {q.x + Number(w[k]) * p[k].x, q.y + Number(w[k]) * p[k].y};
+    Number rest = a;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vector from = p[k] - q, to = p[(k + 1) % 3] - q;
-      lengths_[edge_number(next(sides[k], t.mesh()))] = l[0] * dot(to, to);
-      areas_[face_number(sides[k])] = Number(2) * l[0] * cross(from, to);
+      const auto f =
+          unfolded.face(t.numbers().halfedge(sides[k])).values<Number>([this](std::uint32_t g) {
+            return input_.at(g);
+          });
+      EXPECT_EQ((f.ij - l[k]).sign(), 0);
+      const Number p = f.ij + f.ki - f.jk;
+      EXPECT_EQ((Number(4) * f.ij * f.ki - p * p - f.area_f * f.area_f).sign(), 0);
+      const Number share =
+          f.area_f - Number(w[(k + 2) % 3]) * a; // near the weight that was asked for
+      EXPECT_EQ((Number(0x1p-34) * a - share).sign(), 1);
+      EXPECT_EQ((Number(0x1p-34) * a + share).sign(), 1);
+      rest = rest - f.area_f;
+      lengths_[edge_number(next(sides[k], t.mesh()))] = f.jk;
+      areas_[face_number(sides[k])] = f.area_f;
     }
+    EXPECT_EQ(rest.sign(), 0);
   }
 
   void move_at_random(std::mt19937& random, bool may_insert) {
@@ -311,6 +328,7 @@ private:
   const Number& area(std::uint32_t f) const { return areas_.at(f); }
 
   std::map<std::uint32_t, Number> lengths_, areas_;
+  std::map<std::uint32_t, std::pair<std::array<Number, 3>, Number>> input_; // faces
 };
 
 // ---- comparison
@@ -319,7 +337,7 @@ struct Counts {
   int zeros = 0, others = 0;
 };
 
-// By the metric, and from integer coordinates and the input alone; those round where a vertex was inserted.
+// By the metric, and from integer coordinates and the input alone.
 template <class Expression>
 int expect_sign(Known_triangulation& k, IT::Integer_geometry& geometry, Halfedge h,
                 const Expression& e, int expected) {
@@ -327,10 +345,8 @@ int expect_sign(Known_triangulation& k, IT::Integer_geometry& geometry, Halfedge
   const IT::Intrinsic_view<Triangulation> view(k.t);
   IT::Predicate_statistics statistics;
   EXPECT_EQ(k.t.metric().sign(k.t.diamond(h), e), expected);
-  if (!k.t.correspondence().has_inserted_vertices()) {
-    EXPECT_EQ(geometry.sign(view, k.t.correspondence(), k.t.numbers().halfedge(h), e, statistics),
-              expected);
-  }
+  EXPECT_EQ(geometry.sign(view, k.t.correspondence(), k.t.numbers().halfedge(h), e, statistics),
+            expected);
   EXPECT_EQ(k.t.metric().statistics().probable_zero + statistics.probable_zero, 0U);
   return expected;
 }

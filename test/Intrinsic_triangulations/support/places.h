@@ -46,8 +46,8 @@ inline bool is_exact(const IT::Surface_point& p) {
 
 /// The combination of the corners of a face, from a halfedge on.
 template <class Connectivity>
-Position combination(const Connectivity& mesh, std::uint32_t h, const std::array<double, 3>& weights,
-                     const std::vector<Position>& at) {
+Position combination(const Connectivity& mesh, std::uint32_t h,
+                     const std::array<double, 3>& weights, const std::vector<Position>& at) {
   Position p{Gmpq(0), Gmpq(0)};
   for (const double w : weights) {
     const Position& q = at[mesh.source(h)];

@@ -189,6 +189,20 @@ public:
     return n;
   }
 
+  /// How many input edges a segment crosses; -1 if it runs along one.
+  IT::Normal_coordinate count(const Point& a, const Point& b) const {
+    IT::Normal_coordinate n = 0;
+    const IT::Input& s = t.correspondence().input();
+    for (std::uint32_t x = 0; x < s.number_of_halfedges(); x += 2) {
+      const Point &p = position[s.source(x)], &q = position[s.target(x)];
+      const int pa = turn(p, q, a), pb = turn(p, q, b);
+      const auto is_on = [&](const Point& c) { return c == p || c == q || is_inside(p, q, c); };
+      if (pa == 0 && pb == 0 && is_on(a) && is_on(b)) return -1;
+      n += pa * pb < 0 && turn(a, b, p) * turn(a, b, q) < 0 ? 1 : 0;
+    }
+    return n;
+  }
+
   /// Empty if all normal coordinates and roundabouts are what a count in the plane gives.
   std::string defect() const {
     std::string error;
@@ -219,17 +233,7 @@ private:
     deviation = std::max(deviation, is_place ? places::distance(p, position[v]) : 1);
   }
   IT::Normal_coordinate count(std::uint32_t e) const {
-    const Point &a = position[view().source(2 * e)], &b = position[view().target(2 * e)];
-    IT::Normal_coordinate n = 0;
-    const IT::Input& s = t.correspondence().input();
-    for (std::uint32_t x = 0; x < s.number_of_halfedges(); x += 2) {
-      const Point &p = position[s.source(x)], &q = position[s.target(x)];
-      const int pa = turn(p, q, a), pb = turn(p, q, b);
-      const auto is_on = [&](const Point& c) { return c == p || c == q || is_inside(p, q, c); };
-      if (pa == 0 && pb == 0 && is_on(a) && is_on(b)) return -1;
-      n += pa * pb < 0 && turn(a, b, p) * turn(a, b, q) < 0 ? 1 : 0;
-    }
-    return n;
+    return count(position[view().source(2 * e)], position[view().target(2 * e)]);
   }
   // the first input halfedge counterclockwise from `h`, of those that start from its source or pass it
   std::uint32_t first_curve(std::uint32_t h) const {

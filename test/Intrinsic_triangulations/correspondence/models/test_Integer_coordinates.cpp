@@ -104,7 +104,30 @@ TEST(Integer_coordinates, Count_the_crossings_in_the_plane_after_moves_of_vertic
       }
     }
     EXPECT_GT(mover.statuses[0], 50) << name;
+    EXPECT_LT(p.deviation, 0x1p-34) << name; // 2^-40 of the height of an input face, at most 64
   }
+}
+
+TEST(Integer_coordinates, Split_edges_where_input_edges_cross_them) {
+  // middles of edges between lattice points lie on input edges, which cross at all angles
+  Plane<Exact> p(meshes::sheared_grid(3, 3, 2));
+  for (int round = 0; round < 2; ++round) {
+    IT::flip_to_delaunay(p.t);
+    std::vector<std::uint32_t> halfedges;
+    for (const auto e : edges(p.t.mesh())) {
+      const std::uint32_t h = 2 * p.t.index(e);
+      halfedges.push_back(p.view().is_border(h) ? h ^ 1U : h);
+    }
+    int crossed = 0;
+    for (const std::uint32_t h : halfedges) {
+      crossed += p.t.correspondence().normal_coordinate(h / 2) > 0 ? 1 : 0;
+      ASSERT_EQ(p.insert(h, {0.5, 0.5, 0}).status, IT::Move_status::done) << h;
+    }
+    EXPECT_GT(crossed, 10);
+    EXPECT_EQ(p.defect(), "");
+    EXPECT_EQ(defect(p.t), "");
+  }
+  EXPECT_LT(p.deviation, 0x1p-34);
 }
 
 TEST(Integer_coordinates, Count_the_crossings_where_vertices_lie_on_input_edges_inside_faces) {

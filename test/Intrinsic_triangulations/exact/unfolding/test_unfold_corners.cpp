@@ -95,8 +95,7 @@ public:
     expect_triangle(ipk);
     expect_triangle(pjk);
     expect_equal(ipk.quadruple_area + pjk.quadruple_area, area);
-    EXPECT_TRUE(
-        squared_area(length_.at(move.ip / 2), whole, length_.at(move.pj / 2)).is_zero());
+    EXPECT_TRUE(squared_area(length_.at(move.ip / 2), whole, length_.at(move.pj / 2)).is_zero());
   }
 
   template <class T>
@@ -265,10 +264,10 @@ TEST(unfold_corners, gives_diamonds_whose_conjugates_are_bounded) {
     for (unsigned signs = 0; signs < 256; ++signs) {
       const auto face = [&](std::uint32_t f) {
         const double area = std::sqrt(input.squared_quadruple_area<double>(f));
-        return std::pair<std::array<double, 3>, double>(
-            {input.squared_length<double>(f, 0), input.squared_length<double>(f, 1),
-             input.squared_length<double>(f, 2)},
-            (signs >> (f % 8)) % 2 != 0 ? -area : area);
+        return std::pair<std::array<double, 3>, double>({input.squared_length<double>(f, 0),
+                                                         input.squared_length<double>(f, 1),
+                                                         input.squared_length<double>(f, 2)},
+                                                        (signs >> (f % 8)) % 2 != 0 ? -area : area);
       };
       EXPECT_LE(std::log2(std::abs(IT::Delaunay_expression()(d.values<double>(face)))), bits);
     }

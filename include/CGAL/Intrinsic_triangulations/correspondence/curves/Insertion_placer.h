@@ -66,17 +66,16 @@ public:
           place_with(rough_, view, coordinates, h, weights, along_side, approximate_values(input));
       return placed(place, along_side);
     } else {
-      const auto place =
-          place_with(face_, view, coordinates, h, along_side ? weights : inside(weights),
-                     along_side, values_from(input, intervals_.of(input.metric())));
-      if (!place) return std::nullopt;
-      values_ = face_.values(*place);
-      if (along_side) values_.quadruple_areas[0] = FT(0);
-      if (!are_positive(values_, along_side)) {
-        ++t.metric().statistics().sharpenings[bits];
-        if (!find_values(view, coordinates, h, *place, along_side)) return std::nullopt;
+      const bool beside_side = weights[2] == 0 && !along_side;
+      for (double distance = nearness; distance <= farthest; distance *= 16) {
+        const auto place = place_with(face_, view, coordinates, h,
+                                      beside_side ? beside(weights, distance) : weights, along_side,
+                                      values_from(input, intervals_.of(input.metric())));
+        if (place && is_in_face(t, coordinates, h, *place, along_side))
+          return placed(place, along_side);
+        if (!beside_side) break;
       }
-      return placed(place, along_side);
+      return std::nullopt;
     }
   }
 
@@ -86,6 +85,8 @@ public:
 private:
   // distance of points of a side from it, in units of the height of the face
   static constexpr double nearness = 0x1p-40;
+  // distance up to which they are tried: what is put on a curve may leave the face, if it was nearest
+  static constexpr double farthest = 0x1p-28;
   static constexpr unsigned bits = 256; // an area that shows no sign then is not worth an insertion
 
   template <class U, class View, class Coordinates, class Values>
@@ -99,8 +100,21 @@ private:
   }
 
   // A point of a side that runs across input faces cannot be represented, as a rule: one beside it can.
-  static std::array<double, 3> inside(const std::array<double, 3>& w) {
-    return w[2] > 0 ? w : std::array{w[0] * (1 - nearness), w[1] * (1 - nearness), nearness};
+  static std::array<double, 3> beside(const std::array<double, 3>& w, double distance) {
+    return {w[0] * (1 - distance), w[1] * (1 - distance), distance};
+  }
+
+  // computes the values at a place; whether they are proven to be those of a point of the face
+  template <class Triangulation, class Coordinates, class Place>
+  bool is_in_face(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+                  const Place& place, bool along_side) {
+    values_ = face_.values(place);
+    if (along_side) values_.quadruple_areas[0] = FT(0);
+    if (are_positive(values_, along_side)) return true;
+    for (const FT& area : values_.quadruple_areas)
+      if (area.sup() < 0) return false;
+    ++t.metric().statistics().sharpenings[bits];
+    return find_values(Intrinsic_view<Triangulation>(t), coordinates, h, place, along_side);
   }
 
   template <class Place>

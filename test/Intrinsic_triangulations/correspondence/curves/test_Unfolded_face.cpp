@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
+
+#include "meshes.h"
+#include "places.h"
+#include "subdivision_oracle.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+// Where points of faces are on the input: in the plane by rational numbers, elsewhere by signposts, which find the
+// way over the input by angles.
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using CGAL::Gmpq;
+using places::Position;
+using subdivision_oracle::Mover;
+using subdivision_oracle::Plane;
+using Interval = CGAL::Interval_nt<false>;
+using Weights = std::array<double, 3>;
+
+template <class Correspondence>
+using Exact =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Correspondence>;
+
+/// Faces unfolded in intervals, whose rounding mode must be set.
+template <class T>
+class Unfolder {
+public:
+  explicit Unfolder(const T& t) : t_(t), view_(t), values_(faces_.of(t.input().metric())) {}
+
+  using Face = IT::Unfolded_face<Interval>;
+
+  const Face& operator()(std::uint32_t h) {
+    const IT::Input& input = t_.correspondence().input();
+    face_.unfold(view_, t_.correspondence(), h, [&](std::uint32_t x) {
+      const IT::Face_side s = IT::input_side(input, x);
+      const auto& [l, area] = values_(s.face);
+      return IT::Face_values<Interval>{{l[s.slot], l[(s.slot + 1) % 3], l[(s.slot + 2) % 3]}, area};
+    });
+    return face_;
+  }
+
+  IT::Corner_coordinates curves(std::uint32_t h) const {
+    return IT::corner_coordinates(view_, t_.correspondence(), h);
+  }
+
+private:
+  const T& t_;
+  IT::Intrinsic_view<T> view_;
+  IT::Input_face_intervals<Interval> faces_;
+  decltype(faces_.of(std::declval<const IT::Input_metric&>())) values_;
+  Face face_;
+};
+
+Gmpq cross(const Position& u, const Position& v) { return u[0] * v[1] - u[1] * v[0]; }
+Gmpq squared_length(const Position& u) { return u[0] * u[0] + u[1] * u[1]; }
+Position difference(const Position& p, const Position& q) { return {p[0] - q[0], p[1] - q[1]}; }
+
+bool contains(const Interval& x, const Gmpq& value) {
+  return Gmpq(x.inf()) <= value && value <= Gmpq(x.sup());
+}
+
+/// A triangulation in the plane that has been moved at random, and its faces.
+template <class T>
+class Moved_plane {
+public:
+  Moved_plane(const meshes::Mesh& m, unsigned seed) : plane(m), mover(plane.t, seed) {
+    for (int i = 0; i < 60; ++i) plane.t.flip_edge({mover.halfedge(false)});
+    for (int i = 0; i < 60; ++i)
+      mover.move(
+          false, [&](std::uint32_t h, const Weights& w) { return plane.insert(h, w); },
+          [&](IT::Gluing_map::Vertex v, std::uint32_t h, const Weights& w) {
+            return plane.reposition(v, h, w);
+          });
+    for (int i = 0; i < 60; ++i) plane.t.flip_edge({mover.halfedge(false)});
+    for (std::uint32_t h : places::halfedges_of_faces(plane.t))
+      for (unsigned k = 0; k < 3; ++k, h = plane.view().next(h)) sides.push_back(h);
+  }
+
+  std::array<Position, 3> corners(std::uint32_t h) const {
+    std::array<Position, 3> result;
+    for (Position& p : result) {
+      p = plane.position[plane.view().source(h)];
+      h = plane.view().next(h);
+    }
+    return result;
+  }
+
+  Position at(const IT::Surface_point& p) const {
+    return places::combination(plane.t.correspondence().input(), p.halfedge, p.weights,
+                               plane.position);
+  }
+
+  // compares a place with what the plane says of the point there
+  template <class Place, class Values>
+  void check(std::uint32_t h, const IT::Corner_coordinates& curves, const Place& place,
+             const Values& values) {
+    ASSERT_TRUE(places::is_exact(place.location));
+    const Position p = at(place.location);
+    const std::array<Position, 3> to = corners(h);
+    // crossings of the segments from the corners: nothing but the place is known here
+    const auto normal = IT::inserted_normal_coordinates(curves, place.region);
+    const int exponent = plane.t.metric().scale_exponent();
+    const Gmpq unit(std::ldexp(1.0, 2 * exponent));
+    for (unsigned k = 0; k < 3; ++k) {
+      EXPECT_EQ(normal[k], plane.count(to[k], p));
+      const Position u = difference(to[k], p), v = difference(to[(k + 1) % 3], p);
+      EXPECT_TRUE(contains(values.squared_lengths[k], squared_length(u) * unit));
+      EXPECT_TRUE(contains(values.quadruple_areas[k], 2 * cross(u, v) * unit));
+      // unfolding takes some dozen operations on numbers up to 100
+      EXPECT_LT(values.squared_lengths[k].sup() - values.squared_lengths[k].inf(), 1e-9);
+      EXPECT_LT(values.quadruple_areas[k].sup() - values.quadruple_areas[k].inf(), 1e-9);
+    }
+    on_curves += place.region.is_on_curve ? 1 : 0;
+    EXPECT_EQ(place.region.is_on_curve, place.location.weights[2] == 0);
+  }
+
+  Plane<T> plane;
+  Mover<T> mover;
+  std::vector<std::uint32_t> sides; // all halfedges with a face
+  int on_curves = 0;
+};
+
+std::vector<meshes::Mesh> planar() {
+  return {meshes::grid(3, 3), meshes::sheared_grid(3, 4, 2), meshes::random_planar(20, 60, 3),
+          meshes::random_planar(12, 12, 8)};
+}
+
+template <class Correspondence>
+class Unfolded_face : public testing::Test {};
+using Correspondences = testing::Types<IT::Integer_coordinates, IT::Explicit_crossings>;
+TYPED_TEST_SUITE(Unfolded_face, Correspondences);
+
+TYPED_TEST(Unfolded_face, places_points_of_the_plane_within_rounding_and_knows_their_values) {
+  using T = Exact<TypeParam>;
+  int fans = 0, corners = 0, strips = 0;
+  for (unsigned seed = 1; seed <= 2; ++seed)
+    for (const meshes::Mesh& m : planar()) {
+      Moved_plane<T> moved(m, seed);
+      const CGAL::Protect_FPU_rounding<true> upwards;
+      Unfolder<T> unfold(moved.plane.t);
+      for (const std::uint32_t h : moved.sides) {
+        const Weights w = moved.mover.weights(false);
+        const auto curves = unfold.curves(h);
+        const auto& face = unfold(h);
+        const auto place = face.place(moved.plane.t.input(), w);
+        ASSERT_TRUE(place);
+        moved.check(h, curves, *place, face.values(*place));
+        const Position asked = places::combination(moved.plane.view(), h, w, moved.plane.position);
+        EXPECT_LT(places::distance(moved.at(place->location), asked), 0x1p-34);
+        const auto [a, b, c] = curves.cutting;
+        fans += curves.fan_corner() < 3 && curves.emanating[curves.fan_corner()] > 1 ? 1 : 0;
+        corners += (a > 0) + (b > 0) + (c > 0) > 1 ? 1 : 0;
+        strips += a + b + c > 4 ? 1 : 0;
+        if (this->HasFailure()) return;
+      }
+    }
+  EXPECT_GT(fans, 20);
+  EXPECT_GT(corners, 20);
+  EXPECT_GT(strips, 20);
+}
+
+// barycentric coordinates of a point in a triangle
+Weights weights_of(const Position& p, const std::array<Position, 3>& t) {
+  const Gmpq whole = cross(difference(t[1], t[0]), difference(t[2], t[0]));
+  Weights w{};
+  for (unsigned k = 0; k < 3; ++k)
+    w[k] = CGAL::to_double(
+        Gmpq(cross(difference(t[(k + 1) % 3], p), difference(t[(k + 2) % 3], p)) / whole));
+  return w;
+}
+
+TYPED_TEST(Unfolded_face, puts_points_of_curves_on_them) {
+  using T = Exact<TypeParam>;
+  int points = 0, in_fans = 0;
+  for (const meshes::Mesh& m : planar()) {
+    Moved_plane<T> moved(m, 5);
+    const IT::Input& input = moved.plane.t.input();
+    const CGAL::Protect_FPU_rounding<true> upwards;
+    Unfolder<T> unfold(moved.plane.t);
+    for (const std::uint32_t h : moved.sides) {
+      const std::array<Position, 3> t = moved.corners(h);
+      for (std::uint32_t x = 0; x < input.number_of_halfedges(); x += 2)
+        for (const double s : {0.25, 0.40625, 0.8125}) {
+          const Position &a = moved.plane.position[input.source(x)],
+                         &b = moved.plane.position[input.target(x)];
+          const Position p{a[0] + Gmpq(s) * (b[0] - a[0]), a[1] + Gmpq(s) * (b[1] - a[1])};
+          const Weights w = weights_of(p, t);
+          if (*std::min_element(w.begin(), w.end()) < 1e-6) continue; // not inside
+          const auto curves = unfold.curves(h);
+          const auto& face = unfold(h);
+          const auto place = face.place(input, w);
+          ASSERT_TRUE(place);
+          ASSERT_TRUE(place->region.is_on_curve);
+          EXPECT_EQ(place->location.halfedge / 2, x / 2);
+          EXPECT_LT(places::distance(moved.at(place->location), p), 1e-10);
+          moved.check(h, curves, *place, face.values(*place));
+          ++points;
+          in_fans += place->region.corner == place->region.fan_corner ? 1 : 0;
+          if (this->HasFailure()) return;
+        }
+    }
+    EXPECT_GT(moved.on_curves, 0);
+  }
+  EXPECT_GT(points, 100);
+  EXPECT_GT(in_fans, 10);
+}
+
+TYPED_TEST(Unfolded_face, refuses_points_within_rounding_of_corners) {
+  using T = Exact<TypeParam>;
+  Moved_plane<T> moved(meshes::sheared_grid(3, 4, 2), 9);
+  const CGAL::Protect_FPU_rounding<true> upwards;
+  Unfolder<T> unfold(moved.plane.t);
+  for (const std::uint32_t h : moved.sides) {
+    const auto place = unfold(h).place(moved.plane.t.input(), {1 - 0x1p-60, 0x1p-61, 0x1p-61});
+    if (!place) continue;
+    // then a value shows that the point is not proven to be in the face
+    const auto v = unfold(h).values(*place);
+    double least = 1;
+    for (unsigned k = 0; k < 3; ++k)
+      least = std::min({least, v.quadruple_areas[k].inf(), v.squared_lengths[k].inf()});
+    EXPECT_LE(least, 0);
+  }
+}
+
+// the point in space
+meshes::Point in_space(const meshes::Mesh& m, const IT::Input& input, const IT::Surface_point& p) {
+  meshes::Point result{0, 0, 0};
+  std::uint32_t h = p.halfedge;
+  for (const double w : p.weights) {
+    for (std::size_t k = 0; k < 3; ++k) result[k] += w * m.points[input.source(h)][k];
+    h = input.next(h);
+  }
+  return result;
+}
+
+TYPED_TEST(Unfolded_face, places_points_of_surfaces_where_signposts_find_them) {
+  for (const meshes::Mesh& m : {meshes::rough_grid(5, 1), meshes::box(2, 3, 2),
+                                meshes::integer_terrain(40, 20, 3), meshes::potato(2, 3)}) {
+    using T = Exact<TypeParam>;
+    T t(subdivision_oracle::input(m));
+    Exact<IT::Signposts> other(subdivision_oracle::input(m));
+    Mover<T> mover(t, 4);
+    for (int i = 0; i < 200; ++i) {
+      const std::uint32_t h = mover.halfedge(false);
+      ASSERT_EQ(t.flip_edge({h}), other.flip_edge({h}));
+    }
+    const IT::Intrinsic_view<T> view(t);
+    for (const std::uint32_t h : places::halfedges_of_faces(t)) {
+      const Weights w = mover.weights(false);
+      const auto expected = IT::locate_on_input(other, {h, w});
+      ASSERT_TRUE(expected);
+      const auto located = IT::locate_on_input(t, {h, w});
+      ASSERT_TRUE(located);
+      const CGAL::Protect_FPU_rounding<true> upwards;
+      Unfolder<T> unfold(t);
+      const auto& face = unfold(h);
+      const auto place = face.place(t.input(), w);
+      ASSERT_TRUE(place && places::is_exact(place->location));
+      const meshes::Point p = in_space(m, t.input(), *expected);
+      for (const meshes::Point& q :
+           {in_space(m, t.input(), place->location), in_space(m, t.input(), *located)})
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(p[k], q[k], 1e-7);
+      // shares of the area, by the weights that were asked for
+      const auto v = face.values(*place);
+      const double area = t.metric().approximate_quadruple_area(view.face(h));
+      for (unsigned k = 0; k < 3; ++k)
+        EXPECT_NEAR(CGAL::to_double(v.quadruple_areas[k]), w[(k + 2) % 3] * area, 1e-9);
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
+
+#include "gallery.h"
+#include "meshes.h"
+#include "places.h"
+#include "properties.h"
+#include "subdivision_oracle.h"
+
+#include <CGAL/Integer_only_triangulation.h>
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+// What exact traits say of inserted vertices must follow from their places on the input, and from nothing else.
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Move_status;
+using subdivision_oracle::input;
+using subdivision_oracle::Mover;
+using Integers = IT::Integer_only_triangulation<>;
+
+template <class Correspondence>
+using Exact =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Correspondence>;
+using With_integers = Exact<IT::Integer_coordinates>;
+
+std::vector<meshes::Mesh> surfaces() {
+  return {meshes::rough_grid(4, 2),
+          meshes::box(2, 2, 1),
+          meshes::potato(2, 3),
+          meshes::integer_terrain(30, 20, 5),
+          meshes::folded_lattice(4, 4, 1),
+          meshes::sheared_grid(4, 4, 5),
+          meshes::integer_height_field(4, 3, 2)};
+}
+
+// makes random moves, the same on triangulations that are the same; returns how often each status came
+template <class T>
+std::array<int, 10> move_at_random(T& t, unsigned seed, int moves) {
+  Mover<T> mover(t, seed);
+  for (int i = 0; i < moves; ++i) mover.move(true);
+  return mover.statuses;
+}
+
+// signs of all inner edges, by number
+template <class T>
+std::vector<CGAL::Sign> signs(const T& t) {
+  std::vector<CGAL::Sign> result;
+  const typename T::Const_session session(t);
+  for (const auto h : properties::flippable_by_connectivity(t))
+    result.push_back(session.delaunay_sign(h));
+  return result;
+}
+
+// by integers and the input alone: every face is positive, and of every edge the sign is the one that is expected
+void expect_same_by_integers(const With_integers& t) {
+  const Integers integers(t);
+  const Integers::Const_session session(integers);
+  for (const std::uint32_t h : places::halfedges_of_faces(t)) {
+    const IT::Intrinsic_view<With_integers> view(t);
+    const std::uint32_t inner = view.is_border(h ^ 1U) ? IT::Gluing::none : h;
+    if (inner != IT::Gluing::none && view.face(h) != view.face(h ^ 1U)) {
+      EXPECT_EQ(session.orientation({h}), CGAL::POSITIVE);
+    }
+  }
+  EXPECT_EQ(signs(integers), signs(t));
+  EXPECT_EQ(places::first_wrong_value(t), IT::Gluing::none);
+}
+
+TEST(Vertex_places, define_all_values_and_signs_after_random_moves) {
+  for (const meshes::Mesh& m : surfaces()) {
+    With_integers t(input(m));
+    const double before = properties::total_area(t);
+    for (unsigned round = 1; round <= 4; ++round) {
+      move_at_random(t, round, 40);
+      EXPECT_TRUE(t.metric().is_defined_by_places());
+      EXPECT_NEAR(properties::total_area(t), before, 1e-12 * before);
+      expect_same_by_integers(t);
+      IT::flip_to_delaunay(t);
+      EXPECT_TRUE(IT::is_delaunay(Integers(t)));
+      expect_same_by_integers(t);
+      if (HasFailure()) return;
+    }
+  }
+}
+
+TEST(Vertex_places, define_all_values_and_signs_on_Delta_complexes) {
+  for (const gallery::Surface& s : gallery::oriented()) {
+    SCOPED_TRACE(s.name);
+    IT::Intrinsic_input in(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
+    in.may_renumber = false;
+    With_integers t(std::move(in));
+    const double before = properties::total_area(t);
+    for (unsigned round = 1; round <= 3; ++round) {
+      move_at_random(t, round, 15);
+      EXPECT_NEAR(properties::total_area(t), before, 1e-12 * before);
+      expect_same_by_integers(t);
+    }
+  }
+}
+
+TEST(Vertex_places, are_the_same_whatever_else_observes_the_moves) {
+  for (const meshes::Mesh& m : surfaces()) {
+    With_integers t(input(m));
+    Exact<IT::No_correspondence> none(input(m));
+    Exact<IT::Explicit_crossings> crossings(input(m));
+    Exact<IT::Signposts> signposts(input(m));
+    // flips that the hidden coordinates must replay
+    std::mt19937 random(3);
+    for (int i = 0; i < 50; ++i) {
+      const auto edges = properties::flippable_by_connectivity(t);
+      const auto h = edges[random() % edges.size()];
+      const Move_status s = t.flip_edge(h);
+      ASSERT_EQ(none.flip_edge(h), s);
+      ASSERT_EQ(crossings.flip_edge(h), s);
+      ASSERT_EQ(signposts.flip_edge(h), s);
+    }
+    const auto statuses = move_at_random(t, 5, 80);
+    EXPECT_GT(statuses[0], 30);
+    EXPECT_EQ(move_at_random(none, 5, 80), statuses);
+    EXPECT_EQ(move_at_random(crossings, 5, 80), statuses);
+    EXPECT_EQ(move_at_random(signposts, 5, 80), statuses);
+    const auto expected = properties::values(t);
+    EXPECT_EQ(properties::values(none), expected);
+    EXPECT_EQ(properties::values(crossings), expected);
+    EXPECT_EQ(properties::values(signposts), expected);
+    EXPECT_EQ(signs(none), signs(t));
+    EXPECT_EQ(signs(crossings), signs(t));
+    EXPECT_EQ(signs(signposts), signs(t));
+  }
+}
+
+// entries of a matrix, with their positions
+using Entries = std::vector<std::array<double, 3>>;
+
+template <class Correspondence>
+Entries refined_laplacian(const meshes::Mesh& m) {
+  Exact<Correspondence> t(input(m));
+  IT::delaunay_refine(t, IT::parameters::minimum_angle(25.));
+  const Eigen::SparseMatrix<double> l = IT::cotangent_laplacian(t);
+  Entries result;
+  for (int c = 0; c < l.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(l, c); i; ++i)
+      result.push_back({static_cast<double>(i.row()), static_cast<double>(c), i.value()});
+  return result;
+}
+
+TEST(Vertex_places, give_the_same_laplacian_to_all_correspondences_bit_by_bit) {
+  for (const meshes::Mesh& m : surfaces()) {
+    const Entries expected = refined_laplacian<IT::No_correspondence>(m);
+    EXPECT_EQ(refined_laplacian<IT::Integer_coordinates>(m), expected);
+    EXPECT_EQ(refined_laplacian<IT::Explicit_crossings>(m), expected);
+    EXPECT_EQ(refined_laplacian<IT::Signposts>(m), expected);
+  }
+}
+
+// many ties, which only the unfolder of a triangulation can tell
+template <class T>
+T with_ties() {
+  T t(input(meshes::box(2, 2, 1)));
+  Mover<T> mover(t, 1);
+  for (int i = 0; i < 8; ++i) mover.move(true);
+  for (const auto h : properties::flippable_by_connectivity(t))
+    if (std::abs(t.squared_length(edge(h, t.mesh())) - 2) < 1e-6) t.split_edge(h, 0.5);
+  return t;
+}
+
+template <class T>
+void expect_decides(const T& t, const std::vector<CGAL::Sign>& expected) {
+  t.metric().statistics() = {};
+  EXPECT_EQ(signs(t), expected);
+  EXPECT_GT(t.metric().statistics().certified_zero, 0U);
+  EXPECT_EQ(t.metric().statistics().probable_zero, 0U);
+}
+
+template <class Correspondence>
+class Vertex_places_of : public testing::Test {};
+using Correspondences = testing::Types<IT::No_correspondence, IT::Integer_coordinates,
+                                       IT::Explicit_crossings, IT::Signposts>;
+TYPED_TEST_SUITE(Vertex_places_of, Correspondences);
+
+TYPED_TEST(Vertex_places_of, copies_moves_and_assignments_keep_deciding) {
+  using T = Exact<TypeParam>;
+  const T original = with_ties<T>();
+  ASSERT_TRUE(original.metric().is_defined_by_places());
+  const auto expected = signs(original);
+  expect_decides(original, expected);
+
+  std::vector<T> copies; // that change their addresses
+  for (int i = 0; i < 9; ++i) copies.push_back(original);
+  for (const T& t : copies) expect_decides(t, expected);
+
+  T assigned(input(meshes::grid(2, 2)));
+  assigned = copies.front();
+  T moved = std::move(copies.back());
+  copies.clear();
+  expect_decides(assigned, expected);
+  expect_decides(moved, expected);
+  std::swap(assigned, moved);
+  expect_decides(assigned, expected);
+  expect_decides(moved, expected);
+
+  // and go their own ways
+  T other = original;
+  EXPECT_EQ(move_at_random(moved, 7, 30), move_at_random(assigned, 7, 30));
+  EXPECT_EQ(signs(moved), signs(assigned));
+  EXPECT_EQ(properties::values(moved), properties::values(assigned));
+  expect_decides(other, expected);
+  expect_decides(original, expected);
+  IT::flip_to_delaunay(moved);
+  EXPECT_TRUE(IT::is_delaunay(moved));
+  // over what had no insertion, and had another input
+  other = T(input(meshes::grid(2, 2)));
+  EXPECT_FALSE(other.metric().is_defined_by_places());
+  EXPECT_EQ(other.insert_vertex({0}, {0.25, 0.25, 0.5}).status, Move_status::done);
+  EXPECT_TRUE(IT::flip_to_delaunay(other).status == IT::Status::done);
+}
+
+TYPED_TEST(Vertex_places_of, refinement_of_noisy_meshes_needs_no_more_than_doubles) {
+  for (const meshes::Mesh& m :
+       {meshes::rough_grid(20, 3), meshes::rough_grid(15, 4, 2.0), meshes::potato(4, 7)}) {
+    Exact<TypeParam> t(input(m));
+    const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(25.));
+    EXPECT_EQ(result.status, IT::Status::done);
+    EXPECT_GT(result.counts.inserted_vertices(), 20U);
+    const IT::Predicate_statistics& s = t.metric().statistics();
+    for (const auto& [bits, count] : s.escalations) EXPECT_EQ(bits, 53U) << count;
+    EXPECT_TRUE(s.sharpenings.empty());
+    EXPECT_EQ(s.certified_zero + s.probable_zero, 0U);
+  }
+}
+
+} // namespace
