@@ -50,8 +50,8 @@ moves have made, except integers. Hence it is an independent check of a triangul
 it was made with: see `certify_delaunay()`.
 
 Only edges are flipped: vertices may have been inserted before the integer coordinates came here. These are where
-`Integer_coordinates::location()` says, rounded by `representable_weights()`, which moves those that were inserted
-into intrinsic faces by some 2^-52: areas of that size may come out negative.
+`Integer_coordinates::location()` says. With exact traits that is what defined them; what other arithmetic has
+measured in intrinsic faces is within rounding of it, and areas of that size may come out negative.
 
 A flip is refused (`Move_status::crossings`) that makes an edge with more than
 `Diamond_unfolder::maximal_crossings`; `flip_to_delaunay()` counts it as refused.
