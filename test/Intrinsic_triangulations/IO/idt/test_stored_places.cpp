@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -418,7 +419,10 @@ TYPED_TEST(Stored_correspondence, Traces_subdivides_and_goes_on_as_if_not_stored
     expect_equal(text(back), text(t));
     EXPECT_EQ(c.inserted_vertices(), a.inserted_vertices());
     EXPECT_EQ(c.flips, a.flips);
-    EXPECT_EQ(sorted_values(unstored), sorted_values(t));
+    const auto x = sorted_values(unstored), y = sorted_values(t);
+    ASSERT_EQ(x.size(), y.size());
+    for (std::size_t i = 0; i < x.size(); ++i) // gaps change the order of what ties
+      EXPECT_NEAR(x[i], y[i], 1e-11 * std::abs(x[i]));
     expect_same_subdivision(t, back);
   }
 }
@@ -646,7 +650,7 @@ TEST(Damaged_sections, are_refused) {
   expect_refused(replaced(s, "scale ", "scale 2000000000"), "exponent");
   expect_refused(replaced(s, "input points", "input squared_lengths"), "");
   expect_refused(replaced(s, "input points", "input none"), "");
-  expect_refused(replaced(s, "polygons 0\n", "polygons 1\n0\n"), "every face");
+  expect_refused(replaced(s, "\npolygons 0\n", "\npolygons 1\n0\n"), "every face");
   for (const std::string count : {"input_vertices", "input_edges", "input_faces", "input_border",
                                   "vertices", "edges", "faces", "border", "places"}) {
     const std::size_t at = s.find("\n" + count + " ") + count.size() + 2;
@@ -655,7 +659,8 @@ TEST(Damaged_sections, are_refused) {
       expect_refused(s.substr(0, at) + std::to_string(other) + s.substr(s.find('\n', at)), "");
   }
   // names are given once, in their order unless renumbered
-  EXPECT_NE(refusal(s, "input_vertices", 1, 0, "1").find("name 1"), std::string::npos);
+  for (const std::string element : {"vertices", "edges", "faces"})
+    EXPECT_NE(refusal(s, "input_" + element, 1, 0, "1", true).find("name 1"), std::string::npos);
 }
 
 TEST(Damaged_sections, are_refused_where_halfedges_of_vertices_are_wrong) {

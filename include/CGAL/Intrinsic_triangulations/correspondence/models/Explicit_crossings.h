@@ -109,10 +109,10 @@ public:
     store(move.ij, announced_[0]);
   }
 
-  /// announces the insertion of a vertex in a face. \return true
+  /// announces the insertion of a vertex in a face. \return see `Integer_coordinates`
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_in_face& move) {
-    Integer_coordinates::before(t, move);
+    if (!Integer_coordinates::before(t, move)) return false;
     find_spokes(move.sides);
     return true;
   }
@@ -124,10 +124,10 @@ public:
     for (std::size_t k = 0; k < 3; ++k) store(move.spokes[k], announced_[k]);
   }
 
-  /// announces the insertion of a vertex on the border. \return true
+  /// announces the insertion of a vertex on the border. \return see `Integer_coordinates`
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_on_border& move) {
-    Integer_coordinates::before(t, move);
+    if (!Integer_coordinates::before(t, move)) return false;
     find_spokes({move.ip, move.jk, move.ki});
     return true;
   }
