@@ -183,9 +183,10 @@ Triangulation read_intrinsic_triangulation(std::istream& in, const std::string& 
   static_assert(!arithmetic.empty(),
                 "the file format holds exact traits and Euclidean_traits<double>");
   using Correspondence = typename Triangulation::Correspondence;
-  static_assert(std::is_same_v<Correspondence, No_correspondence> ||
-                    std::is_base_of_v<Integer_coordinates, Correspondence>,
-                "files hold integer coordinates, from which other correspondences are not made");
+  constexpr bool is_readable = std::is_same_v<Correspondence, No_correspondence> ||
+                               std::is_base_of_v<Integer_coordinates, Correspondence>;
+  static_assert(is_readable, "files hold integer coordinates, from which signposts are not made; "
+                             "read with Integer_coordinates");
   internal::Text_reader text(in, name);
   const std::string stored = internal::read_format_header(text);
   if (stored != arithmetic)

@@ -35,7 +35,6 @@ template <class Triangulation>
 class Intrinsic_triangulation_writer {
   using Metric = typename Triangulation::Metric;
   using Correspondence = typename Triangulation::Correspondence;
-  using Halfedge = Gluing_map::Halfedge;
 
 public:
   Intrinsic_triangulation_writer(std::ostream& out, const Triangulation& t)
