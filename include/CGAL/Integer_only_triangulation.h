@@ -177,7 +177,7 @@ public:
   and the history of its moves.
   \tparam Traits the arithmetic
   \throws Invalid_input if an edge of the input has no length, a vertex was inserted nearer to a corner than
-  2^-52, or the triangulation was read from a file, which tells what it was made from only up to moves
+  2^-52, or the input does not define the lengths of its faces, see `Input::is_defined_by_metric()`
   \throws std::length_error if an edge has more than `Diamond_unfolder::maximal_crossings`
   \complexity linear
   */
@@ -229,8 +229,8 @@ private:
   static void check_input(const Input& input) {
     if (!input.is_defined_by_metric())
       throw Invalid_input(Element_kind::none, 0,
-                          "the triangulation was read from a file, which does not tell the lengths "
-                          "of its faces exactly; build it from the mesh");
+                          "the input does not tell the lengths of its faces exactly; build the "
+                          "triangulation from the mesh");
   }
 
   static void check_coordinates(const Integer_only_triangulation& t) {

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
@@ -29,6 +30,11 @@
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+template <class Triangulation>
+class Intrinsic_triangulation_writer;
+}
 
 /*!
 \brief owns an intrinsic triangulation: connectivity, metric and correspondence, and the elementary
@@ -117,11 +123,25 @@ public:
   */
   Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input)
       : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
-        metric_(std::move(metric)), rows_(input_->number_of_vertices()) {
-    for (const vertex_descriptor v : vertices(mesh_))
-      if (is_inserted(v)) rows_.insert(index(v));
+        metric_(std::move(metric)), rows_(rows_of_mesh()) {
     static_assert(IntrinsicCorrespondence<Correspondence, Intrinsic_triangulation>);
     correspondence_.start(*this);
+  }
+
+  /*!
+  \brief restores a triangulation, vertices of which may have been inserted, from its parts.
+  \param map the connectivity, with the numbers that the other parts use
+  \param metric values for its edges and faces
+  \param input what it was built from, with its surface
+  \param coordinates how `map` lies on `input`; they become the correspondence, or what that needs
+  \pre there is no correspondence, or it derives from `Integer_coordinates`
+  */
+  Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
+                          const Integer_coordinates& coordinates)
+      : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
+        metric_(std::move(metric)), rows_(rows_of_mesh()) {
+    if constexpr (has_correspondence) correspondence_.restore(*this, coordinates);
+    places_.restore(*this, metric_, coordinates);
   }
 
   /// copies everything but the input, which is shared; elements keep their numbers.
@@ -280,6 +300,7 @@ public:
 private:
   /// \cond
   friend class internal::Mover<Intrinsic_triangulation>;
+  friend class internal::Intrinsic_triangulation_writer<Intrinsic_triangulation>;
   friend Session;
   /// \endcond
 
@@ -292,6 +313,13 @@ private:
 
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
       : Intrinsic_triangulation(std::move(p.mesh), std::move(p.metric), std::move(p.input)) {}
+
+  internal::Vertex_rows rows_of_mesh() const {
+    internal::Vertex_rows rows(input_->number_of_vertices());
+    for (const vertex_descriptor v : vertices(mesh_))
+      if (is_inserted(v)) rows.insert(index(v));
+    return rows;
+  }
 
   std::shared_ptr<const Input> input_;
   Mesh mesh_;

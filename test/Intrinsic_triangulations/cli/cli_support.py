@@ -50,6 +50,23 @@ class Cli_test(unittest.TestCase):
         self.directory = self._directory.name
         self.addCleanup(self._directory.cleanup)
 
+    def triangulation(self, name):
+        """What a file says of a triangulation: all of it; in doubles all but how it lies on the input, which commands do not
+        keep."""
+        with open(self.path(name), encoding="ascii") as file:
+            text = file.read()
+        if text.startswith("IDT 3 exact\n"):
+            return text
+        edges = text.index("\nedges ")
+        faces = text.index("\nfaces ")
+        lengths = [line.split(" ")[0] for line in text[edges:faces].split("\n")[2:]]
+        end = text.find("\nplaces ")
+        return (text[text.index("\nvertices "):edges], lengths,
+                text[faces:end if end > 0 else text.index("\nend\n")])
+
+    def assert_same_triangulation(self, a, b):
+        self.assertEqual(self.triangulation(a), self.triangulation(b))
+
     def run_program(self, *arguments):
         return Run(self.program, arguments, self.directory)
 

@@ -113,8 +113,8 @@ def read_idt(path):
     """Edges, as pairs of vertices with a sum of cotangents, and the area, from an .idt file."""
     with open(path) as file:
         lines = file.read().split("\n")
-    exact = lines[0] == "IDT 2 exact"
-    number = (lambda words: (float.fromhex(words[0]) + float.fromhex(words[-1])) / 2) if exact else \
+    exact = lines[0] == "IDT 3 exact"
+    number = (lambda words: (float.fromhex(words[0]) + float.fromhex(words[2])) / 2) if exact else \
         (lambda words: float.fromhex(words[0]))
     scale = int(lines[1].split()[1])
     at = {line.split()[0]: i for i, line in enumerate(lines) if line and line[0].isalpha()}
@@ -124,7 +124,7 @@ def read_idt(path):
         return [line.split() for line in lines[start + 1:start + 1 + int(lines[start].split()[1])]]
 
     squared = [number(words) for words in section("edges")]
-    input_vertex = [int(words[0]) for words in section("vertices")]
+    input_vertex = [int(words[0]) for words in section("input_vertices")]
     cotangents, ends, area = [0.0] * len(squared), [None] * len(squared), 0.0
     for words in section("faces"):
         h, v, a = [int(w) for w in words[:3]], [int(w) for w in words[3:6]], number(words[6:])

@@ -60,8 +60,8 @@ triangulation before its first move; halfedges `2e` and `2e + 1` are the sides o
 Connectivity, lengths and areas are kept where a correspondence needs them, see `has_surface()`: to copy them
 costs a triangulation without one as much as its flips.
 
-A triangulation that was read from a file is its own input: the connectivity is that of the file. What
-defines its values exactly, `metric()`, is that of the triangulation before all moves.
+A triangulation that was read from a file has the input of the one that was written, with its surface if the file
+says how the two lie on each other; if not, names are all that is known.
 \cgalModels{NumberedComplex}
 */
 class Input {
@@ -83,8 +83,8 @@ public:
   const Gluing_map& mesh() const { return mesh_; }
   /// returns what defines lengths and areas exactly.
   const Input_metric& metric() const { return metric_; }
-  /// tells whether `metric()` defines the lengths of the faces of `mesh()`: not if edges were flipped before the
-  /// triangulation was read from a file, or doubles were all that the file had. \complexity linear
+  /// tells whether `metric()` defines the lengths of the faces of `mesh()`, which it does if there are any but those
+  /// that users put together. \complexity linear
   bool is_defined_by_metric() const {
     if (metric_.number_of_faces() != number_of_faces()) return false;
     for (std::uint32_t f = 0; f < number_of_faces(); ++f) {

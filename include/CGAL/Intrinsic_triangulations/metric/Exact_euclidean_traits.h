@@ -78,16 +78,11 @@ public:
   }
 
   /*!
-  \brief restores a metric from what its accessors return.
-  \pre the intervals contain the values that `input` and `history` define
+  \brief restores a metric that will be defined by places: see `define_by_places()`.
+  \pre the intervals contain the values that the places define
   */
-  Exact_euclidean_metric(const std::shared_ptr<const Input>& input, Flip_history history,
-                         std::vector<Version> versions, std::vector<FT> squared_lengths,
-                         std::vector<FT> quadruple_areas, std::vector<double> lengths,
-                         std::vector<double> areas)
-      : Enclosed_values(std::move(squared_lengths), std::move(quadruple_areas), std::move(lengths),
-                        std::move(areas)),
-        versions_(std::move(history), std::move(versions)), input_(input, &input->metric()) {}
+  Exact_euclidean_metric(const std::shared_ptr<const Input>& input, Enclosed_values values)
+      : Enclosed_values(std::move(values)), input_(input, &input->metric()) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
   // the call would cost a tenth of the flips where compilers, by chance, do not inline it

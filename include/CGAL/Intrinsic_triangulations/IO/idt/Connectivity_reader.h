@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/idt/Text_reader.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -25,36 +24,26 @@ inline std::uint32_t read_count(Text_reader& in, std::string_view keyword, std::
   return count;
 }
 
-// Reads the connectivity. Memory follows what has been read, never a count in the file.
+// Reads the connectivity of one surface. Memory follows what has been read, never a count in the file.
 class Connectivity_reader {
 public:
-  Connectivity_reader(Text_reader& in, int format_version)
-      : in_(in), format_version_(format_version) {}
+  explicit Connectivity_reader(Text_reader& in) : in_(in) {}
 
-  // numbers in the input; vertices beyond were inserted
-  std::vector<std::uint32_t> input_vertex, input_face;
   Gluing_map mesh;
 
-  std::size_t number_of_vertices() const { return halfedge_.size(); }
+  std::uint32_t number_of_vertices() const { return static_cast<std::uint32_t>(halfedge_.size()); }
 
-  void read_vertices() {
-    const std::uint32_t count = read_count(in_, "vertices", Gluing::none - 1);
-    in_.lines(count, [&](std::uint32_t v) {
-      read_input_vertex(v, count);
-      const std::string_view h = in_.word();
-      halfedge_.push_back(Gluing::none);
-      if (h != "-" && !parse_number(h, halfedge_.back())) in_.fail("the halfedge is not a number");
-    });
-    for (const std::uint32_t i : input_vertex)
-      if (i >= input_vertex.size())
-        in_.fail("input vertex " + std::to_string(i) + " does not exist");
+  // a word of the line of a vertex
+  void read_halfedge_of_vertex() {
+    const std::string_view h = in_.word();
+    halfedge_.push_back(Gluing::none);
+    if (h != "-" && !parse_number(h, halfedge_.back())) in_.fail("the halfedge is not a number");
   }
 
-  void start_faces(std::uint32_t edges) {
+  void start_faces(std::string_view keyword, std::uint32_t edges) {
     // every edge was read, and has at most two of the three sides of a face
     const auto most = static_cast<std::uint32_t>(2 * std::uint64_t{edges} / 3);
-    mesh = Gluing_map(static_cast<std::uint32_t>(halfedge_.size()), edges,
-                      read_count(in_, "faces", most));
+    mesh = Gluing_map(number_of_vertices(), edges, read_count(in_, keyword, most));
   }
 
   void read_face(std::uint32_t f) {
@@ -70,11 +59,10 @@ public:
     }
     mesh.set_halfedge(Gluing_map::Face{f}, {h[0]});
     for (unsigned k = 0; k < 3; ++k) check_ends(h[k], v[k]);
-    if (format_version_ == 1) input_face.push_back(in_.index(mesh.number_of_faces(), "input face"));
   }
 
-  void read_border() {
-    const std::uint32_t count = read_count(in_, "border", mesh.number_of_halfedges());
+  void read_border(std::string_view keyword) {
+    const std::uint32_t count = read_count(in_, keyword, mesh.number_of_halfedges());
     std::vector<char> followed(mesh.number_of_halfedges(), 0);
     in_.lines(count, [&](std::uint32_t) {
       const std::uint32_t h = in_.index(mesh.number_of_halfedges(), "halfedge");
@@ -97,26 +85,7 @@ public:
     set_halfedges_of_vertices();
   }
 
-  // The numbers of faces in the input, none if they are the same.
-  void read_input_faces(bool renumbered) {
-    if (format_version_ == 1) return; // they came with the faces
-    const std::uint32_t count =
-        read_count(in_, "input_faces", renumbered ? mesh.number_of_faces() : 0);
-    in_.lines(count, [&](std::uint32_t) { input_face.push_back(in_.index(count, "input face")); });
-  }
-
 private:
-  // Inserted vertices have no number in the input and come last.
-  void read_input_vertex(std::uint32_t v, std::uint32_t count) {
-    std::uint32_t i = 0;
-    const std::string_view word = in_.word();
-    if (format_version_ > 1 && word == "-") return;
-    if (!parse_number(word, i) || i >= count)
-      in_.fail("\"" + std::string(word.substr(0, 40)) + "\" is no valid input vertex");
-    if (input_vertex.size() != v) in_.fail("a vertex of the input comes after inserted ones");
-    input_vertex.push_back(i);
-  }
-
   // the vertex that a side of a face starts from
   Gluing_map::Vertex source_of_side(std::uint32_t h) const {
     return mesh.target(mesh.next(mesh.next({h})));
@@ -153,7 +122,6 @@ private:
   }
 
   Text_reader& in_;
-  int format_version_;
   std::vector<std::uint32_t> halfedge_; // of each vertex
 };
 

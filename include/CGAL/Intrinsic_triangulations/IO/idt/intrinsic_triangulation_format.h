@@ -4,13 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_INTRINSIC_TRIANGULATION_FORMAT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_INTRINSIC_TRIANGULATION_FORMAT_H
 
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 
 #include <array>
-#include <cstddef>
 #include <string_view>
 #include <utility>
 
@@ -18,16 +16,16 @@
 \file
 The text format of intrinsic triangulations, ordinarily with extension `.idt`.
 
-The format keeps a triangulation without loss: connectivity, which vertices were inserted, stored
-values bit by bit, and, with exact traits, the input and the history of moves, which define all values
-exactly. The manual has its specification, `doc/Intrinsic_triangulations/file_format.md`. See
-`write_intrinsic_triangulation()` and `read_intrinsic_triangulation()`.
+The format keeps a triangulation without loss: connectivity, stored values bit by bit, the input, and how the
+triangulation lies on it: places of inserted vertices and integer coordinates, which define all values exactly. The
+manual has its specification, `doc/Intrinsic_triangulations/file_format.md`. See `write_intrinsic_triangulation()`
+and `read_intrinsic_triangulation()`.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// Version of the file format that is written. Version 1, without inserted vertices, is read too.
-constexpr int intrinsic_triangulation_format_version = 2;
+/// Version of the file format, the only one that is read.
+constexpr int intrinsic_triangulation_format_version = 3;
 
 namespace internal {
 
@@ -44,18 +42,12 @@ inline constexpr std::array<std::pair<Mollification, std::string_view>, 3> molli
      {Mollification::lengths, "lengths"},
      {Mollification::squared_lengths, "squared_lengths"}}};
 
-// The words that name moves; weights are given where a vertex is inserted.
-inline constexpr std::string_view flip_name = "flip";
-struct Vertex_move_name {
-  Flip_history::Vertex_move::Kind kind;
-  std::string_view name;
-  std::size_t weights;
-};
-inline constexpr std::array<Vertex_move_name, 4> vertex_move_names = {
-    {{Flip_history::Vertex_move::Kind::insert_in_face, "insert", 3},
-     {Flip_history::Vertex_move::Kind::insert_in_border_edge, "insert_border", 2},
-     {Flip_history::Vertex_move::Kind::remove_from_face, "remove", 0},
-     {Flip_history::Vertex_move::Kind::remove_from_border_edge, "remove_border", 0}}};
+// The words that tell what an input is: none if nothing but names is known.
+inline constexpr std::string_view points_name = "points", squared_lengths_name = "squared_lengths",
+                                  no_input_name = "none";
+
+// The words that tell what part of the input an inserted vertex is in.
+inline constexpr std::string_view in_face_name = "face", on_edge_name = "edge";
 
 } // namespace internal
 

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXPLICIT_CROSSINGS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_crossing_lists.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -99,6 +101,17 @@ public:
   void start(const Triangulation& t) {
     Integer_coordinates::start(t);
     lists_ = internal::Crossing_lists(number_of_edges());
+  }
+
+  /// takes coordinates of a triangulation that is restored, and follows all curves.
+  /// \throws std::length_error see `edge_crossings()` \complexity linear in the number of edges and crossings
+  template <class Triangulation>
+  void restore(const Triangulation& t, Integer_coordinates coordinates) {
+    const Edge_crossings all = edge_crossings(t, coordinates);
+    lists_ = internal::Crossing_lists(coordinates.number_of_edges());
+    for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e)
+      lists_.assign(e, all.entered_on(e));
+    Integer_coordinates::restore(t, std::move(coordinates));
   }
 
   /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.

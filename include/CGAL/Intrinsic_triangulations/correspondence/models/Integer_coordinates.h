@@ -71,6 +71,12 @@ public:
     for (std::uint32_t h = 0; h < roundabout_.size(); ++h) roundabout_[h] = fans_.slot(h);
   }
 
+  /// takes coordinates of a triangulation that is restored, with the numbers that it has.
+  template <class Triangulation>
+  void restore(const Triangulation&, Integer_coordinates coordinates) {
+    *this = std::move(coordinates);
+  }
+
   /// returns the input.
   const Input& input() const { return *input_; }
   /// returns the curves at the vertices.

@@ -79,6 +79,7 @@ public:
     }
     for (std::uint32_t f = 0; f < faces; ++f) // slot 0 of an input face is its first side
       mesh_.set_halfedge(Gluing_map::Face{made[f].face}, halfedge(made[f]));
+    choose_halfedges_of_vertices();
   }
 
   // the connectivity before them
@@ -104,6 +105,14 @@ private:
   Gluing_map::Halfedge halfedge(const Made& m) const {
     const Gluing_map::Halfedge h{2 * m.edge};
     return mesh_.face(h).index == m.face ? h : Gluing_map::Halfedge{2 * m.edge + 1};
+  }
+
+  // whatever flips did
+  void choose_halfedges_of_vertices() {
+    for (std::uint32_t f = 0; f < mesh_.number_of_faces(); ++f)
+      for (const Gluing_map::Halfedge h : mesh_.sides({f})) mesh_.set_halfedge(mesh_.target(h), h);
+    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if (mesh_.face({h}).index == Gluing::none) mesh_.set_halfedge(mesh_.target({h}), {h});
   }
 
   // of the side that is halfedge h
@@ -136,13 +145,31 @@ public:
   void start(const Triangulation& t, Exact_euclidean_metric& metric) {
     if (has_started_) return;
     has_started_ = true;
-    if (!is_shared(t)) {
-      Replayed_flips flips(numbered_copy(t.mesh(), t.numbers()), metric);
-      own_ = std::make_unique<Integer_coordinates>();
-      own_->start(Started{surface_of(t, flips.mesh())});
-      flips.replay(*own_);
-    }
+    if (!is_shared(t)) own_ = std::make_unique<Integer_coordinates>(replayed(t));
     attach(t, metric);
+  }
+
+  // instead of `start()`, in a triangulation that is restored: takes coordinates, which its correspondence has too if
+  // it can
+  void restore(const Triangulation& t, Exact_euclidean_metric& metric,
+               const Integer_coordinates& coordinates) {
+    has_started_ = true;
+    if (!is_shared(t)) own_ = std::make_unique<Integer_coordinates>(coordinates);
+    attach(t, metric);
+  }
+
+  // the coordinates that are kept, if there are any
+  const Integer_coordinates* kept(const Triangulation& t) const {
+    return has_started_ || is_shared(t) ? &coordinates(t) : nullptr;
+  }
+
+  // coordinates that follow the history of flips
+  static Integer_coordinates replayed(const Triangulation& t) {
+    Replayed_flips flips(numbered_copy(t.mesh(), t.numbers()), t.metric());
+    Integer_coordinates result;
+    result.start(Started{surface_of(t, flips.mesh())});
+    flips.replay(result);
+    return result;
   }
 
   // to be called when the triangulation has got another address
@@ -202,6 +229,8 @@ template <class Triangulation>
 struct No_vertex_places {
   template <class Metric>
   void start(const Triangulation&, Metric&) {}
+  template <class Metric>
+  void restore(const Triangulation&, Metric&, const Integer_coordinates&) {}
   template <class Metric>
   void attach(const Triangulation&, Metric&) {}
   template <class Move>
