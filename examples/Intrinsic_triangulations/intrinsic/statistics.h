@@ -196,13 +196,12 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   const Delaunay_check checked = check(t);
   json["delaunay"] = delaunay_json(result, statistics, checked);
   json["certificate"] = certificate(is_exact, statistics.probable_zero, checked);
+  json["quality"] = quality_json(quality_of(t, checked));
   // coordinates of inserted vertices are not known to the metric
   const std::vector<Point> none;
   const bool has_points = num_vertices(t.mesh()) == loaded.scaled_points().size();
   add_integrals(json, integrals_of(t, has_points ? loaded.scaled_points() : none, checked), area,
                 has_points);
-  // after what makes stored values narrow: so it is that of the file which is written
-  json["quality"] = quality_json(quality_of(t, checked));
   json["seconds"]["verify"] = watch.lap();
   return json;
 }

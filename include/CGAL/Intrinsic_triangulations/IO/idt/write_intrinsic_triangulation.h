@@ -204,7 +204,7 @@ private:
   template <class FT>
   void write_value(const FT& x, double near) {
     if constexpr (Metric::is_exact)
-      out_.words(x.inf(), x.sup(), near);
+      out_.words(std::max(x.inf(), 0.0), x.sup(), std::max(near, 0.0)); // no value is negative
     else
       out_.words(x);
   }
