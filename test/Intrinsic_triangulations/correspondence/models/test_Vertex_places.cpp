@@ -206,6 +206,11 @@ TYPED_TEST(Vertex_places_of, copies_moves_and_assignments_keep_deciding) {
   const auto expected = signs(original);
   expect_decides(original, expected);
 
+  T changing = original;
+  const T copy(changing); // must not ask what it was copied from
+  EXPECT_GT(move_at_random(changing, 9, 60)[0], 20);
+  expect_decides(copy, expected);
+
   std::vector<T> copies; // that change their addresses
   for (int i = 0; i < 9; ++i) copies.push_back(original);
   for (const T& t : copies) expect_decides(t, expected);
