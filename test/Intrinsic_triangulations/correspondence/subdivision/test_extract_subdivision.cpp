@@ -191,9 +191,11 @@ TEST(Extract_subdivision, Lies_in_the_faces_that_its_labels_name_in_the_plane) {
           });
     const Common_subdivision s = IT::common_subdivision(p.t);
     expect_subdivision(p.t, s, name);
-    std::vector<Point> intrinsic;
-    for (const auto& q : p.position)
-      intrinsic.push_back({CGAL::to_double(q[0]), CGAL::to_double(q[1]), 0});
+    std::vector<Point> intrinsic(p.t.number_of_vertices()); // by row
+    for (const auto v : vertices(p.t.mesh())) {
+      const auto& q = p.position[p.t.index(v)];
+      intrinsic[p.t.input_vertex(v)] = {CGAL::to_double(q[0]), CGAL::to_double(q[1]), 0};
+    }
     const std::vector<Point> x = IT::positions(s, mesh.points);
     for (std::size_t v = 0; v < x.size(); ++v) // coordinates up to 64
       ASSERT_LE(norm(minus(x[v], combine(s.on_intrinsic(v), intrinsic))), 1e-9) << name << ' ' << v;
@@ -219,9 +221,10 @@ TEST(Extract_subdivision, Lies_in_the_faces_that_its_labels_name_in_the_plane) {
       EXPECT_TRUE(inside({mesh.points[tri[0]], mesh.points[tri[1]], mesh.points[tri[2]]}))
           << name << ' ' << f;
       const auto h = IT::sides_of_face(view, view.halfedge_of_face(s.intrinsic_face[f]));
-      EXPECT_TRUE(inside({intrinsic[view.source(h[0])], intrinsic[view.source(h[1])],
-                          intrinsic[view.source(h[2])]}))
-          << name << ' ' << f;
+      const auto source = [&](std::uint32_t side) {
+        return intrinsic[p.t.input_vertex(IT::Gluing_map::Vertex{view.source(side)})];
+      };
+      EXPECT_TRUE(inside({source(h[0]), source(h[1]), source(h[2])})) << name << ' ' << f;
     }
   }
 }

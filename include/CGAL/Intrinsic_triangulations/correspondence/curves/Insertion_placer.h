@@ -33,6 +33,30 @@ struct Placed_insertion {
   Surface_point location;  ///< the place on the input
 };
 
+namespace internal {
+
+// from the values of a face to those from a halfedge of it on
+template <class Faces>
+auto values_from(const Input& input, Faces faces) {
+  return [&input, faces](std::uint32_t x) {
+    const Face_side s = input_side(input, x);
+    const auto& [l, area] = faces(s.face);
+    return Face_values<std::decay_t<decltype(area)>>{
+        {l[s.slot], l[(s.slot + 1) % 3], l[(s.slot + 2) % 3]}, area};
+  };
+}
+
+template <class U, class View, class Coordinates, class Values>
+auto place_with(U& face, const View& view, const Coordinates& coordinates, std::uint32_t h,
+                const std::array<double, 3>& weights, bool along_side, const Values& values) {
+  face.unfold(view, coordinates, h, values);
+  return along_side ? face.place_on_side(coordinates.input(),
+                                         location_on_side(view, coordinates, h, weights[1]))
+                    : face.place(coordinates.input(), weights);
+}
+
+} // namespace internal
+
 /*!
 \brief finds a place on the input for a vertex that is to be inserted in an intrinsic face, and what lengths and areas
 that place makes.
@@ -62,15 +86,15 @@ public:
     const Input& input = coordinates.input();
     const Intrinsic_view<Triangulation> view(t);
     if constexpr (!internal::Defined_by_places<typename Triangulation::Metric>) {
-      const auto place =
-          place_with(rough_, view, coordinates, h, weights, along_side, approximate_values(input));
+      const auto place = internal::place_with(rough_, view, coordinates, h, weights, along_side,
+                                              approximate_values(input));
       return placed(place, along_side);
     } else {
       const bool beside_side = weights[2] == 0 && !along_side;
       for (double distance = nearness; distance <= farthest; distance *= 16) {
-        const auto place = place_with(face_, view, coordinates, h,
-                                      beside_side ? beside(weights, distance) : weights, along_side,
-                                      values_from(input, intervals_.of(input.metric())));
+        const auto place = internal::place_with(
+            face_, view, coordinates, h, beside_side ? beside(weights, distance) : weights,
+            along_side, internal::values_from(input, intervals_.of(input.metric())));
         if (place && is_in_face(t, coordinates, h, *place, along_side))
           return placed(place, along_side);
         if (!beside_side) break;
@@ -88,16 +112,6 @@ private:
   // distance up to which they are tried: what is put on a curve may leave the face, if it was nearest
   static constexpr double farthest = 0x1p-28;
   static constexpr unsigned bits = 256; // an area that shows no sign then is not worth an insertion
-
-  template <class U, class View, class Coordinates, class Values>
-  static auto place_with(U& face, const View& view, const Coordinates& coordinates, std::uint32_t h,
-                         const std::array<double, 3>& weights, bool along_side,
-                         const Values& values) {
-    face.unfold(view, coordinates, h, values);
-    return along_side ? face.place_on_side(coordinates.input(),
-                                           location_on_side(view, coordinates, h, weights[1]))
-                      : face.place(coordinates.input(), weights);
-  }
 
   // A point of a side that runs across input faces cannot be represented, as a rule: one beside it can.
   static std::array<double, 3> beside(const std::array<double, 3>& w, double distance) {
@@ -123,17 +137,6 @@ private:
     return Placed_insertion{along_side, p->region, p->location};
   }
 
-  // from the values of a face to those from a halfedge of it on
-  template <class Faces>
-  static auto values_from(const Input& input, Faces faces) {
-    return [&input, faces](std::uint32_t x) {
-      const Face_side s = input_side(input, x);
-      const auto& [l, area] = faces(s.face);
-      return Face_values<std::decay_t<decltype(area)>>{
-          {l[s.slot], l[(s.slot + 1) % 3], l[(s.slot + 2) % 3]}, area};
-    };
-  }
-
   static bool are_positive(const Vertex_move_values<FT>& v, bool along_side) {
     for (std::size_t k = 0; k < 3; ++k)
       if (!(v.squared_lengths[k].inf() > 0) ||
@@ -150,7 +153,7 @@ private:
     Input_face_intervals<Gmpfi> intervals;
     Unfolded_face<Gmpfi> face;
     const Input& input = coordinates.input();
-    face.unfold(view, coordinates, h, values_from(input, intervals.of(input.metric())));
+    face.unfold(view, coordinates, h, internal::values_from(input, intervals.of(input.metric())));
     const Vertex_move_values<Gmpfi> wide =
         face.values({place.region, place.triangle, place.weights, place.location});
     for (std::size_t k = 0; k < 3; ++k) {
