@@ -129,7 +129,7 @@ private:
     const auto twice = std::adjacent_find(sorted_.begin(), sorted_.end());
     if (twice == sorted_.end()) return;
     const bool are_neighbours = (face.front() == *twice && face.back() == *twice) ||
-                                std::ranges::search_n(face, 2, *twice).begin() != face.end();
+                                std::search_n(face.begin(), face.end(), 2, *twice) != face.end();
     const std::string remedy = face.size() == 3 ? "remove the face"
                                : are_neighbours
                                    ? "list the vertex once"

@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
-#include <ranges>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -151,7 +150,10 @@ private:
         triangles.push_back({s_.face(f)[0], s_.face(f)[k - 1], s_.face(f)[k]});
         polygon.push_back(f);
       }
-    numbers("triangles", std::views::join(triangles));
+    data("triangles", [&](Base64_writer& out) {
+      for (const std::array<std::uint32_t, 3>& t : triangles)
+        for (const std::uint32_t v : t) out.put(v);
+    });
     const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
     data("colors", [&](Base64_writer& out) {
       for (const std::size_t f : polygon)
@@ -216,10 +218,11 @@ private:
   void write_points() {
     Point low{0, 0, 0}, extent{0, 0, 0};
     for (std::size_t c = 0; c < 3 && !points_.empty(); ++c) {
-      const auto halves = points_ | std::views::transform([c](const Point& p) { return p[c] / 2; });
-      const auto [least, greatest] = std::ranges::minmax(halves);
-      low[c] = least;
-      extent[c] = greatest - least;
+      const auto [least, greatest] =
+          std::minmax_element(points_.begin(), points_.end(),
+                              [c](const Point& p, const Point& q) { return p[c] < q[c]; });
+      low[c] = (*least)[c] / 2;
+      extent[c] = (*greatest)[c] / 2 - low[c];
     }
     const double greatest = std::max({extent[0], extent[1], extent[2]});
     const double unit = greatest > 0 ? greatest : 1;
