@@ -237,7 +237,10 @@ private:
     for (std::size_t v = 0; v < points_.size(); ++v)
       for (std::size_t c = 0; c < 3; ++c)
         scaled_[v][c] = static_cast<float>(centred(points_[v], c) / radius);
-    numbers("points", std::views::join(scaled_));
+    data("points", [&](Base64_writer& out) {
+      for (const auto& element : scaled_)
+        for (const auto x : element) out.put(x);
+    });
     write_axes(extent);
   }
 
