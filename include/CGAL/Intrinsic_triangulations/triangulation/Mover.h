@@ -7,10 +7,14 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/moves.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/enum.h>
 
 #include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
 namespace CGAL::Intrinsic_triangulations {
 
