@@ -169,7 +169,8 @@ public:
   }
 
 private:
-  // Observers are asked in one order; one that is asked and not told afterwards has changed nothing.
+  // Observers are asked in one order. One that is asked and not told afterwards has changed nothing, but for removals,
+  // which own coordinates and signposts follow when they are asked: with exact traits none refuses one.
   template <class Move>
   bool ask(const Move& move) {
     return places_.before(t_, move) && correspondence_.before(t_, move);

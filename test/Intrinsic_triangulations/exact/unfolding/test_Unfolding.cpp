@@ -7,6 +7,7 @@
 
 #include "gallery.h"
 #include "meshes.h"
+#include "places.h"
 #include "random_history.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,6 @@
 #include <cstdint>
 #include <optional>
 #include <random>
-#include <unordered_map>
 #include <utility>
 
 namespace {
@@ -23,31 +23,9 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using CGAL::Gmpq;
 using IT::Multiquadratic_number;
+using places::Exact_input;
 using random_history::Map;
 using random_history::Walk;
-using Face_values = std::pair<std::array<Multiquadratic_number, 3>, Multiquadratic_number>;
-
-// input faces with exact areas
-class Exact_input {
-public:
-  explicit Exact_input(const IT::Input_metric& input) : input_(&input) {}
-  const Face_values& operator()(std::uint32_t f) const {
-    const auto found = faces_.find(f);
-    if (found != faces_.end()) return found->second;
-    const auto root = basis_.sqrt_of(input_->squared_quadruple_area<Gmpq>(f));
-    return faces_
-        .emplace(f, Face_values{{Multiquadratic_number(input_->squared_length<Gmpq>(f, 0)),
-                                 Multiquadratic_number(input_->squared_length<Gmpq>(f, 1)),
-                                 Multiquadratic_number(input_->squared_length<Gmpq>(f, 2))},
-                                Multiquadratic_number(basis_, root.value())})
-        .first->second;
-  }
-
-private:
-  const IT::Input_metric* input_;
-  mutable IT::Square_class_basis basis_;
-  mutable std::unordered_map<std::uint32_t, Face_values> faces_;
-};
 
 void expect_same(const IT::Diamond_values<Multiquadratic_number>& x,
                  const IT::Diamond_values<Multiquadratic_number>& y) {

@@ -119,6 +119,13 @@ private:
       for (const auto x : all) out.put(x);
     });
   }
+  template <class Tuples>
+  void tuples(std::string_view id, const Tuples& all) {
+    data(id, [&](Base64_writer& out) {
+      for (const auto& tuple : all)
+        for (const auto x : tuple) out.put(x);
+    });
+  }
   void open_data(std::string_view id) {
     out_.text("<script type=\"application/octet-stream;base64\" id=\"", id, "\"");
   }
@@ -150,10 +157,7 @@ private:
         triangles.push_back({s_.face(f)[0], s_.face(f)[k - 1], s_.face(f)[k]});
         polygon.push_back(f);
       }
-    data("triangles", [&](Base64_writer& out) {
-      for (const std::array<std::uint32_t, 3>& t : triangles)
-        for (const std::uint32_t v : t) out.put(v);
-    });
+    tuples("triangles", triangles);
     const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
     data("colors", [&](Base64_writer& out) {
       for (const std::size_t f : polygon)
@@ -237,10 +241,7 @@ private:
     for (std::size_t v = 0; v < points_.size(); ++v)
       for (std::size_t c = 0; c < 3; ++c)
         scaled_[v][c] = static_cast<float>(centred(points_[v], c) / radius);
-    data("points", [&](Base64_writer& out) {
-      for (const auto& element : scaled_)
-        for (const auto x : element) out.put(x);
-    });
+    tuples("points", scaled_);
     write_axes(extent);
   }
 
