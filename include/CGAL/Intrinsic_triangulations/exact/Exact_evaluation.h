@@ -36,15 +36,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief decides signs that floating point intervals leave open, of expressions of any degree.
 
-<<<<<<< HEAD
-A diamond or a face is unfolded from the input, along the history of flips or by who asks. Ties over strips that
-are folded along parallel lines are found first. Then values are computed in doubles, which may be enough: stored
-ones carry the errors of all flips before. Most of the others are zero, which a `Diamond_zero_test` tells. If not, values are
-=======
 A diamond or a face is unfolded from the input, along the history of flips or by who asks. Ties over strips that are folded
 along parallel lines are found first. Then values are computed in doubles, which may be enough: stored ones carry
 the errors of all flips before. Most of the others are zero, which a `Diamond_zero_test` tells. If not, values are
->>>>>>> w_14
 computed in intervals of 128 bits, and the precision is doubled until the sign shows, which must happen if the
 value is proven not to be zero. One that is only probably zero counts as zero at 1024 bits.
 
