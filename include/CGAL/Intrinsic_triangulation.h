@@ -126,6 +126,7 @@ public:
         metric_(std::move(metric)), rows_(rows_of_mesh()) {
     static_assert(IntrinsicCorrespondence<Correspondence, Intrinsic_triangulation>);
     correspondence_.start(*this);
+    places_.attach(*this, metric_);
   }
 
   /*!
