@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
@@ -100,8 +101,8 @@ public:
           FT::bits, [&] { return face_values<FT>(memory.of(input), faces); }, value_of, better,
           statistics);
     };
-    if (const auto s = in_balls(short_balls_)) return *s;
-    if (const auto s = in_balls(long_balls_)) return *s;
+    if (const auto s = in_balls(short_balls_).first) return *s;
+    if (const auto s = in_balls(long_balls_).first) return *s;
     return internal::escalated_sign(
         first_bits, [&] { return face_values<Gmpfi>(intervals().faces.of(input), faces); }, false,
         [&] { return is_zero_.of_faces(input, faces, expression); }, value_of, better, statistics);
@@ -176,6 +177,8 @@ private:
                            Predicate_statistics& statistics);
 
   static constexpr unsigned first_bits = 512, history_bits = 512;
+  // up to which a test for zero takes less time than 256 bits
+  static constexpr std::size_t few_triangles = 12;
   // entries that are kept between calls, up to a kilobyte each
   static constexpr std::size_t maximal_memory = 50000;
 
@@ -191,6 +194,16 @@ private:
                               const Expression&) {
     if constexpr (std::is_same_v<Expression, Delaunay_expression>)
       return Integer_faces::is_in_space(input) && is_cocircular_strip(input, diamond);
+    else
+      return false;
+  }
+
+  // whether an expression is proven to be zero by symmetry
+  template <class Expression>
+  static bool is_mirrored_tie(const Input_metric& input, const Unfolded_diamond& diamond,
+                              const Expression&) {
+    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
+      return is_mirrored_strip(input, diamond);
     else
       return false;
   }
@@ -270,12 +283,21 @@ Sign Exact_evaluation::sign_beyond_doubles(const Input_metric& input,
         FT::bits, [&] { return diamond.values<FT>(faces.of(input)); }, expression, better,
         statistics);
   };
-  if (const auto s = in_balls(short_balls_)) return *s;
-  if (const auto s = in_balls(long_balls_)) return *s;
+  const auto [sign, seems_zero] = in_balls(short_balls_);
+  if (sign) return *sign;
+  const auto is_zero = [&] { return is_zero_(input, diamond, expression); };
+  std::optional<Zero_answer> answer;
+  if (seems_zero && is_mirrored_tie(input, diamond, expression)) answer = Zero_answer::zero;
+  if (seems_zero && !answer && diamond.triangles.size() <= few_triangles) answer = is_zero();
+  if (answer == Zero_answer::zero) {
+    ++statistics.certified_zero;
+    return ZERO;
+  }
+  if (const auto s = in_balls(long_balls_).first) return *s;
   return internal::escalated_sign(
       first_bits, [&] { return values(input, diamond); },
       internal::tests_zero_first(diamond.triangles.size()),
-      [&] { return is_zero_(input, diamond, expression); }, expression, better, statistics);
+      [&] { return answer ? *answer : is_zero(); }, expression, better, statistics);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -128,8 +128,7 @@ private:
   }
 
   // the input under faces, if that is known of all
-  std::optional<std::vector<Unfolded_diamond>>
-  unfolded(std::span<const Indexed_face> faces) const {
+  std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const {
     std::vector<Unfolded_diamond> result;
     for (const Indexed_face& f : faces) {
       const Unfolded_diamond* u = unfolder_ != nullptr ? unfolder_->face(f) : nullptr;

@@ -50,9 +50,9 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t page_size = 16;
+  static constexpr std::uint32_t page_size = 4;
   // numbers of many bits take up to a kilobyte per face
-  static constexpr std::size_t maximal_pages = std::is_same_v<FT, Gmpfi> ? 4000 : 1U << 31;
+  static constexpr std::size_t maximal_pages = std::is_same_v<FT, Gmpfi> ? 16000 : 1U << 31;
 
   using Page = std::vector<std::optional<Face>>; // empty until a face is asked for
 

@@ -58,13 +58,14 @@ public:
     const Input_metric::Point& p = input_.points()[name];
     return {FT(p[0]), FT(p[1]), FT(p[2])};
   }
-  // Whether another face lies in the plane, in the same orientation, as far as `FT` can tell; two of its corners
-  // do, but for the one in a given slot.
-  bool may_contain(std::uint32_t face, std::uint32_t slot) const {
+  // Whether another face lies in the plane, in the same orientation; two of its corners do, but for the one in a given
+  // slot.
+  Uncertain<bool> contains(std::uint32_t face, std::uint32_t slot) const {
     const Input_metric::Sides& s = input_.sides(face);
     const Vector side = difference(point(s[slot]), point(s[(slot + 1) % 3]));
-    return !CGAL::certainly(space_dot(normal_, side) != FT(0)) &&
-           !CGAL::certainly(space_dot(normal_, normal_of(face)) <= FT(0));
+    const Uncertain<bool> is_in_plane = space_dot(normal_, side) == FT(0);
+    if (!possibly(is_in_plane)) return false;
+    return is_in_plane & (space_dot(normal_, normal_of(face)) > FT(0));
   }
 
 private:
@@ -139,8 +140,9 @@ private:
 */
 inline bool are_coplanar(const Input_metric& input, std::uint32_t f, std::uint32_t g,
                          std::uint32_t slot) {
-  return internal::Input_plane<Interval_nt<false>>(input, f).may_contain(g, slot) &&
-         internal::Input_plane<Mpzf>(input, f).may_contain(g, slot);
+  const Uncertain<bool> s = internal::Input_plane<Interval_nt<false>>(input, f).contains(g, slot);
+  return is_certain(s) ? get_certain(s)
+                       : get_certain(internal::Input_plane<Mpzf>(input, f).contains(g, slot));
 }
 
 /// returns intervals that contain the values of a diamond that lies in one plane in space.

@@ -87,20 +87,21 @@ inline std::optional<Sign> counted(const Uncertain<Sign>& s, unsigned bits,
 }
 
 /*
-Returns the sign of an expression in values that `values()` computes in balls with so many bits, if it is certain. `better` is set
-to intervals that contain the values.
+Returns the sign of an expression in values that `values()` computes in balls with so many bits, if it is certain, and whether the
+value seems to be zero. `better` is set to intervals that contain the values.
 */
 template <class Values, class Expression, class Better>
-std::optional<Sign> sign_in_balls(unsigned bits, const Values& values, const Expression& expression,
-                                  Better& better, Predicate_statistics& statistics) {
-  const auto [wide, sign] = [&] {
+std::pair<std::optional<Sign>, bool> sign_in_balls(unsigned bits, const Values& values,
+                                                   const Expression& expression, Better& better,
+                                                   Predicate_statistics& statistics) {
+  const auto [wide, value] = [&] {
     const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
     auto v = values();
-    const Uncertain<Sign> s = expression(v).sign();
-    return std::pair(std::move(v), s);
+    auto x = expression(v);
+    return std::pair(std::move(v), std::move(x));
   }();
   better = intervals(wide);
-  return counted(sign, bits, statistics);
+  return {counted(value.sign(), bits, statistics), value.seems_zero()};
 }
 
 // Where the test for zero comes first: the values of a few triangles. Over long strips ties are rare, and the

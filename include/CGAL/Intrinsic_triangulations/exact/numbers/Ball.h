@@ -82,6 +82,9 @@ public:
     return c == 0 && radius_ == 0 ? Uncertain<Sign>(ZERO) : Uncertain<Sign>::indeterminate();
   }
 
+  /// tells whether the number is zero as far as can be seen: rounding errors of zero mostly cancel.
+  bool seems_zero() const { return std::abs(rounded(center_)) * 64 < radius_; }
+
   /// returns an interval that contains the number. \pre rounding is upwards
   Interval_nt<false> interval() const {
     using Interval = Interval_nt<false>;
