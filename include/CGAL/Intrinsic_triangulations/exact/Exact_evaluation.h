@@ -108,19 +108,41 @@ public:
         [&] { return is_zero_.of_faces(input, faces, expression); }, value_of, better, statistics);
   }
 
-  /// computes intervals that contain the values of faces that are unfolded, with so many bits; 53: doubles.
+  /*!
+  \brief encloses the values of faces that are unfolded.
+  \param input the input, always the same
+  \param faces the faces
+  \param bits 53, 106, 256, or any more
+  */
   std::vector<Face_values<Interval_nt<false>>>
   enclosures(const Input_metric& input, const std::vector<Unfolded_diamond>& faces, unsigned bits) {
-    if (bits == 53) return face_values<Interval_nt<false>>(doubles_.of(input), faces);
-    const Gmpfi_precision precision(bits);
-    return internal::intervals(face_values<Gmpfi>(intervals().faces.of(input), faces));
+    using Result = std::vector<Face_values<Interval_nt<false>>>;
+    return at_precision<Result>(bits, [&](auto& memory) {
+      using FT = typename std::decay_t<decltype(memory)>::Number;
+      return face_values<FT>(memory.of(input), faces);
+    });
   }
 
-  /// computes intervals that contain the values of a diamond that is unfolded, about as small as doubles allow.
-  Diamond_values<Interval_nt<false>> enclosure(const Input_metric& input,
-                                               const Unfolded_diamond& diamond) {
-    const Gmpfi_precision precision(2 * first_bits);
-    return internal::intervals(values(input, diamond));
+  /*!
+  \brief encloses an expression in the values of a diamond that is unfolded.
+  \param input, diamond, expression see `sign()`
+  \param bits 53, 106, 256, or any more
+  */
+  template <class Expression>
+  Interval_nt<false> enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
+                               const Expression& expression, unsigned bits) {
+    return at_precision<Interval_nt<false>>(bits, [&](auto& memory) {
+      using FT = typename std::decay_t<decltype(memory)>::Number;
+      return expression(diamond.values<FT>(memory.of(input)));
+    });
+  }
+
+  /// encloses an expression in the values of a diamond between two sides; see the other `enclosure()`.
+  template <class Expression>
+  Interval_nt<false> enclosure(const Input_metric& input, const Flip_history& history, Side left,
+                               Side right, const Expression& expression, unsigned bits) {
+    const Gmpfi_precision precision(std::max(bits, history_bits));
+    return internal::interval(expression(values(input, history, left, right)));
   }
 
   /*!
@@ -160,13 +182,6 @@ public:
                                                           unsigned bits) {
     const Gmpfi_precision precision(std::max(bits, history_bits));
     return internal::intervals(values(input, history, sides));
-  }
-
-  /// computes intervals that contain the values of the diamond between two sides, about as small as doubles allow.
-  Diamond_values<Interval_nt<false>> enclosure(const Input_metric& input,
-                                               const Flip_history& history, Side left, Side right) {
-    const Gmpfi_precision precision(2 * history_bits);
-    return internal::intervals(values(input, history, left, right));
   }
 
 private:
@@ -218,6 +233,16 @@ private:
           Integer_faces::is_in_space(input))
         return coplanar_diamond_sign(input, diamond, expression, statistics);
     return std::nullopt;
+  }
+
+  // computes with a memory of input faces in a type of so many bits
+  template <class Result, class Compute>
+  Result at_precision(unsigned bits, const Compute& compute) {
+    if (bits <= 53) return internal::intervals(compute(doubles_));
+    if (bits <= 106) return internal::intervals(internal::to_nearest(compute, short_balls_));
+    if (bits <= 256) return internal::intervals(internal::to_nearest(compute, long_balls_));
+    const Gmpfi_precision precision(bits);
+    return internal::intervals(compute(intervals().faces));
   }
 
   Intervals& intervals() { return intervals_[Gmpfi::get_default_precision()]; }

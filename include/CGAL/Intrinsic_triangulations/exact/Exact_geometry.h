@@ -114,11 +114,23 @@ public:
     return evaluation_.enclosures(*input_, versions_.history(), versions_.sides(faces), bits);
   }
 
-  /// returns intervals that contain the values of a diamond, about as small as doubles allow.
-  Diamond_values<FT> enclosure(const Diamond& d) const {
-    if (const Unfolded_diamond* u = unfolded(d)) return evaluation_.enclosure(*input_, *u);
-    return evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
-                                 versions_.right_side(d));
+  /*!
+  \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
+  \pre the value is not zero
+  \complexity that of the precision that it takes
+  */
+  template <class Expression>
+  FT nonzero_value(const Diamond& d, const Expression& expression) const {
+    FT value;
+    for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
+      const Unfolded_diamond* u = unfolded(d);
+      value = u != nullptr
+                  ? evaluation_.enclosure(*input_, *u, expression, bits)
+                  : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
+                                          versions_.right_side(d), expression, bits);
+      if (CGAL::width(value) <= 0x1p-42 * CGAL::magnitude(value)) break;
+    }
+    return value;
   }
 
 private:

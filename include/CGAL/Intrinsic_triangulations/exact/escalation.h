@@ -59,11 +59,16 @@ inline Interval_nt<false> interval(const Gmpfi& x) {
   const std::pair<double, double> i = x.to_interval();
   return Interval_nt<false>(i.first, i.second);
 }
+inline Interval_nt<false> interval(const Interval_nt<false>& x) { return x; }
 template <class Center>
 Interval_nt<false> interval(const Ball<Center>& x) {
   return x.interval();
 }
 
+template <class FT>
+Interval_nt<false> intervals(const FT& x) {
+  return interval(x);
+}
 template <class FT>
 Diamond_values<Interval_nt<false>> intervals(const Diamond_values<FT>& d) {
   return {interval(d.ij), interval(d.jk),     interval(d.ki),    interval(d.im),
@@ -86,6 +91,13 @@ inline std::optional<Sign> counted(const Uncertain<Sign>& s, unsigned bits,
   return get_certain(s);
 }
 
+// Calls a function with rounding to the nearest.
+template <class Function, class... Arguments>
+auto to_nearest(const Function& f, Arguments&... arguments) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  return f(arguments...);
+}
+
 /*
 Returns the sign of an expression in values that `values()` computes in balls with so many bits, if it is certain, and whether the
 value seems to be zero. `better` is set to intervals that contain the values.
@@ -94,12 +106,10 @@ template <class Values, class Expression, class Better>
 std::pair<std::optional<Sign>, bool> sign_in_balls(unsigned bits, const Values& values,
                                                    const Expression& expression, Better& better,
                                                    Predicate_statistics& statistics) {
-  const auto [wide, value] = [&] {
-    const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-    auto v = values();
-    auto x = expression(v);
-    return std::pair(std::move(v), std::move(x));
-  }();
+  const auto [wide, value] = to_nearest([&] {
+    const auto v = values();
+    return std::pair(v, expression(v));
+  });
   better = intervals(wide);
   return {counted(value.sign(), bits, statistics), value.seems_zero()};
 }

@@ -116,15 +116,15 @@ public:
   }
 
   /*!
-  \brief makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-40 of the
-  value, except for areas of thin faces, which get as accurate as 2048 bits allow.
+  \brief makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-41 of the
+  value, except for areas of thin faces, which get as accurate as 4096 bits allow.
   \complexity constant per face if they are narrow, else linear in the number of input triangles under it
   */
   void sharpen(std::span<const Indexed_face> faces) const {
     std::vector<Indexed_face> wide;
     std::copy_if(faces.begin(), faces.end(), std::back_inserter(wide),
                  [this](const Indexed_face& f) { return !is_narrow(f); });
-    for (const unsigned bits : {53U, 128U, 512U, 1024U, 2048U}) {
+    for (const unsigned bits : {53U, 106U, 256U, 1024U, 2048U, 4096U}) {
       if (wide.empty()) return;
       statistics().sharpenings[bits] += wide.size();
       refine(wide, geometry_.enclosures(wide, bits));
@@ -224,16 +224,21 @@ public:
   /*!
   \brief returns (cot k + cot m) / 2 for the angles opposite an edge between two faces.
 
-  Zero exactly where the sum of the angles is pi, and of the right sign everywhere.
+  Zero exactly where the sum of the angles is pi, else of the right sign and with a relative error below 1e-12.
   \pre both faces have an area
   */
   double cotangent_weight(const Diamond& d) const {
     const Sign s = sign(d, Delaunay_expression());
     if (s == ZERO) return 0;
-    if (is_vague(quadruple_area(d.f)) || is_vague(quadruple_area(d.g))) refine(d, geometry_.enclosure(d));
-    const double weight =
-        cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
-    return s == POSITIVE ? std::max(weight, 0.0) : std::min(weight, 0.0);
+    if (has_accurate_weight(d)) {
+      const double weight =
+          cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
+      return s == POSITIVE ? std::max(weight, 0.0) : std::min(weight, 0.0);
+    }
+    sharpen(std::array<Indexed_face, 2>{{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}});
+    const FT value = geometry_.nonzero_value(d, Delaunay_expression());
+    return CGAL::to_double(value) / approximate_quadruple_area(d.f) /
+           (2 * approximate_quadruple_area(d.g));
   }
 
   using Enclosed_values::cotangent_weight;
@@ -252,6 +257,12 @@ private:
       result.quadruple_areas[k] = CGAL::to_double(values.quadruple_areas[k]);
     }
     return result;
+  }
+
+  // whether stored values tell (q_f a_g + q_g a_f) / (2 a_f a_g)
+  bool has_accurate_weight(const Diamond& d) const {
+    const Diamond_values<FT> v = enclosure(d);
+    return is_accurate(Delaunay_expression()(v)) && is_accurate(v.area_f) && is_accurate(v.area_g);
   }
 
   // Not inline: what the filter cannot decide is rare, and takes long to compile; see `extern template`.
