@@ -128,7 +128,7 @@ public:
                   ? evaluation_.enclosure(*input_, *u, expression, bits)
                   : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
                                           versions_.right_side(d), expression, bits);
-      if (CGAL::width(value) <= 0x1p-42 * CGAL::magnitude(value)) break;
+      if (CGAL::width(value) <= 0x1p-42 * CGAL::magnitude(value) && CGAL::is_finite(value)) break;
     }
     return value;
   }
