@@ -65,6 +65,8 @@ public:
   using Traits = Traits_;
   /// Observer of the moves.
   using Correspondence = Correspondence_;
+  /// Whether the input keeps its surface for the correspondence.
+  static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
   /// Number type of stored values.
   using FT = typename Traits::FT;
   /// Stores the values and decides.
@@ -313,8 +315,6 @@ private:
   using Places = std::conditional_t<internal::Defined_by_places<Metric>,
                                     internal::Vertex_places<Intrinsic_triangulation>,
                                     internal::No_vertex_places<Intrinsic_triangulation>>;
-
-  static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
 
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
       : Intrinsic_triangulation(std::move(p.mesh), std::move(p.metric), std::move(p.input)) {}
