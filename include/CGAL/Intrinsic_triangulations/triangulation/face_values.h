@@ -10,11 +10,19 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// Stores intervals, which can be made narrow.
+template <class Metric>
+concept Has_enclosures = requires(const Metric& m, std::span<const Indexed_face> faces) {
+  m.is_narrow(faces.front());
+  m.sharpen(faces);
+  typename Metric::Scope;
+};
+
 // The numbers of a face and of its sides, from its halfedge on.
 template <class Triangulation>
 Indexed_face indexed_face(const Triangulation& t, typename Triangulation::face_descriptor f) {
   const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh()), l = next(n, t.mesh());
-  const auto edge_number = [&t](auto g) { return t.numbers().halfedge(g) / 2; };
+  const auto edge_number = [&t](auto g) { return t.index(edge(g, t.mesh())); };
   return {t.index(f), {edge_number(h), edge_number(n), edge_number(l)}};
 }
 
@@ -38,8 +46,7 @@ template <class Triangulation>
 Face_values<double> accurate_values(const Triangulation& t,
                                     typename Triangulation::face_descriptor f) {
   const Indexed_face face = indexed_face(t, f);
-  if constexpr (Triangulation::Metric::is_exact &&
-                requires(std::span<const Indexed_face> faces) { t.metric().sharpen(faces); }) {
+  if constexpr (Has_enclosures<typename Triangulation::Metric>) {
     if (!t.metric().is_narrow(face)) {
       const typename Triangulation::Metric::Scope scope;
       t.metric().sharpen(std::span(&face, 1));

@@ -7,7 +7,6 @@
 #include "meshes.h"
 #include "random_history.h"
 
-
 #include <CGAL/Gmpfi.h>
 #include <CGAL/Gmpq.h>
 
