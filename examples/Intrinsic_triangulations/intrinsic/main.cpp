@@ -5,6 +5,7 @@
 #include "options.h"
 #include "output_files.h"
 #include "support/command_line.h"
+#include "time_limit.h"
 
 #include <algorithm>
 #include <exception>
@@ -59,6 +60,13 @@ void add_common_options(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
   command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
       ->type_name("FILE");
+  command
+      .add_option("--time-limit", options.time_limit,
+                  "seconds after which the program gives up, with exit code 1, and writes nothing")
+      ->check(program::between(1e-6, 1e9))
+      ->type_name("SECONDS");
+  command.add_flag("--progress", options.logs_progress,
+                   "write lines of what is being done to standard error");
 }
 
 // where edges run on the input, and what is written of it
@@ -206,6 +214,7 @@ int run(int argc, char** argv) {
            "--correspondence integer, or write the intrinsic triangulation to .idt\n";
     return program::misused;
   }
+  if (options.time_limit) program::end_at_time_limit(options);
   chosen(options);
   return 0;
 }

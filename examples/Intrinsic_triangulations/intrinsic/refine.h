@@ -10,6 +10,7 @@
 #include "support/progress.h"
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Inaccuracy.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,7 @@ struct Refinement_progress : IT::Refinement_visitor {
   Progress* line = nullptr;
   /// is called while refining
   bool progress(const IT::Refinement_counts& counts) {
-    line->show("refining: " + std::to_string(counts.inserted_vertices()) + " vertices inserted");
+    line->show("refining", std::to_string(counts.inserted_vertices()) + " vertices inserted");
     return true;
   }
 };
@@ -40,18 +42,23 @@ struct Odt_progress {
   Progress* line = nullptr;
   /// is called while vertices are moved
   bool progress(const IT::Odt_result& r) {
-    line->show("moving vertices: iteration " + std::to_string(r.iterations));
+    line->show("moving vertices", "iteration " + std::to_string(r.iterations));
     return true;
   }
 };
+
+/// throws std::runtime_error if rounding has spoilt the triangulation.
+void expect_accurate(const std::optional<IT::Inaccuracy>& inaccuracy, const Options& options);
 
 /// moves inserted vertices, and reports it.
 template <class Triangulation>
 void optimize(Triangulation& t, const Options& options, Json& json, Progress& progress) {
   Stopwatch watch;
   Odt_progress visitor{&progress};
+  progress.show("moving vertices");
   const auto result = IT::odt_optimize(
       t, IT::parameters::maximum_edge_length(options.odt_length).visitor(std::ref(visitor)));
+  expect_accurate(result.inaccuracy, options);
   json["seconds"]["odt"] = watch.lap();
   json["odt"] = {{"status", result.status == IT::Status::done ? "converged" : "cap"},
                  {"target_length", options.odt_length},
@@ -94,6 +101,7 @@ void refine(Triangulation& t, const Options& options, Json& json, Progress& prog
   Stopwatch watch;
   Refinement_progress visitor;
   visitor.line = &progress;
+  progress.show("refining");
   const Refinement_criteria& criteria = options.refinement;
   const auto result =
       IT::delaunay_refine(t, IT::parameters::minimum_angle(criteria.minimum_angle)
@@ -102,6 +110,7 @@ void refine(Triangulation& t, const Options& options, Json& json, Progress& prog
                                  .maximum_insertions(criteria.maximum_insertions)
                                  .order(criteria.order)
                                  .visitor(std::ref(visitor)));
+  expect_accurate(result.inaccuracy, options);
   json["seconds"]["refine"] = watch.lap();
   const IT::Refinement_counts& counts = result.counts;
   std::array<std::size_t, 4> reasons{};
