@@ -51,8 +51,7 @@ template <class Triangulation>
 IT::Common_subdivision subdivide(const Loaded<Triangulation>& loaded, const Options& options) {
   try {
     IT::Common_subdivision s = IT::common_subdivision(loaded.triangulation);
-    if (!loaded.polygon_of_triangle.empty())
-      for (std::uint32_t& f : s.input_face) f = loaded.polygon_of_triangle[f];
+    IT::label_with_polygons(s, loaded.polygon_of_triangle);
     return s;
   } catch (const std::exception& e) {
     throw std::runtime_error(options.input + ": " + e.what());

@@ -189,6 +189,9 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("intrinsic ") + INTRINSIC_TRIANGULATIONS_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->column_width(32);
+  app.failure_message([](const CLI::App* a, const CLI::Error& e) {
+    return program::legible(CLI::FailureMessage::simple(a, e), program::longest_argument);
+  });
   add_delaunay(app, options, chosen);
   add_refine(app, options, chosen);
   add_laplacian(app, options, chosen);
@@ -198,7 +201,8 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
-      std::cerr << "intrinsic: there is no command \"" << argv[1]
+      std::cerr << "intrinsic: there is no command \""
+                << program::legible(argv[1], program::longest_argument)
                 << "\"; use delaunay, refine, laplacian, info or study, or --help\n";
       return program::misused;
     }
@@ -229,7 +233,7 @@ int main(int argc, char** argv) {
     std::cerr << "intrinsic: there is not enough memory; use a machine with more, or a smaller "
                  "mesh\n";
   } catch (const std::exception& e) {
-    std::cerr << "intrinsic: " << e.what() << '\n';
+    std::cerr << "intrinsic: " << program::legible(e.what()) << '\n';
   }
   return program::failed;
 }
