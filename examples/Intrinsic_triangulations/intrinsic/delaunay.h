@@ -4,6 +4,7 @@
 #ifndef INTRINSIC_DELAUNAY_H
 #define INTRINSIC_DELAUNAY_H
 
+#include "accuracy.h"
 #include "load.h"
 #include "options.h"
 #include "output_files.h"
@@ -24,7 +25,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -67,17 +67,6 @@ inline double area(const IT::Common_subdivision& s, const std::vector<Point>& po
       sum += area(points[corners[0]], points[corners[k - 1]], points[corners[k]]);
   }
   return static_cast<double>(sum);
-}
-
-/// \throws std::runtime_error if rounding has spoilt the common subdivision: it does not cover the input once
-inline void expect_covered(double input_area, double area, const Options& options) {
-  if (std::abs(area - input_area) <= 1e-6 * input_area) return;
-  std::ostringstream message;
-  message.precision(10);
-  message << options.input << ": rounding has spoilt the common subdivision: its area is " << area
-          << ", that of the input " << input_area
-          << "; nothing was written; use --arithmetic exact";
-  throw std::runtime_error(message.str());
 }
 
 /// writes the common subdivision, and the page that shows it.

@@ -4,13 +4,13 @@
 #ifndef INTRINSIC_REFINE_H
 #define INTRINSIC_REFINE_H
 
+#include "accuracy.h"
 #include "load.h"
 #include "options.h"
 #include "statistics.h"
 #include "support/progress.h"
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Inaccuracy.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <algorithm>
@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,9 +45,6 @@ struct Odt_progress {
     return true;
   }
 };
-
-/// throws std::runtime_error if rounding has spoilt the triangulation.
-void expect_accurate(const std::optional<IT::Inaccuracy>& inaccuracy, const Options& options);
 
 /// moves inserted vertices, and reports it.
 template <class Triangulation>

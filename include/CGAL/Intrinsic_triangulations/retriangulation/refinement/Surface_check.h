@@ -38,7 +38,7 @@ Checks that an algorithm that computes with rounding has kept the surface: const
 
 A move replaces faces by others of the same area up to eight units in the last place of it, 2^-50, as long as
 they are faces: a million moves on one spot stay within 2^-30 of the area, sums far below. Lengths that rounding
-has spoilt show in the faces that they do not span: where these fit to 2^-20, so do the angles of faces that
+has spoilt show in the faces that they do not span: where these fit to 2^-16, so do the angles of faces that
 are not thin.
 
 With exact traits nothing is computed. Else the time is linear.
@@ -78,7 +78,7 @@ public:
 
 private:
   static constexpr double area_tolerance = 0x1p-30;
-  static constexpr double shape_tolerance = 0x1p-20;
+  static constexpr double shape_tolerance = 0x1p-16;
 
   struct Measure {
     long double area = 0;
