@@ -123,12 +123,8 @@ auto vertices_with(const Mesh& mesh, Condition condition) {
 } // namespace internal
 
 /*!
-\brief tells whether the faces of a mesh can be oriented consistently.
-
-Meshes with oriented halfedges always are; only a `Gluing_map` may not be.
+\brief tells whether the faces of a mesh can be oriented consistently; only those of a `Gluing_map` may not.
 \tparam Mesh a model of `MutableDeltaComplex`
-\param mesh the mesh
-\pre `is_valid_delta_complex(mesh)`
 \complexity constant for meshes whose gluings respect the orientation, else linear
 */
 template <class Mesh>
