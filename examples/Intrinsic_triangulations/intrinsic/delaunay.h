@@ -4,6 +4,7 @@
 #ifndef INTRINSIC_DELAUNAY_H
 #define INTRINSIC_DELAUNAY_H
 
+#include "accuracy.h"
 #include "load.h"
 #include "options.h"
 #include "output_files.h"
@@ -50,12 +51,22 @@ template <class Triangulation>
 IT::Common_subdivision subdivide(const Loaded<Triangulation>& loaded, const Options& options) {
   try {
     IT::Common_subdivision s = IT::common_subdivision(loaded.triangulation);
-    if (!loaded.polygon_of_triangle.empty())
-      for (std::uint32_t& f : s.input_face) f = loaded.polygon_of_triangle[f];
+    IT::label_with_polygons(s, loaded.polygon_of_triangle);
     return s;
   } catch (const std::exception& e) {
     throw std::runtime_error(options.input + ": " + e.what());
   }
+}
+
+/// returns the area of a common subdivision.
+inline double area(const IT::Common_subdivision& s, const std::vector<Point>& points) {
+  long double sum = 0;
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+    const auto corners = s.face(f);
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      sum += area(points[corners[0]], points[corners[k - 1]], points[corners[k]]);
+  }
+  return static_cast<double>(sum);
 }
 
 /// writes the common subdivision, and the page that shows it.
@@ -67,14 +78,20 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
   json["subdivision"] = {{"vertices", s.number_of_vertices()},
                          {"edges", s.number_of_edges()},
                          {"faces", s.number_of_faces()}};
+  const std::vector<Point> points = IT::positions(s, input_points(loaded));
+  json["subdivision"]["area"] = area(s, points);
+  if constexpr (!Triangulation::Metric::is_exact)
+    expect_covered(json["area"]["input"], json["subdivision"]["area"], options);
   json["seconds"]["subdivide"] = watch.lap();
   progress.show("writing");
-  const std::vector<Point> points = IT::positions(s, input_points(loaded));
   if (is_mesh_output(options))
-    IT::write_common_subdivision(files.open(options.output),
-                                 std::filesystem::path(options.output).extension().string(), s,
-                                 points);
-  if (!options.view.empty()) write_view(files.open(options.view), s, points, options, json);
+    files.write(options.output, [&](std::ostream& out) {
+      const std::string extension = std::filesystem::path(options.output).extension().string();
+      IT::write_common_subdivision(out, extension, s, points);
+    });
+  if (!options.view.empty())
+    files.write(options.view,
+                [&](std::ostream& out) { write_view(out, s, points, options, json); });
 }
 
 /// flips to Delaunay, refines if that is asked for, and writes what is asked for
@@ -94,13 +111,16 @@ void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& p
       write_subdivision(loaded, options, json, files, progress, watch);
   if (!options.output.empty() && !is_mesh_output(options)) {
     progress.show("writing");
-    IT::write_intrinsic_triangulation(files.open(options.output), loaded.triangulation);
+    files.write(options.output, [&](std::ostream& out) {
+      IT::write_intrinsic_triangulation(out, loaded.triangulation);
+    });
   }
   if (!options.laplacian.empty())
-    IT::write_matrix_market(files.open(options.laplacian),
-                            IT::cotangent_laplacian(loaded.triangulation),
-                            "cotangent Laplacian, positive semidefinite; rows of the input's "
-                            "vertices in their order, then of those inserted");
+    files.write(options.laplacian, [&](std::ostream& out) {
+      IT::write_matrix_market(out, IT::cotangent_laplacian(loaded.triangulation),
+                              "cotangent Laplacian, positive semidefinite; rows of the input's "
+                              "vertices in their order, then of those inserted");
+    });
   finish(json, options, files, watch);
   print_summary_on_terminal(json);
 }
@@ -108,7 +128,7 @@ void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& p
 /// runs the command with a correspondence
 template <class Correspondence>
 void run_delaunay_with(const Options& options) {
-  Progress progress;
+  Progress progress(options.logs_progress);
   with_loaded<Correspondence>(options, progress,
                               [&](auto& loaded) { delaunay(loaded, options, progress); });
 }

@@ -13,7 +13,7 @@
 namespace program {
 
 void run_info(const Options& options) {
-  Progress progress;
+  Progress progress(options.logs_progress);
   with_loaded(options, progress, [&](auto& loaded) {
     Json json = flip_and_measure(loaded, false, options, progress);
     Stopwatch watch;
@@ -21,7 +21,8 @@ void run_info(const Options& options) {
     finish(json, options, files, watch);
     if (!options.stats.empty()) return;
     print_summary(std::cout, json);
-    if (!std::cout.flush()) throw std::runtime_error("standard output cannot be written");
+    if (!std::cout.flush())
+      throw std::runtime_error("standard output cannot be written; is the disk full?");
   });
 }
 

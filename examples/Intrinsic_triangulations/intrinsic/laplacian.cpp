@@ -19,18 +19,22 @@ template <class Triangulation>
 void write_matrices(Triangulation& t, const Options& options, Output_files& files) {
   const std::string origin = std::string(" by intrinsic ") + INTRINSIC_TRIANGULATIONS_VERSION;
   if (!options.output.empty())
-    IT::write_matrix_market(files.open(options.output), IT::cotangent_laplacian(t),
-                            "cotangent Laplacian, positive semidefinite, rows in the order of the "
-                            "input's vertices,\n" +
-                                origin);
+    files.write(options.output, [&](std::ostream& out) {
+      IT::write_matrix_market(
+          out, IT::cotangent_laplacian(t),
+          "cotangent Laplacian, positive semidefinite, rows in the order of the "
+          "input's vertices,\n" +
+              origin);
+    });
   if (options.mass.empty()) return;
   const bool lumped = options.mass_kind == "lumped";
-  IT::write_matrix_market(files.open(options.mass),
-                          lumped ? IT::lumped_mass_matrix(t) : IT::galerkin_mass_matrix(t),
-                          options.mass_kind +
-                              " mass matrix, rows in the order of the input's "
-                              "vertices,\n" +
-                              origin);
+  files.write(options.mass, [&](std::ostream& out) {
+    IT::write_matrix_market(out, lumped ? IT::lumped_mass_matrix(t) : IT::galerkin_mass_matrix(t),
+                            options.mass_kind +
+                                " mass matrix, rows in the order of the input's "
+                                "vertices,\n" +
+                                origin);
+  });
 }
 
 template <class Triangulation>
@@ -51,7 +55,7 @@ void laplacian(Loaded<Triangulation>& loaded, const Options& options, Progress& 
 } // namespace
 
 void run_laplacian(const Options& options) {
-  Progress progress;
+  Progress progress(options.logs_progress);
   with_loaded(options, progress, [&](auto& loaded) { laplacian(loaded, options, progress); });
 }
 

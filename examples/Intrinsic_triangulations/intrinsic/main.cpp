@@ -5,6 +5,7 @@
 #include "options.h"
 #include "output_files.h"
 #include "support/command_line.h"
+#include "time_limit.h"
 
 #include <algorithm>
 #include <exception>
@@ -59,6 +60,13 @@ void add_common_options(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
   command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
       ->type_name("FILE");
+  command
+      .add_option("--time-limit", options.time_limit,
+                  "seconds after which the program gives up, with exit code 1, and writes nothing")
+      ->check(program::between(1e-6, 1e9))
+      ->type_name("SECONDS");
+  command.add_flag("--progress", options.logs_progress,
+                   "write lines of what is being done to standard error");
 }
 
 // where edges run on the input, and what is written of it
@@ -181,6 +189,9 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("intrinsic ") + INTRINSIC_TRIANGULATIONS_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->column_width(32);
+  app.failure_message([](const CLI::App* a, const CLI::Error& e) {
+    return program::legible(CLI::FailureMessage::simple(a, e), program::longest_argument);
+  });
   add_delaunay(app, options, chosen);
   add_refine(app, options, chosen);
   add_laplacian(app, options, chosen);
@@ -190,7 +201,8 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
-      std::cerr << "intrinsic: there is no command \"" << argv[1]
+      std::cerr << "intrinsic: there is no command \""
+                << program::legible(argv[1], program::longest_argument)
                 << "\"; use delaunay, refine, laplacian, info or study, or --help\n";
       return program::misused;
     }
@@ -206,6 +218,7 @@ int run(int argc, char** argv) {
            "--correspondence integer, or write the intrinsic triangulation to .idt\n";
     return program::misused;
   }
+  if (options.time_limit) program::end_at_time_limit(options);
   chosen(options);
   return 0;
 }
@@ -220,7 +233,7 @@ int main(int argc, char** argv) {
     std::cerr << "intrinsic: there is not enough memory; use a machine with more, or a smaller "
                  "mesh\n";
   } catch (const std::exception& e) {
-    std::cerr << "intrinsic: " << e.what() << '\n';
+    std::cerr << "intrinsic: " << program::legible(e.what()) << '\n';
   }
   return program::failed;
 }

@@ -40,6 +40,8 @@ struct Options {
   std::string stats;                       ///< empty: none; `-`: standard output
   std::string laplacian;                   ///< of the refined triangulation; empty: none
   double odt_length = 0; ///< target of `odt_optimize()` after refinement; 0: it is not called
+  std::optional<double> time_limit; ///< in seconds
+  bool logs_progress = false;
   bool no_flip = false;
   bool refines = false;
   Refinement_criteria refinement;

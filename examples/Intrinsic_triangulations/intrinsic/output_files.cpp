@@ -15,7 +15,7 @@ namespace program {
 
 namespace {
 
-constexpr std::array<int, 3> handled_signals = {SIGINT, SIGTERM, SIGHUP};
+constexpr std::array<int, 4> handled_signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 // What the signal handler removes: plain arrays, as it may not allocate or lock.
 constexpr std::size_t maximal_files = 4;
@@ -29,6 +29,7 @@ public:
     sigset_t set;
     sigemptyset(&set);
     for (const int s : handled_signals) sigaddset(&set, s);
+    sigaddset(&set, SIGALRM);
     pthread_sigmask(SIG_BLOCK, &set, &previous_);
   }
   ~Signals_held_back() { pthread_sigmask(SIG_SETMASK, &previous_, nullptr); }
@@ -40,8 +41,7 @@ private:
 };
 
 extern "C" void remove_and_end(int signal) {
-  for (int i = 0; i < number_of_incomplete_files; ++i)
-    unlink(incomplete_files[static_cast<std::size_t>(i)].data());
+  remove_incomplete_files();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -55,6 +55,11 @@ void append_incomplete_file(const std::string& path) {
 }
 
 } // namespace
+
+void remove_incomplete_files() {
+  for (int i = 0; i < number_of_incomplete_files; ++i)
+    unlink(incomplete_files[static_cast<std::size_t>(i)].data());
+}
 
 void remove_incomplete_files_on_signals() {
   for (const int s : handled_signals)
@@ -78,6 +83,7 @@ std::ostream& Output_files::open(const std::string& path) {
 void Output_files::commit() {
   const Signals_held_back guard;
   for (auto& file : files_) file.commit();
+  std::signal(SIGALRM, SIG_IGN); // the limit of time is met
   files_.clear();
   number_of_incomplete_files = 0;
 }

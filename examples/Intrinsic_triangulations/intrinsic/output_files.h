@@ -6,14 +6,18 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
 
+#include <exception>
 #include <list>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 
 namespace program {
 
-/// makes SIGINT, SIGTERM and SIGHUP remove files that are not complete before they end the program.
+/// makes the signals that end programs as a rule remove files that are not complete before.
 void remove_incomplete_files_on_signals();
+/// removes files that are not complete; a signal handler may call it.
+void remove_incomplete_files();
 
 /*!
 \brief holds the files that the program writes: none of them appears before all are complete.
@@ -27,6 +31,17 @@ public:
 
   /// opens a file. \throws std::runtime_error naming the file
   std::ostream& open(const std::string& path);
+  /// writes a file: calls a function with its stream. \throws std::runtime_error naming the file if it is not complete
+  template <class Function>
+  void write(const std::string& path, const Function& function) {
+    std::ostream& out = open(path);
+    try {
+      function(out);
+    } catch (const std::exception&) {
+      if (out) throw;
+      throw std::runtime_error(path + ": the file cannot be written completely; is the disk full?");
+    }
+  }
   /// completes all files. \throws std::runtime_error naming the file that cannot be completed
   void commit();
 

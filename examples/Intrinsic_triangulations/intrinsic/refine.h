@@ -4,6 +4,7 @@
 #ifndef INTRINSIC_REFINE_H
 #define INTRINSIC_REFINE_H
 
+#include "accuracy.h"
 #include "load.h"
 #include "options.h"
 #include "statistics.h"
@@ -29,7 +30,7 @@ struct Refinement_progress : IT::Refinement_visitor {
   Progress* line = nullptr;
   /// is called while refining
   bool progress(const IT::Refinement_counts& counts) {
-    line->show("refining: " + std::to_string(counts.inserted_vertices()) + " vertices inserted");
+    line->show("refining", std::to_string(counts.inserted_vertices()) + " vertices inserted");
     return true;
   }
 };
@@ -40,7 +41,7 @@ struct Odt_progress {
   Progress* line = nullptr;
   /// is called while vertices are moved
   bool progress(const IT::Odt_result& r) {
-    line->show("moving vertices: iteration " + std::to_string(r.iterations));
+    line->show("moving vertices", "iteration " + std::to_string(r.iterations));
     return true;
   }
 };
@@ -50,8 +51,10 @@ template <class Triangulation>
 void optimize(Triangulation& t, const Options& options, Json& json, Progress& progress) {
   Stopwatch watch;
   Odt_progress visitor{&progress};
+  progress.show("moving vertices");
   const auto result = IT::odt_optimize(
       t, IT::parameters::maximum_edge_length(options.odt_length).visitor(std::ref(visitor)));
+  expect_accurate(result.inaccuracy, options);
   json["seconds"]["odt"] = watch.lap();
   json["odt"] = {{"status", result.status == IT::Status::done ? "converged" : "cap"},
                  {"target_length", options.odt_length},
@@ -94,6 +97,7 @@ void refine(Triangulation& t, const Options& options, Json& json, Progress& prog
   Stopwatch watch;
   Refinement_progress visitor;
   visitor.line = &progress;
+  progress.show("refining");
   const Refinement_criteria& criteria = options.refinement;
   const auto result =
       IT::delaunay_refine(t, IT::parameters::minimum_angle(criteria.minimum_angle)
@@ -102,6 +106,7 @@ void refine(Triangulation& t, const Options& options, Json& json, Progress& prog
                                  .maximum_insertions(criteria.maximum_insertions)
                                  .order(criteria.order)
                                  .visitor(std::ref(visitor)));
+  expect_accurate(result.inaccuracy, options);
   json["seconds"]["refine"] = watch.lap();
   const IT::Refinement_counts& counts = result.counts;
   std::array<std::size_t, 4> reasons{};

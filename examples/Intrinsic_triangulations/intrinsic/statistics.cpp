@@ -177,7 +177,7 @@ void finish(Json& json, const Options& options, Output_files& files, Stopwatch& 
     files.open(options.stats) << json.dump(2) << '\n';
   files.commit();
   if (to_standard_output && !(std::cout << json.dump(2) << std::endl))
-    throw std::runtime_error("standard output cannot be written");
+    throw std::runtime_error("standard output cannot be written; is the disk full?");
 }
 
 } // namespace program

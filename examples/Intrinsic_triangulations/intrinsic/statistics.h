@@ -152,7 +152,7 @@ struct Delaunay_progress {
   Progress* line = nullptr;
   /// is called while flipping
   bool progress(const IT::Flip_to_delaunay_result& result) {
-    line->show("flipping to Delaunay: " + std::to_string(result.flips) + " flips");
+    line->show("flipping to Delaunay", std::to_string(result.flips) + " flips");
     return true;
   }
 };
@@ -179,8 +179,10 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   IT::Flip_to_delaunay_result result;
   Delaunay_progress visitor{&progress};
   t.metric().statistics() = {};
-  if (flip)
+  if (flip) {
+    progress.show("flipping to Delaunay");
     result = IT::flip_to_delaunay(t, edges(t.mesh()), CGAL::parameters::visitor(std::ref(visitor)));
+  }
   const double delaunay_seconds = watch.lap();
   if (result.status == IT::Status::cap)
     throw std::runtime_error(options.input + ": flipping did not end after " +

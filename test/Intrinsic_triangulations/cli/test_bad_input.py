@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bad input gives a certified result, or an error that names the element."""
 
+import os
+import resource
+import subprocess
 import unittest
 
-from cli_support import Cli_test, grid, icosphere, main
+from cli_support import TIME_LIMIT, Cli_test, grid, icosphere, main
 
 TETRAHEDRON = ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
                [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
@@ -46,6 +49,31 @@ class Refused_input(Cli_test):
     def test_vertex_that_does_not_exist(self):
         self.refuse(self.write_off("v.off", TETRAHEDRON[0], [(0, 1, 9)]), "face 0", "vertex 9")
 
+    def test_text_without_end_takes_bounded_memory(self):
+        if not os.path.exists("/dev/zero"):
+            self.skipTest("this system has no /dev/zero")
+        with open(self.path("sparse.obj"), "wb") as file:
+            file.truncate(1 << 31)
+        for name in ("zero.off", "zero.ply", "zero.idt", "sparse.obj"):
+            if name.startswith("zero"):
+                os.symlink("/dev/zero", self.path(name))
+            run = subprocess.run([self.program, "info", name], cwd=self.directory, text=True,
+                                 capture_output=True, timeout=TIME_LIMIT,
+                                 preexec_fn=lambda: resource.setrlimit(
+                                     resource.RLIMIT_AS, (1 << 29, 1 << 29)))
+            self.assertEqual(run.returncode, 1)
+            self.assertIn(name + ":1: the line is longer than 64 MiB", run.stderr)
+
+    def test_messages_show_no_more_than_can_be_read(self):
+        for word in ("a\0b", "a\x1b[31m", "x" * 5000):
+            for name, text in (("w.off", word), ("f.obj", f"v 0 0 0\nf 1 {word} 2\n"),
+                               ("n.ply", f"ply\nformat {word} 1.0\n"), ("i.idt", word),
+                               ("j.idt", f"IDT 3 {word}\n")):
+                run = self.run_program("info", self.write(name, text))
+                self.assert_fails(run, name)
+                self.assertLess(len(run.err), len(self.directory) + 300)
+                self.assertTrue(run.err[:-1].isprintable(), run.err)
+
     def test_zero_faces(self):
         self.refuse(self.write_off("z.off", TETRAHEDRON[0], []), "no faces")
 
@@ -68,7 +96,8 @@ class Refused_input(Cli_test):
             a, b = 2 * i, 2 * i + 1
             c, d = (2 * i + 2, 2 * i + 3) if i + 1 < n else (1, 0)
             faces += [(a, c, d), (a, d, b)]
-        self.refuse(self.write_off("m.off", points, faces), "edge (", "same direction")
+        self.refuse(self.write_off("m.off", points, faces), "edge (", "same direction", "one side",
+                    "cut")
 
 
 class Accepted_input(Cli_test):

@@ -92,6 +92,21 @@ class Options(Cli_test):
         run = self.run_program("refine", self.mesh, "--max-insertions", "0")
         self.assertEqual(run.code, 0, run.err)
 
+    def test_messages_on_usage_are_short(self):
+        lengthy = "x" * 5000
+        for arguments in ((lengthy,), ("delaunay", self.mesh, lengthy), ("delaunay", self.mesh, "-o", lengthy),
+                          ("refine", self.mesh, "--odt", lengthy), ("refine", self.mesh, "--odt", "0"),
+                          ("refine", self.mesh, "--order", lengthy), ("info", "--" + lengthy),
+                          ("refine", self.mesh, "--max-insertions", "-1"),
+                          ("refine", self.mesh, "--min-angle", "9" * 3000),
+                          ("delaunay", self.mesh, "--stats", "a\x1b[31m", "\x1b[31m")):
+            run = self.run_program(*arguments)
+            self.assertEqual(run.code, 2)
+            self.assertLess(len(run.err), 500)
+            self.assertTrue(run.err.replace("\n", "").isprintable(), run.err)
+            if arguments[-1] == "0":
+                self.assertNotRegex(run.err, r"\d{10}")
+
     def test_keys_of_the_statistics(self):
         for command in ("delaunay", "laplacian", "info"):
             for arithmetic in ("exact", "double"):

@@ -5,6 +5,7 @@
 import math
 import os
 import random
+import struct
 
 from cli_support import Cli_test, main
 
@@ -20,6 +21,34 @@ def read_off(path):
     points = [tuple(map(float, row)) for row in rows[2:2 + vertices]]
     return points, [[int(x) for x in row[1:1 + int(row[0])]]
                     for row in rows[2 + vertices:2 + vertices + faces]]
+
+
+def read_ply(path):
+    """Vertices and faces of a binary PLY file, each with its properties by name."""
+    types = {"double": "d", "int": "i", "uchar": "B"}
+    with open(path, "rb") as file:
+        data = file.read()
+    start = data.index(b"end_header\n") + 11
+    elements = []
+    for line in data[:start].decode("ascii").splitlines():
+        word = line.split()
+        if word[0] == "element":
+            elements.append((word[1], int(word[2]), []))
+        elif word[0] == "property":
+            elements[-1][2].append(word[1:])
+    rows = {}
+
+    def take(type_name, count=1):
+        nonlocal start
+        form = f"<{count}{types[type_name]}"
+        values = struct.unpack_from(form, data, start)
+        start += struct.calcsize(form)
+        return values
+
+    for name, count, properties in elements:
+        rows[name] = [{p[-1]: list(take(p[2], take(p[1])[0])) if p[0] == "list" else take(p[0])[0]
+                       for p in properties} for _ in range(count)]
+    return rows["vertex"], rows["face"]
 
 
 def area(points, faces):
@@ -87,6 +116,39 @@ class Subdivision(Cli_test):
     def test_surface_with_border(self):
         points, faces = rough_square(9)
         self.check(self.write_off("square.off", points, faces), points, faces, 1)
+
+    def test_vertices_and_faces_are_labelled_with_the_polygons_of_the_file(self):
+        # rows of hexagons, quadrilaterals and triangles, so that numbers of polygons and triangles differ
+        points = [(i, j, 0.2 * (i * j % 3)) for j in range(4) for i in range(13)]
+        polygons = []
+        for j in range(3):
+            a = 13 * j
+            for i in range(0, 12, 6):
+                b = a + i
+                polygons += [[b, b + 1, b + 2, b + 15, b + 14, b + 13],
+                             [b + 2, b + 3, b + 16, b + 15],
+                             [b + 3, b + 4, b + 16], [b + 4, b + 17, b + 16],
+                             [b + 4, b + 5, b + 6, b + 19, b + 18, b + 17]]
+        mesh = self.write_off("polygons.off", points, polygons)
+        for options in ([], ["--arithmetic", "double"], ["--correspondence", "crossings"]):
+            stats = self.stats("refine", mesh, "-o", "out.ply", "--max-edge-length", "0.8", *options)
+            self.assertGreater(stats["refine"]["insertions"], 50)
+            vertices, faces = read_ply(self.path("out.ply"))
+            around = [set() for _ in vertices]
+            for face in faces:
+                self.assertLess(face["input_face"], len(polygons))
+                for v in face["vertex_indices"]:
+                    around[v].add(face["input_face"])
+            # each polygon is covered by the faces with its number
+            self.assertEqual({face["input_face"] for face in faces}, set(range(len(polygons))))
+            for vertex, labels in zip(vertices, around):
+                if vertex["kind"] == 2:
+                    self.assertEqual(vertex["input_face"], -1)
+                else:
+                    self.assertIn(vertex["input_face"], labels)
+                if vertex["kind"] == 0:  # a corner of the polygon
+                    p = (vertex["x"], vertex["y"])
+                    self.assertIn(p, {points[i][:2] for i in polygons[vertex["input_face"]]})
 
     def test_all_formats(self):
         mesh = self.write_off("torus.off", *sheared_torus(24, 12, 5))

@@ -140,7 +140,10 @@ TEST(Build_gluing_from_triangles, edge_with_three_faces_is_named_with_its_faces)
 
 TEST(Build_gluing_from_triangles, inconsistent_orientation_is_named) {
   expect_error(4, {{0, 1, 2}, {0, 1, 3}}, IT::Element_kind::edge,
-               {"edge (0, 1)", "same direction by faces 0 and 1"});
+               {"edge (0, 1)", "same direction by faces 0 and 1", "reverse one of them"});
+  // a Moebius strip of five faces
+  expect_error(5, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 0}, {4, 0, 1}}, IT::Element_kind::edge,
+               {"same direction", "only one side", "cut it open"});
 }
 
 TEST(Build_gluing_from_triangles, repeated_and_missing_vertices_are_named) {

@@ -6,8 +6,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
-#include <limits>
+#include <sstream>
 #include <string>
 
 // What the command lines of the programs share.
@@ -18,6 +20,22 @@ namespace program {
 constexpr int failed = 1;
 /// Exit code of usage that is not valid.
 constexpr int misused = 2;
+
+/// returns a text to be shown: what cannot be printed as ?, words no longer than a file name may be, or fewer characters.
+inline std::string legible(const std::string& text, std::size_t longest_word = 255) {
+  std::string result;
+  std::size_t length = 0;
+  for (const char c : text) {
+    const bool is_control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+    length = c == ' ' || c == '\n' ? 0 : length + 1;
+    if (length == longest_word + 1) result += "...";
+    if (length <= longest_word) result += is_control && c != '\n' ? '?' : c;
+  }
+  return result;
+}
+
+/// Longest word of a command line that messages repeat.
+constexpr std::size_t longest_argument = 60;
 
 /// returns a check of the extension of a file, which is all that can be written of `what`.
 inline CLI::Validator extension(const std::string& wanted, const std::string& what) {
@@ -38,15 +56,23 @@ inline CLI::Validator between(double least, double most) {
         double x = 0;
         const bool is_number = CLI::detail::lexical_cast(word, x);
         if (is_number && x >= least && x <= most) return std::string();
-        return word + ": give a number from " + CLI::detail::to_string(least) + " to " +
-               CLI::detail::to_string(most);
+        std::ostringstream message;
+        message << word << ": give a number from " << least << " to " << most;
+        return message.str();
       },
       "NUMBER");
 }
 
 /// returns a check that a number is positive and finite.
 inline CLI::Validator positive() {
-  return between(std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max());
+  return CLI::Validator(
+      [](std::string& word) {
+        double x = 0;
+        const bool is_number = CLI::detail::lexical_cast(word, x);
+        return is_number && x > 0 && std::isfinite(x) ? std::string()
+                                                      : word + ": give a positive number";
+      },
+      "NUMBER");
 }
 
 } // namespace program

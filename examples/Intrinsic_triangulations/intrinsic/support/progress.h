@@ -24,25 +24,38 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// returns what is being done, which a signal handler may ask for.
+const char* current_stage();
+
 /*!
-\brief shows what is going on in one line of a terminal at standard error, once work has taken a
-second; nothing where standard error is no terminal.
+\brief shows what is going on at standard error: in one line of a terminal, once work has taken a second; or, if that is
+asked for, in lines of a log, one for each stage and one for every second that it takes. Else nothing where standard error
+is no terminal.
 */
 class Progress {
 public:
-  Progress();
+  /// \param logs whether to write a log
+  explicit Progress(bool logs);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   /// clears the line.
   ~Progress();
 
-  /// shows what is being done now.
-  void show(const std::string& what);
+  /*!
+  \brief shows what is being done now.
+  \param stage a string literal
+  \param detail how far that is
+  */
+  void show(const char* stage, const std::string& detail = {});
 
 private:
-  bool is_terminal_;
+  using Clock = std::chrono::steady_clock;
+
+  void log(const char* stage, const std::string& detail, Clock::time_point now);
+
+  bool logs_, is_terminal_;
   bool is_shown_ = false;
-  std::chrono::steady_clock::time_point start_, last_;
+  Clock::time_point start_, last_;
 };
 
 } // namespace program

@@ -15,11 +15,12 @@ All of them use these words. Why a single move was refused, which algorithms mee
 `Move_status`: a question about one edge or vertex, not about an end.
 */
 enum class Status : std::uint8_t {
-  done,         ///< what was asked for is there, as far as the arithmetic can tell
-  cap,          ///< a cap that was given, or that makes inexact arithmetic end, was reached before
-  stalled,      ///< nothing that is left to do could be done
-  cancelled,    ///< the visitor asked to stop
-  border,       ///< the border was reached before
+  done,       ///< what was asked for is there, as far as the arithmetic can tell
+  cap,        ///< a cap that was given, or that makes inexact arithmetic end, was reached before
+  stalled,    ///< nothing that is left to do could be done
+  cancelled,  ///< the visitor asked to stop
+  inaccurate, ///< rounding has spoilt the triangulation, which exact traits do not: see `Inaccuracy`
+  border,     ///< the border was reached before
   not_traceable ///< the correspondence cannot tell where it is: only by rounding, with `Signposts`
 };
 

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -64,6 +65,20 @@ private:
   std::vector<Entry> entries_;
 };
 
+// Reports two faces that run along an edge in the same direction.
+[[noreturn]] inline void fail_orientation(const Gluing& g, std::uint32_t h) {
+  const std::uint32_t other = Gluing::partner(g.glue[h]);
+  throw Invalid_input(
+      Element_kind::edge, h,
+      "edge (" + std::to_string(g.origin[h]) + ", " + std::to_string(g.origin[Gluing::next(h)]) +
+          ") is traversed in the same direction by faces " + std::to_string(h / 3) + " and " +
+          std::to_string(other / 3) +
+          (find_orientation(g).is_orientable
+               ? "; reverse one of them to orient the mesh consistently"
+               : "; the surface has only one side, as a Moebius strip has: no reversal of faces "
+                 "orients it, cut it open"));
+}
+
 } // namespace internal
 
 /*!
@@ -96,7 +111,8 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRan
     }
   }
   g.glue.assign(g.origin.size(), Gluing::none);
-  internal::Halfedges_by_edge(g).for_each_edge([&g](auto first, auto last) {
+  std::uint32_t conflict = Gluing::none; // a halfedge of the first edge whose faces run along it
+  internal::Halfedges_by_edge(g).for_each_edge([&](auto first, auto last) {
     const std::uint32_t h = first->halfedge;
     const auto name = [&] {
       return "edge (" + std::to_string(g.origin[h]) + ", " +
@@ -112,14 +128,12 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRan
     }
     if (last - first < 2) return;
     const std::uint32_t other = (last - 1)->halfedge;
-    if (g.origin[h] == g.origin[other])
-      throw Invalid_input(Element_kind::edge, h,
-                          name() + " is traversed in the same direction by faces " +
-                              std::to_string(h / 3) + " and " + std::to_string(other / 3) +
-                              "; reverse one of them to orient the mesh consistently");
-    g.glue[h] = other;
-    g.glue[other] = h;
+    const bool is_conflict = g.origin[h] == g.origin[other];
+    if (is_conflict && conflict == Gluing::none) conflict = h;
+    g.glue[h] = is_conflict ? Gluing::reversed(other) : other;
+    g.glue[other] = is_conflict ? Gluing::reversed(h) : h;
   });
+  if (conflict != Gluing::none) internal::fail_orientation(g, conflict);
   return g;
 }
 

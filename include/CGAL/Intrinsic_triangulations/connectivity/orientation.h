@@ -5,11 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ORIENTATION_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -85,23 +82,6 @@ inline Orientation_result orient_faces(Gluing& g) {
   for (std::uint32_t f = 0; f < g.number_of_faces(); ++f)
     if (r.reversed_faces[f] != 0) std::swap(g.origin[3 * f + 1], g.origin[3 * f + 2]);
   return r;
-}
-
-/*!
-\brief tells whether the faces of a mesh can be oriented consistently.
-
-Meshes with oriented halfedges always are; only a `Gluing_map` may not be.
-\tparam Mesh a model of `MutableDeltaComplex`
-\param mesh the mesh
-\pre `is_valid_delta_complex(mesh)`
-\complexity constant for meshes whose gluings respect the orientation, else linear
-*/
-template <class Mesh>
-bool is_orientable(const Mesh& mesh) {
-  if constexpr (std::is_same_v<Mesh, Gluing_map>)
-    return mesh.is_oriented() || find_orientation(gluing_from_map(mesh)).is_orientable;
-  else
-    return true;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

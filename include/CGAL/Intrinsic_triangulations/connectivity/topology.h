@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 /*!
@@ -120,6 +121,19 @@ auto vertices_with(const Mesh& mesh, Condition condition) {
 }
 
 } // namespace internal
+
+/*!
+\brief tells whether the faces of a mesh can be oriented consistently; only those of a `Gluing_map` may not.
+\tparam Mesh a model of `MutableDeltaComplex`
+\complexity constant for meshes whose gluings respect the orientation, else linear
+*/
+template <class Mesh>
+bool is_orientable(const Mesh& mesh) {
+  if constexpr (std::is_same_v<Mesh, Gluing_map>)
+    return mesh.is_oriented() || find_orientation(gluing_from_map(mesh)).is_orientable;
+  else
+    return true;
+}
 
 /*!
 \brief returns V - E + F, isolated vertices included.

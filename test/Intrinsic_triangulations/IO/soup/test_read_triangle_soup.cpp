@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -176,6 +177,106 @@ TEST_F(Read_triangle_soup, every_text_format_gives_the_same_tetrahedron) {
     EXPECT_TRUE(s.polygon_of_triangle.empty()) << name;
     EXPECT_EQ(s.input_faces, 4U) << name;
     EXPECT_EQ(s.triangulated_polygons, 0U) << name;
+  }
+}
+
+// What each format allows, programs write, or editors add.
+TEST_F(Read_triangle_soup, unusual_text_gives_the_same_tetrahedron) {
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", bom = "\xef\xbb\xbf";
+  const std::string obj =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 4\nproperty list uchar int vertex_index\n"
+      "end_header\n" +
+      points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  const std::string off = tetrahedron_off;
+  std::map<std::string, std::string> files{
+      {"several_lines.off", "OFF\n4 4 0\n" + points +
+                                "3\n0 2 1\n3 0\n1\n3 # two lines above\n"
+                                "3 1 2 3\n3 2\n# a comment\n0 3\n"},
+      {"one_line.off", "OFF 4 4 0\n" + points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"},
+      {"mixed_colors.off",
+       "OFF 4 4 0\n" + points + "3 0 2 1 9 9 9\n3 0\n1 3\n3 1 2 3 7\n3 2 0 3\n"},
+      {"unknown.obj", "vendor 1 2 3\n" + obj + "#\nanother_one\n"},
+      {"mark.off", bom + off},
+      {"mark.obj", bom + obj},
+      {"mark.ply", bom + ply}};
+  for (const auto& [name, text] : std::map<std::string, std::string>{
+           {"off", off}, {"obj", obj}, {"ply", ply}, {"comment.obj", "# v 9 9 9\n" + obj}}) {
+    std::string old = text;
+    std::replace(old.begin(), old.end(), '\n', '\r');
+    files["old_mac." + name] = old;
+    files["mark_and_old_mac." + name] = bom + old;
+  }
+  for (const auto& [name, content] : files) {
+    const Triangle_soup s = read(name, content);
+    EXPECT_EQ(s.triangles, tetrahedron_faces) << name;
+    ASSERT_EQ(s.points.size(), 4U) << name;
+    EXPECT_EQ(s.points[3], (std::array<double, 3>{0, 0, 1})) << name;
+  }
+}
+
+TEST_F(Read_triangle_soup, text_stl_may_be_in_upper_case_with_a_mark_and_any_line_ends) {
+  const std::string stl = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                          "vertex 0 1 0\nendloop\nendfacet\nendsolid s\n";
+  std::string upper = stl, old = stl;
+  for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  std::replace(old.begin(), old.end(), '\n', '\r');
+  for (const std::string& text : {stl, upper, old, "\xef\xbb\xbf" + stl, "\xef\xbb\xbf" + upper}) {
+    const Triangle_soup s = read("t.stl", text);
+    ASSERT_EQ(s.triangles.size(), 1U);
+    EXPECT_EQ(s.points[2], (std::array<double, 3>{0, 1, 0}));
+  }
+}
+
+TEST_F(Read_triangle_soup, old_line_ends_count_lines) {
+  expect_error_in("t.off", "OFF\r3 1 0\r0 0 0\r1 0 nan\r0 1 0\r3 0 1 2\r", Element_kind::vertex, 1,
+                  {":4:", "vertex 1"});
+}
+
+// A vertex that a line lacks is not taken from the next one.
+TEST_F(Read_triangle_soup, faces_over_several_lines_must_fit) {
+  const std::string start = "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  for (const std::string rest :
+       {"3 0 1\n3 0 1 3\n3 1 2 3\n", "3 0 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+        "3 0 1\n3\n1 2 3\n3 1 2 3\n", "3 0 1\n", "3 0 1\n9\n3 0 1 2\n3 0 1 3\n"})
+    expect_error_in("f.off", start + rest, Element_kind::face, 0,
+                    {":7:", "face 0 of 3 has only 2 of 3 vertices"});
+}
+
+TEST_F(Read_triangle_soup, text_without_line_ends_is_refused_in_bounded_memory) {
+  for (const std::string extension : {"off", "obj", "ply", "stl", "ts"}) {
+    const std::string start = extension == "stl" ? "solid " : "";
+    const std::string path = file("sparse." + extension, start);
+    std::filesystem::resize_file(path, std::uintmax_t(1) << 28);
+    expect_error(path, Element_kind::none, 0, {":1:", "64 MiB", "line ends"});
+  }
+}
+
+TEST_F(Read_triangle_soup, messages_show_no_more_than_can_be_read) {
+  const std::string nul(1, '\0'), escape = "\x1b[31m", lengthy(5000, 'x');
+  for (const std::string& word : {"a" + nul + "b", "a" + escape, lengthy, nul + lengthy}) {
+    const std::map<std::string, std::string> files{
+        {"w.off", word + "\n4 4 0\n"},
+        {"f.obj", "v 0 0 0\nf 1 " + word + " 2\n"},
+        {"format.ply", "ply\nformat " + word + " 1.0\n"},
+        {"type.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty " + word + " x\n"},
+        {"name.ply", "ply\nformat ascii 1.0\nelement " + word + " many\n"},
+        {"item.ply",
+         "ply\nformat ascii 1.0\nelement " + word + " 1\nproperty int x\nend_header\nz\n"},
+        {"t.stl", word}};
+    for (const auto& [name, content] : files) try {
+        read(name, content);
+        ADD_FAILURE() << name;
+      } catch (const Invalid_input& error) {
+        const std::string message(error.what());
+        EXPECT_LT(message.size(), directory_.string().size() + 250) << name;
+        EXPECT_TRUE(std::all_of(message.begin(), message.end(),
+                                [](char c) { return c >= ' ' && c <= '~'; }))
+            << name << message;
+        EXPECT_GT(message.size(), directory_.string().size() + 40) << name; // no NUL cuts it
+      }
   }
 }
 

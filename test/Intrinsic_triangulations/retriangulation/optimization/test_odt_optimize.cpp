@@ -319,4 +319,22 @@ TEST(Odt, Does_nothing_without_vertices_to_move) {
   EXPECT_EQ(result.moves + result.splits, 0U);
 }
 
+/// Areas and lengths are stored apart: where vertices move again and again they must go on fitting.
+TEST(Odt, Sides_of_faces_span_their_areas_after_many_moves_with_doubles) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    Rounded t(input(meshes::rough_grid(6, seed)));
+    IT::delaunay_refine(t, IT::parameters::minimum_angle(30.));
+    const auto result = IT::odt_optimize(
+        t, IT::parameters::maximum_edge_length(0.3).number_of_iterations(40U).convergence(0.));
+    EXPECT_GT(result.moves, 10000U);
+    EXPECT_NE(result.status, Status::inaccurate);
+    for (const auto f : faces(t.mesh())) {
+      const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
+      const double a = t.length(edge(h, t.mesh())), b = t.length(edge(n, t.mesh())),
+                   c = t.length(edge(next(n, t.mesh()), t.mesh())), s = (a + b + c) / 2;
+      EXPECT_NEAR(t.area(f), std::sqrt(s * (s - a) * (s - b) * (s - c)), 1e-9 * s * s);
+    }
+  }
+}
+
 } // namespace

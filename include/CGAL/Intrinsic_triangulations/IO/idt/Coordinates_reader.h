@@ -52,7 +52,7 @@ public:
       const std::string_view x = in_.word();
       roundabout_.push_back(Gluing::none);
       if (x != "-" && (!parse_number(x, roundabout_.back()) || roundabout_.back() >= halfedges()))
-        in_.fail("\"" + std::string(x.substr(0, 40)) + "\" is no halfedge of the input");
+        in_.fail("\"" + shown(x) + "\" is no halfedge of the input");
     }
   }
 
@@ -86,7 +86,7 @@ private:
     const std::string_view kind = in_.word();
     const bool is_on_edge = kind == on_edge_name;
     if (!is_on_edge && kind != in_face_name)
-      in_.fail("\"face\" or \"edge\" is expected, not \"" + std::string(kind.substr(0, 40)) + "\"");
+      in_.fail("\"face\" or \"edge\" is expected, not \"" + shown(kind) + "\"");
     Surface_point p{in_.index(halfedges(), "halfedge of the input"), {0, 0, 0}};
     for (std::size_t k = 0; k < (is_on_edge ? 2U : 3U); ++k)
       in_.nonnegative(p.weights[k], "weight");

@@ -63,7 +63,7 @@ private:
       const auto kind = std::find_if(mollification_names.begin(), mollification_names.end(),
                                      [&](const auto& n) { return n.second == name; });
       if (kind == mollification_names.end())
-        in_.fail("the mollification \"" + name + "\" is unknown");
+        in_.fail("the mollification \"" + shown(name) + "\" is unknown");
       report_.mollification.kind = kind->first;
       in_.nonnegative(report_.mollification.delta, "delta");
     });
@@ -77,7 +77,7 @@ private:
     in_.line("input", [this] {
       kind_ = in_.word();
       if (kind_ != points_name && kind_ != squared_lengths_name && kind_ != no_input_name)
-        in_.fail("the input \"" + kind_ + "\" is unknown");
+        in_.fail("the input \"" + shown(kind_) + "\" is unknown");
     });
     if (has_surface()) in_.line("delta", [this] { in_.nonnegative(delta_, "delta"); });
   }
@@ -100,7 +100,7 @@ private:
       const std::string_view name = in_.word();
       std::uint32_t i = Gluing::none; // a diagonal of a polygon
       if (name != "-" && (!parse_number(name, i) || i >= edges_))
-        in_.fail("\"" + std::string(name.substr(0, 40)) + "\" is no valid edge");
+        in_.fail("\"" + shown(name) + "\" is no valid edge");
       edge_names_.push_back(i);
       if (has_surface() && !is_embedded())
         in_.nonnegative(squared_lengths_.emplace_back(), "squared length");

@@ -28,7 +28,14 @@ public:
 
   // Goes to the next line, which must exist.
   void next_line() {
-    if (!in_.next_line(rest_))
+    bool is_there = false;
+    try {
+      is_there = in_.next_line(rest_);
+    } catch (const Buffered_input::Line_too_long& error) {
+      throw Invalid_input(Element_kind::none, 0,
+                          file_ + ":" + std::to_string(error.line) + ": " + error.message);
+    }
+    if (!is_there)
       throw Invalid_input(Element_kind::none, 0,
                           file_ + ":" + std::to_string(in_.line_number() + 1) +
                               ": the file ends too early; get a complete copy");
@@ -57,7 +64,7 @@ public:
   void keyword(std::string_view expected) {
     const std::string_view found = word();
     if (found != expected)
-      fail("\"" + std::string(expected) + "\" is expected, not \"" + std::string(found) + "\"");
+      fail("\"" + std::string(expected) + "\" is expected, not \"" + shown(found) + "\"");
   }
 
   template <class Integer>
@@ -106,7 +113,7 @@ public:
   // Asks that the line holds no more words.
   void finish_line() {
     if (const std::string_view w = word(); !w.empty())
-      fail("\"" + std::string(w) + "\" is more than belongs on this line");
+      fail("\"" + shown(w) + "\" is more than belongs on this line");
   }
 
   [[noreturn]] void fail(const std::string& what) const {
@@ -122,7 +129,7 @@ public:
 private:
   [[noreturn]] void fail_at_word(std::string_view w, const char* what) const {
     fail(w.empty() ? std::string(what) + " is missing"
-                   : "\"" + std::string(w.substr(0, 40)) + "\" is no valid " + what);
+                   : "\"" + shown(w) + "\" is no valid " + what);
   }
 
   static bool parse_hexadecimal(std::string_view w, double& x) {

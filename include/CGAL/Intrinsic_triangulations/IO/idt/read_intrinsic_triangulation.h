@@ -46,7 +46,7 @@ inline std::string read_format_header(Text_reader& in) {
   std::string arithmetic(in.word());
   if (arithmetic != arithmetic_name<Exact_euclidean_metric> &&
       arithmetic != arithmetic_name<Euclidean_metric<double>>)
-    in.fail("the arithmetic \"" + arithmetic + "\" is unknown");
+    in.fail("the arithmetic \"" + shown(arithmetic) + "\" is unknown");
   in.finish_line();
   return arithmetic;
 }

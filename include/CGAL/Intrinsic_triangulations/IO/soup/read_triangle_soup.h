@@ -23,6 +23,7 @@
 #include <istream>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -30,8 +31,12 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Scans a triangulated surface of GOCAD by CGAL's reader.
+// Scans a triangulated surface of GOCAD by CGAL's reader, which has no bound on lines: they are looked at before.
 inline void scan_GOCAD(std::istream& in, Soup_builder& out) {
+  Buffered_input lines(in);
+  for (std::string_view line; lines.next_line(line);) continue;
+  in.clear();
+  in.seekg(0);
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
   std::vector<std::array<std::int32_t, 3>> triangles;
   const bool good = CGAL::IO::read_GOCAD(in, points, triangles);
@@ -64,7 +69,7 @@ inline void scan_mesh_file(const std::string& filename, std::uintmax_t size, Sou
   else if (extension == "ts")
     scan_GOCAD(in, out);
   else
-    out.fail("the extension \"" + extension +
+    out.fail("the extension \"" + shown(extension) +
              "\" is not supported; convert the mesh to .off, .obj, .ply, .stl or .ts");
 }
 
@@ -79,6 +84,8 @@ The format follows from the extension, in any letter case: OFF with all its pref
 numbers they have in the file; those of STL are the distinct corners in the order in which they
 first occur. A decimal coordinate becomes the nearest `double`; where a format stores single
 precision (binary OFF and STL, properties of type `float` in PLY), it becomes that number.
+Faces of OFF may take several lines, statements of OBJ that are unknown are skipped, a byte order mark
+is, and lines end by LF, CR LF or CR.
 
 Faces with more than three sides are triangulated: a quadrilateral along the diagonal that
 `CGAL::Polygon_mesh_processing::triangulate_faces()` takes, others by constrained Delaunay
@@ -89,7 +96,7 @@ vertices that another edge joins is avoided by another triangulation of the poly
 \throws Invalid_input naming the file, its line where it has lines, the element and the remedy if
   the file does not exist or cannot be read, is empty, truncated or not of its format, has a
   coordinate that is not finite, a face with fewer than three vertices, with a repeated vertex or
-  with one out of range, or no faces, or has a polygon with no triangulation that avoids edges of
+  with one out of range, a line of more than 64 MiB, or no faces, or has a polygon with no triangulation that avoids edges of
   other faces
 \complexity linear for text and binary alike, \f$n\log n\f$ for STL and in the number of diagonals;
   memory follows the size of the file, never a count in it
@@ -109,6 +116,9 @@ inline Triangle_soup read_triangle_soup(const std::string& filename) {
   try {
     internal::scan_mesh_file(filename, size, out);
     return out.finish();
+  } catch (const internal::Buffered_input::Line_too_long& found) {
+    out.line = found.line;
+    out.fail(found.message);
   } catch (const std::bad_alloc&) {
     out.line = 0;
     out.fail(

@@ -17,7 +17,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Scans the vertices and faces of a Wavefront OBJ file; everything else is skipped.
+// Scans the vertices and faces of a Wavefront OBJ file; everything else is skipped, as programs write statements of their own.
 class OBJ_scanner {
 public:
   OBJ_scanner(std::istream& in, Soup_builder& out) : in_(in), out_(out) {
@@ -45,6 +45,12 @@ public:
       }
     }
     if (!joined_.empty()) scan(joined_);
+    if (out_.number_of_faces() == 0 && unknown_line_ != 0) {
+      out_.line = unknown_line_;
+      out_.fail(
+          "the line is not a statement of an OBJ file, and the file has no faces; give it the "
+          "extension of its format");
+    }
   }
 
 private:
@@ -54,9 +60,8 @@ private:
       scan_vertex(line);
     else if (word == "f")
       scan_face(line);
-    else if (!is_known(word))
-      out_.fail("the line is not a statement of an OBJ file; remove it, or give the file the "
-                "extension of its format");
+    else if (unknown_line_ == 0 && !is_known(word))
+      unknown_line_ = out_.line;
   }
 
   void scan_vertex(std::string_view line) {
@@ -77,7 +82,7 @@ private:
       const std::string_view reference = word.substr(0, word.find('/'));
       std::int64_t v = 0;
       if (!parse_number(reference, v) || v == 0)
-        out_.fail_face(" refers to vertex \"" + std::string(reference) +
+        out_.fail_face(" refers to vertex \"" + shown(reference) +
                        "\"; references are whole numbers other than 0: correct the line");
       if (v < 0 && -v > count)
         out_.fail_face(" refers to vertex " + std::to_string(v) + ", but only " +
@@ -103,6 +108,7 @@ private:
   Buffered_input in_;
   Soup_builder& out_;
   std::string joined_;
+  std::size_t unknown_line_ = 0; // the first
   std::vector<std::int64_t> face_;
 };
 

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +31,12 @@ public:
     out_.reserve(static_cast<std::size_t>(std::min(vertices_, room)),
                  static_cast<std::size_t>(std::min(faces_, room)));
     for (std::int64_t i = 0; i < vertices_; ++i) binary_ ? binary_vertex() : text_vertex();
-    for (std::int64_t i = 0; i < faces_; ++i) binary_ ? binary_face() : text_face();
+    try {
+      for (std::int64_t i = 0; i < faces_; ++i) binary_ ? binary_face() : text_face();
+    } catch (const Invalid_input&) {
+      if (short_face_) throw *short_face_;
+      throw;
+    }
   }
 
 private:
@@ -84,10 +90,8 @@ private:
     dimensional_ = take("n");
     skel_ = rest == "SKEL";
     if (rest == "OFF" || skel_) return;
-    std::string shown;
-    for (const char c : word.substr(0, 20)) shown += c > ' ' && c <= '~' ? c : '?';
     out_.fail(
-        "the file starts with \"" + shown +
+        "the file starts with \"" + shown(word) +
         "\" instead of OFF; check that it is an OFF file, or give it the extension of its format");
   }
 
@@ -137,16 +141,32 @@ private:
     if (!parse_integer(next_word(line_), size) || size < 0)
       fail_face("does not start with its number of vertices");
     face_.clear();
+    bool goes_on = false;
     for (std::int64_t k = 0; k < size; ++k) {
-      const std::string_view word = next_word(line_);
-      if (word.empty())
-        fail_face("has only " + std::to_string(k) + " of " + std::to_string(size) + " vertices");
+      std::string_view word = next_word(line_);
+      if (word.empty()) {
+        go_on_in_next_line(k, size);
+        goes_on = true;
+        word = next_word(line_);
+      }
       std::int64_t v = 0;
       if (!parse_integer(word, v)) fail_face("has a vertex that is not a whole number");
       face_.push_back(v);
     }
+    if (goes_on && !next_word(line_).empty()) throw *short_face_;
     line_ = {};
     out_.add_face(face_);
+  }
+
+  // A face may take several lines, which it ends with; but one that lacks vertices looks the same. If
+  // what follows does not fit, that is what is wrong.
+  void go_on_in_next_line(std::int64_t k, std::int64_t size) {
+    if (!short_face_) try {
+        fail_face("has only " + std::to_string(k) + " of " + std::to_string(size) + " vertices");
+      } catch (const Invalid_input& error) {
+        short_face_ = error;
+      }
+    if (!next_line()) throw *short_face_;
   }
 
   [[noreturn]] void fail_face(const std::string& what) {
@@ -191,6 +211,7 @@ private:
   Soup_builder& out_;
   std::string_view line_;
   std::vector<std::int64_t> face_;
+  std::optional<Invalid_input> short_face_; // what is wrong with the first that went on
   std::int64_t vertices_ = 0, faces_ = 0;
   bool binary_ = false, skel_ = false;
   bool textures_ = false, colors_ = false, normals_ = false, homogeneous_ = false,

@@ -91,14 +91,14 @@ private:
     order_ = format == "binary_big_endian" ? std::endian::big : std::endian::little;
     if (!text_ && order_ == std::endian::little && format != "binary_little_endian")
       out_.fail(
-          "the format \"" + std::string(format) +
+          "the format \"" + shown(format) +
           "\" is not one of ascii, binary_little_endian, binary_big_endian; correct the header");
   }
 
   void scan_element(std::string_view line) {
     Element e{std::string(next_word(line)), 0, {}};
     if (!parse_number(next_word(line), e.count))
-      out_.fail("element " + e.name + " has no valid count; correct the header");
+      out_.fail("element " + shown(e.name) + " has no valid count; correct the header");
     elements_.push_back(std::move(e));
   }
 
@@ -130,7 +130,7 @@ private:
          {"double", "float64", false, &PLY_scanner::read_as<double>}}};
     for (const Type& type : types)
       if (name == type.name || name == type.other_name) return type;
-    out_.fail("\"" + std::string(name) + "\" is not a type of PLY; correct the header");
+    out_.fail("\"" + shown(name) + "\" is not a type of PLY; correct the header");
   }
 
   // Every value of the format is exact as a double; false at the end of the file or for a word that
@@ -157,7 +157,7 @@ private:
                               : e.name.substr(0, 4) == "vert" ? Element_kind::vertex
                                                               : Element_kind::none;
     out_.fail(kind, static_cast<std::size_t>(i),
-              e.name + " " + std::to_string(i) + " of the " + std::to_string(e.count) +
+              shown(e.name) + " " + std::to_string(i) + " of the " + std::to_string(e.count) +
                   " that the header announces is missing or malformed; get a complete copy if the "
                   "file is truncated, or correct it");
   }

@@ -47,7 +47,8 @@ private:
     stream_.clear();
     stream_.seekg(0);
     std::string_view text(header, 84);
-    if (next_word(text) != "solid") return true;
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    if (!is_word(next_word(text), "solid")) return true;
     return whole && file_size_ == 84 + 50 * std::uintmax_t(count_in(header));
   }
 
@@ -100,17 +101,17 @@ private:
   void scan_text() {
     bool in_solid = false, in_facet = false;
     for (auto word = next(); !word.empty(); word = next()) {
-      if (in_facet && word == "vertex") scan_corner();
-      if (in_facet && word == "endfacet") {
+      if (in_facet && is_word(word, "vertex")) scan_corner();
+      if (in_facet && is_word(word, "endfacet")) {
         in_facet = false;
         if (corners_.size() != 3 * ++facets_) {
           corners_.resize(3 * (facets_ - 1));
           fail("does not have three vertices; divide it into triangles");
         }
       }
-      if (!in_facet && word == "solid") in_solid = true;
-      if (!in_facet && word == "endsolid") in_solid = false;
-      if (in_solid && word == "facet") in_facet = true;
+      if (!in_facet && is_word(word, "solid")) in_solid = true;
+      if (!in_facet && is_word(word, "endsolid")) in_solid = false;
+      if (in_solid && is_word(word, "facet")) in_facet = true;
     }
     if (in_solid)
       out_.fail(Element_kind::face, facets_,

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <ostream>
 #include <span>
@@ -34,6 +35,26 @@ inline constexpr std::array<std::string_view, 5> common_subdivision_extensions{"
 inline bool is_common_subdivision_extension(std::string_view extension) {
   return std::ranges::count(common_subdivision_extensions, internal::plain_extension(extension)) !=
          0;
+}
+
+/*!
+\brief labels the faces and vertices of a common subdivision with the polygons of the input, for a file: the user's
+faces instead of the triangles that they were made of.
+
+What computes with a common subdivision needs the triangles: use a copy.
+\param s the subdivision
+\param polygon_of_triangle the polygon of each triangle, as in `Triangle_soup` and `Input_names`; empty: all
+  faces are triangles, and nothing changes
+\complexity linear
+*/
+inline void label_with_polygons(Common_subdivision& s,
+                                std::span<const std::uint32_t> polygon_of_triangle) {
+  if (polygon_of_triangle.empty()) return;
+  const auto rename = [&](std::uint32_t& f) {
+    if (f != Common_subdivision::none) f = polygon_of_triangle[f];
+  };
+  for (std::uint32_t& f : s.input_face) rename(f);
+  for (Common_subdivision::Vertex& v : s.vertices) rename(v.input_face);
 }
 
 /*!

@@ -20,16 +20,22 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+inline char lower_case(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
 // The extension of a file in lower case, without its dot.
 inline std::string plain_extension(std::string_view extension) {
   if (extension.starts_with('.')) extension.remove_prefix(1);
   std::string result(extension);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (char& c : result) c = lower_case(c);
   return result;
 }
 
 inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+// What some editors write before UTF-8.
+inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 // Takes the next word off the front of `text`; empty at the end.
 inline std::string_view next_word(std::string_view& text) {
@@ -40,6 +46,20 @@ inline std::string_view next_word(std::string_view& text) {
   const std::string_view word = text.substr(first, last - first);
   text.remove_prefix(last);
   return word;
+}
+
+// Tells whether a word is another one in any letter case; that is in lower case.
+inline bool is_word(std::string_view word, std::string_view lower) {
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
+                    [](char c, char l) { return lower_case(c) == l; });
+}
+
+// A word of a file for a message: no longer than a line, without what cannot be printed.
+inline std::string shown(std::string_view word) {
+  constexpr std::size_t most = 40;
+  std::string result;
+  for (const char c : word.substr(0, most)) result += c >= ' ' && c <= '~' ? c : '?';
+  return word.size() > most ? result + "..." : result;
 }
 
 // Reads the whole word as the nearest number, whatever the locale. Numbers beyond the range become
@@ -68,18 +88,28 @@ inline bool parse_integer(std::string_view word, std::int64_t& value) {
 }
 
 // Reads lines, words and bytes from a stream in large pieces; memory is bounded by the longest
-// line, never by a number in the file.
+// line, which has a bound, never by a number in the file. A byte order mark is skipped; lines end as the first one
+// does, by LF or, as once on Macs, by CR. The CR of CR LF is a space.
 class Buffered_input {
 public:
+  // Says of a line that it has no end.
+  struct Line_too_long {
+    std::size_t line;
+    static constexpr const char* message =
+        "the line is longer than 64 MiB; the file is no text, or its line ends are lost";
+  };
+
   explicit Buffered_input(std::istream& in) : in_(in), buffer_(std::size_t(1) << 18, '\0') {}
 
   // The line without its end; false at the end of the file. The view is valid until the next call.
   bool next_line(std::string_view& line) {
+    if (line_number_ == 0) begin_text();
     std::size_t scanned = 0;
     for (;;) {
       const char* const start = buffer_.data() + begin_;
-      const void* const found = std::memchr(start + scanned, '\n', end_ - begin_ - scanned);
+      const void* const found = std::memchr(start + scanned, line_end_, end_ - begin_ - scanned);
       scanned = end_ - begin_;
+      if (found == nullptr && scanned > longest_line) throw Line_too_long{line_number_ + 1};
       if (found == nullptr && refill()) continue;
       const char* const stop =
           found != nullptr ? static_cast<const char*>(found) : buffer_.data() + end_;
@@ -124,6 +154,17 @@ public:
   std::size_t line_number() const { return line_number_; }
 
 private:
+  static constexpr std::size_t longest_line = std::size_t(1) << 26;
+
+  void begin_text() {
+    if (end_ == begin_) refill();
+    const std::string_view text(buffer_.data() + begin_, end_ - begin_);
+    if (text.starts_with(byte_order_mark)) begin_ += byte_order_mark.size();
+    const std::size_t first = text.find_first_of("\r\n");
+    if (first != std::string_view::npos && text[first] == '\r' && text.substr(first + 1, 1) != "\n")
+      line_end_ = '\r';
+  }
+
   bool refill() {
     if (begin_ > 0) std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;
@@ -137,6 +178,7 @@ private:
   std::istream& in_;
   std::string buffer_;
   std::size_t begin_ = 0, end_ = 0, line_number_ = 0;
+  char line_end_ = '\n';
 };
 
 // Reads one number of type `Number`, as stored with the given byte order.

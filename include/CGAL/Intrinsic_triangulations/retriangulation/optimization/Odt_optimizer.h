@@ -7,9 +7,13 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Planar_star.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Inaccuracy.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -30,7 +34,8 @@ namespace CGAL::Intrinsic_triangulations {
 */
 struct Odt_result {
   /// `done`: no edge is longer than asked, and the energy hardly changes; `cap`: that on iterations,
-  /// insertions or, with inexact numbers, flips was reached; or `cancelled`.
+  /// insertions or, with inexact numbers, flips was reached; `cancelled`; or `inaccurate`: the triangulation
+  /// must not be used.
   Status status = Status::cap;
   /// Iterations done.
   unsigned iterations = 0;
@@ -46,6 +51,8 @@ struct Odt_result {
   double energy_before = 0;
   /// The energy after.
   double energy_after = 0;
+  /// What rounding has spoilt, if it is `inaccurate`.
+  std::optional<Inaccuracy> inaccuracy = std::nullopt;
 };
 
 /*!
@@ -107,6 +114,7 @@ public:
       ++result_.iterations;
       const std::uint64_t splits = result_.splits;
       if (!split_long_edges() || !move_vertices() || !flip_everywhere()) break;
+      fit_areas_to_sides();
       const double after = odt_energy(t_);
       const bool is_steady = after > (1 - convergence_) * energy;
       energy = after;
@@ -258,6 +266,39 @@ private:
     for (const auto e : edges(mesh_)) flipper_.push(halfedge(e, mesh_));
     return flipper_.run(*this);
   }
+
+  // ---- with floating point numbers
+
+  // Areas and lengths are stored apart, and thousands of moves in one place let areas drift by per cents of a face,
+  // lengths far less: what a removal takes for a straight angle is right to seven digits. So areas are taken from
+  // lengths now and then, but those of thin faces, where that cancels.
+  void fit_areas_to_sides() {
+    if constexpr (requires(Halfedge h, Flipped_values<double> n) { session_.correct_values(h, n); })
+      for (const auto e : edges(mesh_)) {
+        const Halfedge h = halfedge(e, mesh_), o = opposite(h, mesh_);
+        if (is_border(h) || is_border(o) || face(h, mesh_) == face(o, mesh_)) continue;
+        const Face_values<double> f = fitted(h), g = fitted(o);
+        session_.correct_values(h, {f.squared_lengths[0], f.quadruple_area, g.quadruple_area});
+      }
+  }
+
+  // the values of the face of a halfedge, its side first
+  Face_values<double> fitted(Halfedge h) const {
+    const Halfedge n = next(h, mesh_), l = next(n, mesh_);
+    Face_values<double> v{{view_.squared_length(number(h) / 2), view_.squared_length(number(n) / 2),
+                           view_.squared_length(number(l) / 2)},
+                          view_.quadruple_area(t_.index(face(h, mesh_)))};
+    const double spanned = spanned_area(v);
+    if (spanned > least_spanned && area_discrepancy(v) > doubtful_discrepancy) {
+      const auto& s = v.squared_lengths;
+      v.quadruple_area = std::max({s[0], s[1], s[2]}) * std::sqrt(spanned);
+    }
+    return v;
+  }
+
+  // of faces that are not thin: higher than 1/32 of their longest sides; beyond rounding
+  static constexpr double least_spanned = 0x1p-8;
+  static constexpr double doubtful_discrepancy = 0x1p-44;
 
   // space to the rim that a step leaves, and the shortest step, relative to the space before
   static constexpr double least_space = 0.25;

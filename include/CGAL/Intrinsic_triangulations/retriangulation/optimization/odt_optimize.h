@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_optimizer.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 
@@ -26,7 +27,7 @@ inserted vertex to the mean of the circumcenters of the faces about it, weighted
 the way where that is outside of its star, and flips edges to Delaunay. Areas become even, at the cost of
 some smaller angles than `delaunay_refine()` leaves. The vertices of the input stay, and the surface is
 what it was; so do vertices inserted on the border and on constrained edges. Moved vertices get new
-descriptors.
+descriptors. With inexact traits the result is checked, see `delaunay_refine()`.
 
 \tparam Triangulation a model of `RefinableTriangulation`
 \tparam NP a chain of named parameters
@@ -53,9 +54,11 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
       internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
   auto stored_visitor = internal::object_or<visitor>(np, Odt_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
+  const internal::Surface_check<Triangulation> check(t);
   internal::Odt_optimizer<Triangulation, std::remove_reference_t<decltype(observed)>> optimizer(
       t, np, observed);
-  const Odt_result result = optimizer.run(constrained);
+  Odt_result result = optimizer.run(constrained);
+  check.conclude(result);
   internal::write_constrained(t, constrained,
                               [&](std::uint32_t e) { return optimizer.is_constrained_edge(e); });
   return result;

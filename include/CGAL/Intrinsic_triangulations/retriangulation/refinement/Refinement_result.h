@@ -5,8 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_RESULT_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Inaccuracy.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -63,12 +65,14 @@ struct Refinement_counts {
 template <class Face>
 struct Refinement_result {
   /// `done`, `cap` or `cancelled`: every face meets the criteria, except those that are listed, if it is
-  /// `done`.
+  /// `done`. `inaccurate`: the triangulation must not be used.
   Status status = Status::done;
   /// What was done.
   Refinement_counts counts;
   /// All faces that do not meet the criteria.
   std::vector<Unsatisfied_face<Face>> unsatisfied;
+  /// What rounding has spoilt, if it is `inaccurate`.
+  std::optional<Inaccuracy> inaccuracy = std::nullopt;
 };
 
 /*!

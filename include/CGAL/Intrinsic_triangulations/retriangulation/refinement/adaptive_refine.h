@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Inaccuracy.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Marked_faces.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -38,10 +40,13 @@ struct Adaptive_refinement_round {
 */
 struct Adaptive_refinement_result {
   /// `done`: the estimated error is at most the tolerance; `cap`: that on the number of vertices or of
-  /// rounds was reached; `stalled`: no vertex could be inserted in the faces of large error; `cancelled`.
+  /// rounds was reached; `stalled`: no vertex could be inserted in the faces of large error; `cancelled`;
+  /// `inaccurate`: the triangulation must not be used.
   Status status = Status::done;
   /// The triangulations, the one refinement started from first; the last one is that in the end.
   std::vector<Adaptive_refinement_round> rounds;
+  /// What rounding has spoilt, if it is `inaccurate`.
+  std::optional<Inaccuracy> inaccuracy = std::nullopt;
 };
 
 /*!
@@ -103,7 +108,7 @@ the user's: `residual_indicators()` has some.
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
   - `visitor(v)`: see `Adaptive_refinement_visitor`
 \return status, and what was reached in every round; the last call of `estimate` was with the triangulation as
-  it is in the end
+  it is in the end, unless that is `inaccurate`
 \throws std::invalid_argument if an option makes no sense, an indicator is negative or not finite, or there are
   not as many as numbers of faces
 \complexity that of the functor and of `delaunay_refine()`, per round
@@ -126,7 +131,8 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
       internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
   auto stored_visitor = internal::object_or<visitor>(np, Adaptive_refinement_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
-  // with no more insertions than the cap on vertices allows; tells whether there were any
+  Adaptive_refinement_result result;
+  // with no more insertions than the cap on vertices allows; tells how to go on
   const auto refine = [&](auto marks) {
     const std::size_t n = num_vertices(t.mesh());
     const std::uint64_t left = n < most_vertices ? most_vertices - n : 0;
@@ -134,11 +140,13 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
                                              .maximum_insertions(left)
                                              .edge_is_constrained_map(constrained)
                                              .visitor(marks));
-    return done.counts.circumcenters + done.counts.segment_splits > 0;
+    result.inaccuracy = done.inaccuracy;
+    if (result.inaccuracy) return Status::inaccurate;
+    return done.counts.circumcenters + done.counts.segment_splits > 0 ? Status::done
+                                                                      : Status::stalled;
   };
-  refine(Refinement_visitor());
-  Adaptive_refinement_result result;
-  for (;;) {
+  result.status = refine(Refinement_visitor());
+  while (result.status != Status::inaccurate) {
     const std::vector<double> indicators = internal::checked_indicators(t, estimate(t));
     const std::vector<std::size_t> marked = mark_bulk(indicators, share);
     const double error = internal::root_of_squares(indicators);
@@ -152,8 +160,9 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
     if (num_vertices(t.mesh()) >= most_vertices || result.rounds.size() > most_rounds)
       return end(Status::cap);
     Marked_faces<Triangulation> faces(t, marked);
-    if (!refine(std::ref(faces))) return end(Status::stalled);
+    if (const Status s = refine(std::ref(faces)); s != Status::done) return end(s);
   }
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -41,7 +42,8 @@ faces cannot meet a bound of angles: those that wrap around a vertex whose total
 and those between border or constrained edges that make too small an angle. They are left alone,
 and listed. So are faces where the triangulation refuses an insertion. All others meet
 the criteria; with exact traits that is certain, and so is that every edge is locally Delaunay unless it is
-constrained.
+constrained. With inexact traits areas, lengths and topology are checked in the end: the status is `inaccurate`
+where rounding has spoilt them.
 
 \tparam Triangulation a model of `RefinableTriangulation`
 \tparam NP a chain of named parameters
@@ -76,9 +78,11 @@ delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
       internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
   auto stored_visitor = internal::object_or<visitor>(np, Refinement_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
+  const internal::Surface_check<Triangulation> check(t);
   internal::Delaunay_refiner<Triangulation, std::remove_reference_t<decltype(observed)>> refiner(
       t, np, observed);
   auto result = refiner.run(constrained);
+  check.conclude(result);
   internal::write_constrained(
       t, constrained, [&](std::uint32_t e) { return refiner.segments().is_constrained(e); });
   return result;

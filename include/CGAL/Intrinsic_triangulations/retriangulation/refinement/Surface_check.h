@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_SURFACE_CHECK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_SURFACE_CHECK_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Inaccuracy.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The squared quadruple area that the sides of a face span, by the square of the longest of the squared lengths:
+// 16 A^2 = 4 L_a L_b - (L_a + L_b - L_c)^2.
+inline double spanned_area(const Face_values<double>& v) {
+  const auto& l = v.squared_lengths;
+  const double longest = std::max({l[0], l[1], l[2]});
+  const double a = l[0] / longest, b = l[1] / longest, p = a + b - l[2] / longest;
+  return 4 * a * b - p * p;
+}
+
+// How far that is from the area of the face. Not a number or infinite if a value is.
+inline double area_discrepancy(const Face_values<double>& v) {
+  const auto& l = v.squared_lengths;
+  const double area = v.quadruple_area / std::max({l[0], l[1], l[2]});
+  return std::abs(area * area - spanned_area(v));
+}
+
+/*!
+Checks that an algorithm that computes with rounding has kept the surface: constructed before, asked after.
+
+A move replaces faces by others of the same area up to eight units in the last place of it, 2^-50, as long as
+they are faces: a million moves on one spot stay within 2^-30 of the area, sums far below. Lengths that rounding
+has spoilt show in the faces that they do not span: where these fit to 2^-16, so do the angles of faces that
+are not thin.
+
+With exact traits nothing is computed. Else the time is linear.
+*/
+template <class Triangulation>
+class Surface_check {
+public:
+  explicit Surface_check(const Triangulation& t) : t_(t) {
+    if constexpr (!Triangulation::Metric::is_exact) before_ = measure();
+  }
+
+  /// returns what was lost since construction.
+  std::optional<Inaccuracy> find_inaccuracy() const {
+    if constexpr (!Triangulation::Metric::is_exact) {
+      const Measure after = measure();
+      const auto found = [&](Inaccuracy::Kind kind, std::uint32_t face) {
+        return Inaccuracy{kind, face, in_input_units(before_.area), in_input_units(after.area)};
+      };
+      if (after.euler_characteristic != before_.euler_characteristic)
+        return found(Inaccuracy::Kind::topology, after.worst_face);
+      if (after.bad_faces > before_.bad_faces)
+        return found(Inaccuracy::Kind::face, after.first_bad_face);
+      if (after.discrepancy > shape_tolerance)
+        return found(Inaccuracy::Kind::shape, after.worst_face);
+      if (!(std::abs(after.area - before_.area) <= area_tolerance * before_.area))
+        return found(Inaccuracy::Kind::total_area, after.worst_face);
+    }
+    return std::nullopt;
+  }
+
+  /// notes in the result of an algorithm what was lost.
+  template <class Result>
+  void conclude(Result& result) const {
+    result.inaccuracy = find_inaccuracy();
+    if (result.inaccuracy) result.status = Status::inaccurate;
+  }
+
+private:
+  static constexpr double area_tolerance = 0x1p-30;
+  static constexpr double shape_tolerance = 0x1p-16;
+
+  struct Measure {
+    long double area = 0;
+    std::uint64_t bad_faces = 0;
+    std::uint32_t first_bad_face = 0, worst_face = 0;
+    double discrepancy = 0; // the largest
+    std::int64_t euler_characteristic = 0;
+  };
+
+  Measure measure() const {
+    Measure m;
+    for (const auto f : faces(t_.mesh())) {
+      add(m, t_.index(f), approximate_values(t_, f));
+      ++m.euler_characteristic;
+    }
+    // counted, as meshes may count what they have removed
+    const auto& vertex_range = vertices(t_.mesh());
+    const auto& edge_range = edges(t_.mesh());
+    m.euler_characteristic += std::distance(vertex_range.begin(), vertex_range.end()) -
+                              std::distance(edge_range.begin(), edge_range.end());
+    return m;
+  }
+
+  static void add(Measure& m, std::uint32_t f, const Face_values<double>& v) {
+    m.area += v.quadruple_area;
+    const double discrepancy = area_discrepancy(v);
+    const auto& l = v.squared_lengths;
+    if (!(std::min({l[0], l[1], l[2], v.quadruple_area}) > 0) || !std::isfinite(discrepancy)) {
+      if (m.bad_faces++ == 0) m.first_bad_face = f;
+    } else if (discrepancy > m.discrepancy) {
+      m.discrepancy = discrepancy;
+      m.worst_face = f;
+    }
+  }
+
+  double in_input_units(long double quadruple_area) const {
+    return std::ldexp(static_cast<double>(quadruple_area), -2 * t_.metric().scale_exponent() - 2);
+  }
+
+  const Triangulation& t_;
+  Measure before_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_SURFACE_CHECK_H
