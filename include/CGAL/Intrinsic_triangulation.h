@@ -21,6 +21,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Session.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 
 #include <array>
 #include <cmath>
@@ -64,6 +65,8 @@ public:
   using Traits = Traits_;
   /// Observer of the moves.
   using Correspondence = Correspondence_;
+  /// Whether the input keeps its surface for the correspondence.
+  static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
   /// Number type of stored values.
   using FT = typename Traits::FT;
   /// Stores the values and decides.
@@ -126,6 +129,7 @@ public:
         metric_(std::move(metric)), rows_(rows_of_mesh()) {
     static_assert(IntrinsicCorrespondence<Correspondence, Intrinsic_triangulation>);
     correspondence_.start(*this);
+    places_.attach(*this, metric_);
   }
 
   /*!
@@ -206,15 +210,18 @@ public:
   /// returns the number of a face: from 0, dense, unchanged by flips.
   std::uint32_t index(face_descriptor f) const { return number_.face(f); }
 
-  /// returns the squared length of an edge as a double, in the units of the input.
+  /// returns the squared length of an edge as a double, in the units of the input; with exact traits to 1e-12 of it.
   double squared_length(edge_descriptor e) const {
+    halfedge_descriptor h = halfedge(e, mesh_);
+    if (face(h, mesh_) == boost::graph_traits<Mesh>::null_face()) h = opposite(h, mesh_);
+    internal::accurate_values(*this, face(h, mesh_));
     return std::ldexp(metric_.approximate_squared_length(index(e)), -2 * metric_.scale_exponent());
   }
-  /// returns the length of an edge as a double, in the units of the input.
+  /// returns the length of an edge as a double, in the units of the input; see `squared_length()`.
   double length(edge_descriptor e) const { return std::sqrt(squared_length(e)); }
-  /// returns the area of a face as a double, in the units of the input.
+  /// returns the area of a face as a double, in the units of the input; with exact traits to 1e-12 of it.
   double area(face_descriptor f) const {
-    return std::ldexp(metric_.approximate_quadruple_area(index(f)),
+    return std::ldexp(internal::accurate_values(*this, f).quadruple_area,
                       -2 * metric_.scale_exponent() - 2);
   }
 
@@ -308,8 +315,6 @@ private:
   using Places = std::conditional_t<internal::Defined_by_places<Metric>,
                                     internal::Vertex_places<Intrinsic_triangulation>,
                                     internal::No_vertex_places<Intrinsic_triangulation>>;
-
-  static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
 
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
       : Intrinsic_triangulation(std::move(p.mesh), std::move(p.metric), std::move(p.input)) {}

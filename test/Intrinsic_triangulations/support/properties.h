@@ -150,10 +150,10 @@ void with_exact_values(const T& t, Halfedge<T> h, const Function& f) {
   ASSERT_FALSE(t.metric().is_defined_by_places()) << "there is no history";
   const IT::Diamond d = t.diamond(h);
   const auto side = [&](std::uint32_t face, std::uint32_t next_edge) -> IT::Flip_history::Side {
-    const auto& [version, first] = t.metric().version(face);
+    const auto& [version, first] = t.metric().versions().version(face);
     return {version, first == d.ij ? 0U : first == next_edge ? 2U : 1U};
   };
-  IT::History_zero_test test(t.input().metric(), t.metric().history(), side(d.f, d.jk),
+  IT::History_zero_test test(t.input().metric(), t.metric().versions().history(), side(d.f, d.jk),
                              side(d.g, d.im));
   f(test.exact_values());
 }

@@ -5,16 +5,23 @@
 #define TEST_INTRINSIC_TRIANGULATIONS_RANDOM_HISTORY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -30,7 +37,9 @@ using Side = IT::Flip_history::Side;
 class Walk {
 public:
   Walk(Map map, IT::Input_metric metric)
-      : mesh(std::move(map)), input(std::move(metric)), history(mesh.number_of_faces()) {
+      : mesh(std::move(map)), input(std::move(metric)), history(mesh.number_of_faces()),
+        number_(mesh) {
+    coordinates_.start(Started{std::make_shared<IT::Input>(mesh, input)});
     for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
       first_.push_back({f, mesh.halfedge(Map::Face{f})});
   }
@@ -46,9 +55,20 @@ public:
            mesh.face(h) != mesh.face(Map::opposite(h));
   }
 
+  /// The input under a diamond; nothing if an edge crosses too many input edges, or one is in one face twice.
+  std::optional<IT::Unfolded_diamond> unfolded(Map::Halfedge h) const {
+    if (!is_counted_ || mesh.face(h) == mesh.face(Map::opposite(h))) return std::nullopt;
+    for (const Map::Halfedge side : {h, Map::opposite(h)})
+      for (const Map::Halfedge x : mesh.sides(mesh.face(side)))
+        if (coordinates_.normal_coordinate(x.index / 2) > 1000) return std::nullopt;
+    IT::Diamond_unfolder unfolder;
+    return unfolder(View{&mesh}, coordinates_, h.index);
+  }
+
   template <class Expression>
   CGAL::Sign sign(Map::Halfedge h, const Expression& e) {
     IT::Diamond_values<CGAL::Interval_nt<false>> values;
+    if (const auto u = unfolded(h)) return evaluation_.sign(input, *u, e, values, statistics);
     return evaluation_.sign(input, history, side(h), side(Map::opposite(h)), e, values, statistics);
   }
 
@@ -60,7 +80,10 @@ public:
   // turns h clockwise
   void flip(Map::Halfedge h) {
     const std::uint32_t version = history.record_flip(side(h), side(Map::opposite(h)));
+    const IT::Flip move = IT::internal::flip_record(h, mesh, number_);
+    is_counted_ = is_counted_ && coordinates_.before(*this, move);
     CGAL::Euler::flip_edge(h, mesh);
+    if (is_counted_) coordinates_.after(*this, move);
     first_[mesh.face(h).index] = {version, h};
     first_[mesh.face(Map::opposite(h)).index] = {version + 1, Map::opposite(h)};
   }
@@ -90,6 +113,25 @@ public:
   IT::Predicate_statistics statistics;
 
 private:
+  struct Started {
+    std::shared_ptr<const IT::Input> input;
+    const std::shared_ptr<const IT::Input>& shared_input() const { return input; }
+  };
+
+  // what is read of a triangulation
+  struct View {
+    const Map* mesh;
+    std::uint32_t next(std::uint32_t h) const { return mesh->next({h}).index; }
+    std::uint32_t face(std::uint32_t h) const { return mesh->face({h}).index; }
+    std::uint32_t source(std::uint32_t h) const { return mesh->source(Map::Halfedge{h}).index; }
+    std::uint32_t target(std::uint32_t h) const { return mesh->target(Map::Halfedge{h}).index; }
+    bool is_border(std::uint32_t h) const { return face(h) == IT::Gluing::none; }
+    static std::uint32_t opposite(std::uint32_t h) { return h ^ 1U; }
+  };
+
+  IT::Mesh_adaptor<Map> number_;
+  IT::Integer_coordinates coordinates_;
+  bool is_counted_ = true; // whether the coordinates have stayed in bounds
   std::vector<std::pair<std::uint32_t, Map::Halfedge>> first_; // version, and its slot 0
   IT::Exact_evaluation evaluation_;
 };

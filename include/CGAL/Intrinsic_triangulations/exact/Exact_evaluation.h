@@ -11,11 +11,12 @@
 #include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
@@ -36,13 +37,13 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief decides signs that floating point intervals leave open, of expressions of any degree.
 
-A diamond or a face is unfolded from the input, along the history of flips or by who asks. Ties over strips that are folded
+Who asks has unfolded a diamond or a face from the input, as a rule. Ties over strips that are folded
 along parallel lines are found first. Then values are computed in doubles, which may be enough: stored ones carry
 the errors of all flips before. Most of the others are zero, which a `Diamond_zero_test` tells. If not, values are
 computed in intervals of 128 bits, and the precision is doubled until the sign shows, which must happen if the
 value is proven not to be zero. One that is only probably zero counts as zero at 1024 bits.
 
-What the history cannot unfold is computed by the flips instead, from 512 bits on, since errors grow with their number.
+What cannot be unfolded is computed by repeating the flips, from 512 bits on, since errors grow with their number.
 Their values are remembered, so that every flip is evaluated once, as a rule.
 */
 class Exact_evaluation {
@@ -62,26 +63,9 @@ public:
   Sign sign(const Input_metric& input, const Unfolded_diamond& diamond,
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
             Predicate_statistics& statistics) {
-    if (is_tie_of_strip(input, diamond, expression)) {
-      ++statistics.certified_zero;
-      return ZERO;
-    }
-    const auto in_doubles = diamond.values<Interval_nt<false>>(doubles_.of(input));
-    const Interval_nt<false> value = expression(in_doubles);
-    const Uncertain<Sign> s = CGAL::sign(value);
-    if (is_certain(s)) {
-      better = in_doubles;
-      ++statistics.escalations[53];
-      return get_certain(s);
-    }
-    if (const std::optional<Sign> flat = sign_in_plane(input, diamond, expression)) {
-      ++(*flat == ZERO ? statistics.certified_zero : statistics.integer);
-      return *flat;
-    }
-    return internal::escalated_sign(
-        first_bits, [&] { return values(input, diamond); },
-        internal::tests_zero_first(diamond.triangles.size(), value),
-        [&] { return is_zero_(input, diamond, expression); }, expression, better, statistics);
+    better = diamond.values<Interval_nt<false>>(doubles_.of(input));
+    if (const auto s = internal::counted(CGAL::sign(expression(better)), 53, statistics)) return *s;
+    return sign_beyond_doubles(input, diamond, expression, better, statistics);
   }
 
   /*!
@@ -110,29 +94,55 @@ public:
     const auto value_of = [&expression](const auto& values) {
       return expression(std::span(values.data(), values.size()));
     };
-    const Uncertain<Sign> s = CGAL::sign(value_of(better));
-    if (is_certain(s)) {
-      ++statistics.escalations[53];
-      return get_certain(s);
-    }
+    if (const auto s = internal::counted(CGAL::sign(value_of(better)), 53, statistics)) return *s;
+    const auto in_balls = [&](auto& memory) {
+      using FT = typename std::decay_t<decltype(memory)>::Number;
+      return internal::sign_in_balls(
+          FT::bits, [&] { return face_values<FT>(memory.of(input), faces); }, value_of, better,
+          statistics);
+    };
+    if (const auto s = in_balls(short_balls_).first) return *s;
+    if (const auto s = in_balls(long_balls_).first) return *s;
     return internal::escalated_sign(
         first_bits, [&] { return face_values<Gmpfi>(intervals().faces.of(input), faces); }, false,
         [&] { return is_zero_.of_faces(input, faces, expression); }, value_of, better, statistics);
   }
 
-  /// computes intervals that contain the values of faces that are unfolded, with so many bits; 53: doubles.
+  /*!
+  \brief encloses the values of faces that are unfolded.
+  \param input the input, always the same
+  \param faces the faces
+  \param bits 53, 106, 256, or any more
+  */
   std::vector<Face_values<Interval_nt<false>>>
   enclosures(const Input_metric& input, const std::vector<Unfolded_diamond>& faces, unsigned bits) {
-    if (bits == 53) return face_values<Interval_nt<false>>(doubles_.of(input), faces);
-    const Gmpfi_precision precision(bits);
-    return internal::intervals(face_values<Gmpfi>(intervals().faces.of(input), faces));
+    using Result = std::vector<Face_values<Interval_nt<false>>>;
+    return at_precision<Result>(bits, [&](auto& memory) {
+      using FT = typename std::decay_t<decltype(memory)>::Number;
+      return face_values<FT>(memory.of(input), faces);
+    });
   }
 
-  /// computes intervals that contain the values of a diamond that is unfolded, about as small as doubles allow.
-  Diamond_values<Interval_nt<false>> enclosure(const Input_metric& input,
-                                               const Unfolded_diamond& diamond) {
-    const Gmpfi_precision precision(2 * first_bits);
-    return internal::intervals(values(input, diamond));
+  /*!
+  \brief encloses an expression in the values of a diamond that is unfolded.
+  \param input, diamond, expression see `sign()`
+  \param bits 53, 106, 256, or any more
+  */
+  template <class Expression>
+  Interval_nt<false> enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
+                               const Expression& expression, unsigned bits) {
+    return at_precision<Interval_nt<false>>(bits, [&](auto& memory) {
+      using FT = typename std::decay_t<decltype(memory)>::Number;
+      return expression(diamond.values<FT>(memory.of(input)));
+    });
+  }
+
+  /// encloses an expression in the values of a diamond between two sides; see the other `enclosure()`.
+  template <class Expression>
+  Interval_nt<false> enclosure(const Input_metric& input, const Flip_history& history, Side left,
+                               Side right, const Expression& expression, unsigned bits) {
+    const Gmpfi_precision precision(std::max(bits, history_bits));
+    return internal::interval(expression(values(input, history, left, right)));
   }
 
   /*!
@@ -147,8 +157,6 @@ public:
   Sign sign(const Input_metric& input, const Flip_history& history, Side left, Side right,
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
             Predicate_statistics& statistics) {
-    unfold(input, history, left, right);
-    if (diamond_) return sign(input, *diamond_, expression, better, statistics);
     return internal::escalated_sign(
         history_bits, [&] { return values(input, history, left, right); }, true,
         [&] { return History_zero_test(input, history, left, right)(expression); }, expression,
@@ -160,8 +168,6 @@ public:
   Sign sign(const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides,
             const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
             Predicate_statistics& statistics) {
-    const std::vector<Unfolded_diamond> faces = unfold(input, history, sides);
-    if (!faces.empty()) return sign(input, faces, expression, better, statistics);
     return internal::escalated_sign(
         history_bits, [&] { return values(input, history, sides); }, false,
         [&] { return History_zero_test(input, history, sides).for_faces(expression); },
@@ -169,44 +175,25 @@ public:
         better, statistics);
   }
 
-  /*!
-  \brief tells whether an expression in the values of the diamond between two sides is zero, without computing it in
-  intervals.
-
-  Parameters are as for `sign()`.
-  */
-  template <class Expression>
-  Zero_answer zero_answer(const Input_metric& input, const Flip_history& history, Side left,
-                          Side right, const Expression& expression) {
-    unfold(input, history, left, right);
-    if (!diamond_) return History_zero_test(input, history, left, right)(expression);
-    if (is_tie_of_strip(input, *diamond_, expression)) return Zero_answer::zero;
-    return is_zero_(input, *diamond_, expression);
-  }
-
-  /// computes intervals that contain the values of faces, each from a side on; in 512 bits at least if they cannot be
-  /// unfolded, as errors grow with the number of flips.
+  /// computes intervals that contain the values of faces, each from a side on, in 512 bits at least.
   std::vector<Face_values<Interval_nt<false>>> enclosures(const Input_metric& input,
                                                           const Flip_history& history,
                                                           const std::vector<Side>& sides,
                                                           unsigned bits) {
-    const std::vector<Unfolded_diamond> faces = unfold(input, history, sides);
-    if (!faces.empty()) return enclosures(input, faces, bits);
     const Gmpfi_precision precision(std::max(bits, history_bits));
     return internal::intervals(values(input, history, sides));
   }
 
-  /// computes intervals that contain the values of the diamond between two sides, about as small as doubles allow.
-  Diamond_values<Interval_nt<false>> enclosure(const Input_metric& input,
-                                               const Flip_history& history, Side left, Side right) {
-    unfold(input, history, left, right);
-    if (diamond_) return enclosure(input, *diamond_);
-    const Gmpfi_precision precision(2 * history_bits);
-    return internal::intervals(values(input, history, left, right));
-  }
-
 private:
-  static constexpr unsigned first_bits = 128, history_bits = 512;
+  // Not inline: see `extern template`.
+  template <class Expression>
+  Sign sign_beyond_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
+                           const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                           Predicate_statistics& statistics);
+
+  static constexpr unsigned first_bits = 512, history_bits = 512;
+  // up to which a test for zero takes less time than 256 bits
+  static constexpr std::size_t few_triangles = 12;
   // entries that are kept between calls, up to a kilobyte each
   static constexpr std::size_t maximal_memory = 50000;
 
@@ -215,28 +202,6 @@ private:
     Input_face_intervals<Gmpfi> faces;
     History_values<Gmpfi> moves; // faces made next have them as ancestors
   };
-
-  // finds the input triangles over which a diamond lies, if it can be unfolded
-  void unfold(const Input_metric& input, const Flip_history& history, Side left, Side right) {
-    if (unfolding_.size() > maximal_memory) unfolding_ = {};
-    diamond_.reset();
-    // the sides of an edge inside one face are told apart by no `Diamond`
-    if (left.face != right.face) diamond_ = unfolding_.diamond(history, left, right);
-    if (diamond_ && !is_zero_.is_defined(input, *diamond_)) diamond_.reset();
-  }
-
-  // unfolds faces, if all of them can be
-  std::vector<Unfolded_diamond> unfold(const Input_metric& input, const Flip_history& history,
-                                       const std::vector<Side>& sides) {
-    if (unfolding_.size() > maximal_memory) unfolding_ = {};
-    std::vector<Unfolded_diamond> result;
-    for (const Side& s : sides) {
-      std::optional<Unfolded_diamond> face = unfolding_.face(history, s);
-      if (!face || !is_zero_.is_defined(input, *face)) return {};
-      result.push_back(*std::move(face));
-    }
-    return result;
-  }
 
   // whether an expression is proven to be zero in integers of fixed size, which takes a microsecond
   template <class Expression>
@@ -248,16 +213,36 @@ private:
       return false;
   }
 
+  // whether an expression is proven to be zero by symmetry
+  template <class Expression>
+  static bool is_mirrored_tie(const Input_metric& input, const Unfolded_diamond& diamond,
+                              const Expression&) {
+    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
+      return is_mirrored_strip(input, diamond);
+    else
+      return false;
+  }
+
   // among inserted vertices; others have been tried in integers of fixed size
   template <class Expression>
-  static std::optional<Sign> sign_in_plane(const Input_metric& input,
-                                           const Unfolded_diamond& diamond,
-                                           const Expression& expression) {
+  static std::optional<Sign>
+  sign_in_plane(const Input_metric& input, const Unfolded_diamond& diamond,
+                const Expression& expression, Predicate_statistics& statistics) {
     if constexpr (PolynomialExpression<Expression>)
       if (degree_of(expression).is_linear_in_areas() && diamond.has_inserted_corners() &&
           Integer_faces::is_in_space(input))
-        return coplanar_diamond_sign(input, diamond, expression);
+        return coplanar_diamond_sign(input, diamond, expression, statistics);
     return std::nullopt;
+  }
+
+  // computes with a memory of input faces in a type of so many bits
+  template <class Result, class Compute>
+  Result at_precision(unsigned bits, const Compute& compute) {
+    if (bits <= 53) return internal::intervals(compute(doubles_));
+    if (bits <= 106) return internal::intervals(internal::to_nearest(compute, short_balls_));
+    if (bits <= 256) return internal::intervals(internal::to_nearest(compute, long_balls_));
+    const Gmpfi_precision precision(bits);
+    return internal::intervals(compute(intervals().faces));
   }
 
   Intervals& intervals() { return intervals_[Gmpfi::get_default_precision()]; }
@@ -292,25 +277,52 @@ private:
     return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
   }
 
-  Unfolding unfolding_;
-  std::optional<Unfolded_diamond> diamond_; // that was unfolded last
   Diamond_zero_test is_zero_;
   Input_face_intervals<Interval_nt<false>> doubles_;
+  Input_face_intervals<Ball<Double_double>> short_balls_;
+  Input_face_intervals<Ball<Mpfr_256>> long_balls_;
   std::map<Gmpfi::Precision_type, Intervals> intervals_;
 };
 
 template <class Expression>
 Sign Exact_evaluation::sign(const Input_metric& input, const Unfolded_diamond& diamond,
                             const Expression& expression, Predicate_statistics& statistics) {
-  const auto is_zero = [&] {
-    return is_tie_of_strip(input, diamond, expression) ? Zero_answer::zero
-                                                       : is_zero_(input, diamond, expression);
-  };
   Diamond_values<Interval_nt<false>> better;
+  return sign_beyond_doubles(input, diamond, expression, better, statistics);
+}
+
+template <class Expression>
+Sign Exact_evaluation::sign_beyond_doubles(const Input_metric& input,
+                                           const Unfolded_diamond& diamond,
+                                           const Expression& expression,
+                                           Diamond_values<Interval_nt<false>>& better,
+                                           Predicate_statistics& statistics) {
+  if (is_tie_of_strip(input, diamond, expression)) {
+    ++statistics.certified_zero;
+    return ZERO;
+  }
+  if (const auto flat = sign_in_plane(input, diamond, expression, statistics)) return *flat;
+  const auto in_balls = [&](auto& faces) {
+    using FT = typename std::decay_t<decltype(faces)>::Number;
+    return internal::sign_in_balls(
+        FT::bits, [&] { return diamond.values<FT>(faces.of(input)); }, expression, better,
+        statistics);
+  };
+  const auto [sign, seems_zero] = in_balls(short_balls_);
+  if (sign) return *sign;
+  const auto is_zero = [&] { return is_zero_(input, diamond, expression); };
+  std::optional<Zero_answer> answer;
+  if (seems_zero && is_mirrored_tie(input, diamond, expression)) answer = Zero_answer::zero;
+  if (seems_zero && !answer && diamond.triangles.size() <= few_triangles) answer = is_zero();
+  if (answer == Zero_answer::zero) {
+    ++statistics.certified_zero;
+    return ZERO;
+  }
+  if (const auto s = in_balls(long_balls_).first) return *s;
   return internal::escalated_sign(
       first_bits, [&] { return values(input, diamond); },
-      internal::tests_zero_first(diamond.triangles.size()), is_zero, expression, better,
-      statistics);
+      internal::tests_zero_first(diamond.triangles.size()),
+      [&] { return answer ? *answer : is_zero(); }, expression, better, statistics);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_FACE_INTERVALS_H
 
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
@@ -15,40 +16,64 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief encloses the squared lengths and the quadruple areas of input faces, and remembers them.
-\tparam FT `Interval_nt<false>`, or `Gmpfi` of one precision, which is the default precision of all calls
+\tparam FT `Interval_nt<false>`, a `Ball`, or `Gmpfi` of one precision, which is the default precision of all
+calls; rounding is as the type asks for
 */
 template <class FT>
 class Input_face_intervals {
 public:
+  /// Encloses a number.
+  using Number = FT;
   /// Squared lengths and quadruple area of a face.
   using Face = std::pair<std::array<FT, 3>, FT>;
 
   /// returns a functor from a face to its values; references stay valid until the next call.
   auto of(const Input_metric& input) {
-    if (faces_.size() > maximal_memory) faces_.clear();
+    if (number_of_pages_ > maximal_pages) {
+      pages_.clear();
+      number_of_pages_ = 0;
+    }
+    pages_.resize(input.number_of_faces() / page_size + 1);
     return [&input, this](std::uint32_t f) -> const Face& {
-      const auto found = faces_.find(f);
-      return found != faces_.end() ? found->second
-                                   : faces_.emplace(f, face(input, f)).first->second;
+      std::optional<Face>& known = page(f / page_size)[f % page_size];
+      return known ? *known : known.emplace(face(input, f));
     };
   }
 
 private:
-  static constexpr std::size_t maximal_memory = 50000; // up to a kilobyte each
+  static constexpr std::uint32_t page_size = 4;
+  // numbers of many bits take up to a kilobyte per face
+  static constexpr std::size_t maximal_pages = std::is_same_v<FT, Gmpfi> ? 16000 : 1U << 31;
+
+  using Page = std::vector<std::optional<Face>>; // empty until a face is asked for
+
+  Page& page(std::uint32_t number) {
+    Page& p = pages_[number];
+    if (p.empty()) {
+      p.resize(page_size);
+      ++number_of_pages_;
+    }
+    return p;
+  }
 
   static Face face(const Input_metric& input, std::uint32_t f) {
     if constexpr (std::is_same_v<FT, Gmpfi>)
       return wide_face(input, f);
-    else
+    else if constexpr (std::is_same_v<FT, Interval_nt<false>>)
       return {lengths(input, f), quadruple_area<FT>(input, f)};
+    else
+      return {lengths(input, f),
+              sqrt(input.is_embedded() ? internal::Embedded_area<FT>(input, f).squared
+                                       : input.squared_quadruple_area<FT>(f))};
   }
 
   static std::array<FT, 3> lengths(const Input_metric& input, std::uint32_t f) {
@@ -68,7 +93,8 @@ private:
     return {{FT(l[0], bits), FT(l[1], bits), FT(l[2], bits)}, FT(d.sqrt(), bits)};
   }
 
-  std::unordered_map<std::uint32_t, Face> faces_;
+  std::vector<Page> pages_;
+  std::size_t number_of_pages_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -6,13 +6,15 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/Zero_answer.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
 #include <CGAL/Gmpfi.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
@@ -57,30 +59,64 @@ inline Interval_nt<false> interval(const Gmpfi& x) {
   const std::pair<double, double> i = x.to_interval();
   return Interval_nt<false>(i.first, i.second);
 }
+inline Interval_nt<false> interval(const Interval_nt<false>& x) { return x; }
+template <class Center>
+Interval_nt<false> interval(const Ball<Center>& x) {
+  return x.interval();
+}
 
-inline Diamond_values<Interval_nt<false>> intervals(const Diamond_values<Gmpfi>& d) {
+template <class FT>
+Interval_nt<false> intervals(const FT& x) {
+  return interval(x);
+}
+template <class FT>
+Diamond_values<Interval_nt<false>> intervals(const Diamond_values<FT>& d) {
   return {interval(d.ij), interval(d.jk),     interval(d.ki),    interval(d.im),
           interval(d.mj), interval(d.area_f), interval(d.area_g)};
 }
 
-inline std::vector<Face_values<Interval_nt<false>>>
-intervals(const std::vector<Face_values<Gmpfi>>& faces) {
+template <class FT>
+std::vector<Face_values<Interval_nt<false>>> intervals(const std::vector<Face_values<FT>>& faces) {
   std::vector<Face_values<Interval_nt<false>>> result;
   for (const auto& [l, a] : faces)
     result.push_back({{interval(l[0]), interval(l[1]), interval(l[2])}, interval(a)});
   return result;
 }
 
+// The sign if it is certain, which is counted as found with so many bits.
+inline std::optional<Sign> counted(const Uncertain<Sign>& s, unsigned bits,
+                                   Predicate_statistics& statistics) {
+  if (!is_certain(s)) return std::nullopt;
+  ++(get_certain(s) == ZERO ? statistics.certified_zero : statistics.escalations[bits]);
+  return get_certain(s);
+}
+
+// Calls a function with rounding to the nearest.
+template <class Function, class... Arguments>
+auto to_nearest(const Function& f, Arguments&... arguments) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  return f(arguments...);
+}
+
+/*
+Returns the sign of an expression in values that `values()` computes in balls with so many bits, if it is certain, and whether the
+value seems to be zero. `better` is set to intervals that contain the values.
+*/
+template <class Values, class Expression, class Better>
+std::pair<std::optional<Sign>, bool> sign_in_balls(unsigned bits, const Values& values,
+                                                   const Expression& expression, Better& better,
+                                                   Predicate_statistics& statistics) {
+  const auto [wide, value] = to_nearest([&] {
+    const auto v = values();
+    return std::pair(v, expression(v));
+  });
+  better = intervals(wide);
+  return {counted(value.sign(), bits, statistics), value.seems_zero()};
+}
+
 // Where the test for zero comes first: the values of a few triangles. Over long strips ties are rare, and the
 // areas of the triangles have many independent square roots, which take longer than more bits.
 inline bool tests_zero_first(std::size_t triangles) { return triangles <= 256; }
-
-// Where it comes first if there is an interval of doubles that contains the value: rounding errors of zero
-// mostly cancel, so that zero is near the middle.
-inline bool tests_zero_first(std::size_t triangles, const Interval_nt<false>& value) {
-  return tests_zero_first(triangles) &&
-         std::abs(value.inf() + value.sup()) < 0.125 * (value.sup() - value.inf());
-}
 
 /*
 Returns the sign of an expression in values. `values()` computes them in the default precision, which is `bits`

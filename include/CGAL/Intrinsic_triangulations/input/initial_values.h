@@ -83,9 +83,9 @@ struct Embedded_area {
     const FT x = u[1] * v[2] - u[2] * v[1];
     const FT y = u[2] * v[0] - u[0] * v[2];
     const FT z = u[0] * v[1] - u[1] * v[0];
-    squared = FT(4) * (CGAL::square(x) + CGAL::square(y) + CGAL::square(z));
-    const FT uu = CGAL::square(u[0]) + CGAL::square(u[1]) + CGAL::square(u[2]);
-    const FT vv = CGAL::square(v[0]) + CGAL::square(v[1]) + CGAL::square(v[2]);
+    squared = FT(4) * (square(x) + square(y) + square(z));
+    const FT uu = square(u[0]) + square(u[1]) + square(u[2]);
+    const FT vv = square(v[0]) + square(v[1]) + square(v[2]);
     scale = uu * vv;
     if (m.delta() > 0) { // adding delta to all L adds 2 delta (L_0 + L_1 + L_2) + 3 delta^2 to D
       const FT delta(m.delta());

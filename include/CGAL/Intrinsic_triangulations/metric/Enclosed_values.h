@@ -83,6 +83,21 @@ public:
     return (length_[jk] + length_[ki] - length_[ij]) / (2 * area_[f]);
   }
 
+  /// tells whether a face is known precisely enough to place points by it; lengths are those of an ordinary face.
+  bool is_narrow(const Indexed_face& face) const {
+    const auto is = [](const FT& x, double size) {
+      return x.sup() - x.inf() <= 0x1p-41 * size && CGAL::is_finite(x);
+    };
+    const Face_values<FT> f = enclosure(face);
+    double longest = 0;
+    for (const FT& x : f.squared_lengths) {
+      if (!is(x, x.sup())) return false;
+      longest = std::max(longest, x.sup());
+    }
+    // zero never gets narrow relative to itself
+    return is(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-200 * longest));
+  }
+
 protected:
   /// returns the intervals of a diamond.
   Diamond_values<FT> enclosure(const Diamond& d) const {
@@ -153,20 +168,9 @@ protected:
     }
   }
 
-  /// tells whether an interval is too wide for its approximation to be worth anything.
-  static bool is_vague(const FT& x) { return x.sup() - x.inf() > 0x1p-10 * x.sup(); }
-
-  /// tells whether a face is known precisely enough to place points by it; lengths are those of an ordinary face.
-  bool is_narrow(const Indexed_face& face) const {
-    const auto is = [](const FT& x, double size) { return x.sup() - x.inf() <= 0x1p-40 * size; };
-    const Face_values<FT> f = enclosure(face);
-    double longest = 0;
-    for (const FT& x : f.squared_lengths) {
-      if (!is(x, x.sup())) return false;
-      longest = std::max(longest, x.sup());
-    }
-    // zero never gets narrow relative to itself
-    return is(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-200 * longest));
+  /// tells whether every number in an interval is an approximation of the others to 2^-40.
+  static bool is_accurate(const FT& x) {
+    return CGAL::width(x) <= 0x1p-40 * CGAL::magnitude(x) && CGAL::is_finite(x);
   }
 
 private:
@@ -200,8 +204,9 @@ private:
   }
 
   static void refine(FT& stored, double& approximation, const FT& better) {
-    const double inf = std::max(stored.inf(), better.inf());
-    const double sup = std::min(stored.sup(), better.sup());
+    // what overflow has made of a stored bound is no number
+    const double inf = stored.inf() > better.inf() ? stored.inf() : better.inf();
+    const double sup = stored.sup() < better.sup() ? stored.sup() : better.sup();
     stored = inf > sup ? better : FT(inf, sup); // apart only if a file had wrong digits
     approximation = nearest(approximation, stored);
   }

@@ -4,13 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Face_versions.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_unfolder.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
@@ -41,9 +38,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief stores the metric as intervals that contain the exact values, and decides exactly.
 
-A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, `Exact_evaluation` decides
-by the input faces underneath, which the history of flips tells, or an `Input_unfolder` once vertices have been
-inserted. Better intervals found on the way replace the stored ones: they are a cache, so that predicates are const.
+A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, an `Exact_geometry` decides
+by the input faces underneath. Better intervals found on the way replace the stored ones: they are a cache, so that predicates
+are const.
 Nothing is locked: not even predicates of one metric may run in two threads at a time.
 
 All members but the constructors and `Scope` ask for a live `Scope`, which sets the rounding mode
@@ -56,8 +53,6 @@ public:
   using Scope = Protect_FPU_rounding<true>;
   /// Predicates are exact: algorithms end without a cap.
   static constexpr bool is_exact = true;
-  /// See `Face_versions`.
-  using Version = Face_versions::Version;
 
   /// constructs an empty metric.
   Exact_euclidean_metric() = default;
@@ -69,25 +64,19 @@ public:
   \complexity linear
   */
   explicit Exact_euclidean_metric(const std::shared_ptr<const Input>& input)
-      : Enclosed_values(enclose(*input)), input_(input, &input->metric()) {
-    std::vector<Version> versions;
-    versions.reserve(input_->number_of_faces());
-    for (std::uint32_t f = 0; f < input_->number_of_faces(); ++f)
-      versions.push_back({f, input->halfedge_of_face(f) / 2});
-    versions_ = {Flip_history(input_->number_of_faces()), std::move(versions)};
-  }
+      : Enclosed_values(enclose(*input)), geometry_(input) {}
 
   /*!
-  \brief restores a metric that will be defined by places: see `define_by_places()`.
+  \brief restores a metric that will be defined by places: see `forget_flips()`.
   \pre the intervals contain the values that the places define
   */
   Exact_euclidean_metric(const std::shared_ptr<const Input>& input, Enclosed_values values)
-      : Enclosed_values(std::move(values)), input_(input, &input->metric()) {}
+      : Enclosed_values(std::move(values)), geometry_(input) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
   // the call would cost a tenth of the flips where compilers, by chance, do not inline it
   BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
-    ++statistics_.checks;
+    ++statistics().checks;
     const FT& ij = squared_length(d.ij);
     const FT q_f = squared_length(d.jk) + squared_length(d.ki) - ij;
     const FT q_g = squared_length(d.im) + squared_length(d.mj) - ij;
@@ -127,20 +116,18 @@ public:
   }
 
   /*!
-  \brief makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-40 of the
-  value, except for areas of thin faces, which get as accurate as 2048 bits allow.
+  \brief makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-41 of the
+  value, except for areas of thin faces, which get as accurate as 4096 bits allow.
   \complexity constant per face if they are narrow, else linear in the number of input triangles under it
   */
   void sharpen(std::span<const Indexed_face> faces) const {
     std::vector<Indexed_face> wide;
     std::copy_if(faces.begin(), faces.end(), std::back_inserter(wide),
                  [this](const Indexed_face& f) { return !is_narrow(f); });
-    for (const unsigned bits : {53U, 128U, 512U, 1024U, 2048U}) {
+    for (const unsigned bits : {53U, 106U, 256U, 1024U, 2048U, 4096U}) {
       if (wide.empty()) return;
-      statistics_.sharpenings[bits] += wide.size();
-      refine(wide, unfolder_ != nullptr
-                       ? evaluation_.enclosures(*input_, unfolded(wide), bits)
-                       : evaluation_.enclosures(*input_, history(), versions_.sides(wide), bits));
+      statistics().sharpenings[bits] += wide.size();
+      refine(wide, geometry_.enclosures(wide, bits));
       std::erase_if(wide, [this](const Indexed_face& f) { return is_narrow(f); });
     }
   }
@@ -175,19 +162,15 @@ public:
   */
   BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) {
     store(d, n);
-    if (unfolder_ == nullptr) versions_.flip(d);
+    geometry_.flip(d);
   }
 
-  /*!
-  \brief defines values by the input under faces from now on, not by the history of flips, which is forgotten.
-  \param unfolder unfolds the input; must be given again to copies of this metric, and outlive its use
-  */
-  void define_by_places(Input_unfolder& unfolder) {
-    unfolder_ = &unfolder;
-    versions_ = {};
-  }
+  /// see `Exact_geometry::unfold_by()`
+  void unfold_by(Input_unfolder& unfolder) { geometry_.unfold_by(unfolder); }
+  /// see `Exact_geometry::forget_flips()`
+  void forget_flips() { geometry_.forget_flips(); }
   /// tells whether values are defined by places of vertices on the input.
-  bool is_defined_by_places() const { return unfolder_ != nullptr; }
+  bool is_defined_by_places() const { return geometry_.is_defined_by_places(); }
 
   /*!
   \brief stores the values at a vertex inserted in a face.
@@ -230,33 +213,32 @@ public:
   }
 
   /// returns s, where coordinates are scaled by 2^s.
-  int scale_exponent() const { return input_->scale_exponent(); }
+  int scale_exponent() const { return input().scale_exponent(); }
   /// returns the input, which defines all values exactly.
-  const Input_metric& input() const { return *input_; }
-  /// returns the version of face `f`.
-  const Version& version(std::uint32_t f) const { return versions_.version(f); }
-  /// returns the moves done so far.
-  const Flip_history& history() const { return versions_.history(); }
+  const Input_metric& input() const { return geometry_.input(); }
+  /// returns the flips done so far, and which of them made each face. \pre `!is_defined_by_places()`
+  const Face_versions& versions() const { return geometry_.versions(); }
   /// returns how predicates were decided, which may be reset.
-  Predicate_statistics& statistics() const { return statistics_; }
+  Predicate_statistics& statistics() const { return geometry_.statistics(); }
 
   /*!
   \brief returns (cot k + cot m) / 2 for the angles opposite an edge between two faces.
 
-  Zero exactly where the sum of the angles is pi, and of the right sign everywhere.
+  Zero exactly where the sum of the angles is pi, else of the right sign and with a relative error below 1e-12.
   \pre both faces have an area
   */
   double cotangent_weight(const Diamond& d) const {
     const Sign s = sign(d, Delaunay_expression());
     if (s == ZERO) return 0;
-    if (is_vague(quadruple_area(d.f)) || is_vague(quadruple_area(d.g)))
-      refine(d, unfolder_ != nullptr
-                    ? evaluation_.enclosure(*input_, unfolder_->diamond(d))
-                    : evaluation_.enclosure(*input_, history(), versions_.left_side(d),
-                                            versions_.right_side(d)));
-    const double weight =
-        cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
-    return s == POSITIVE ? std::max(weight, 0.0) : std::min(weight, 0.0);
+    if (has_accurate_weight(d)) {
+      const double weight =
+          cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
+      return s == POSITIVE ? std::max(weight, 0.0) : std::min(weight, 0.0);
+    }
+    sharpen(std::array<Indexed_face, 2>{{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}});
+    const FT value = geometry_.nonzero_value(d, Delaunay_expression());
+    return CGAL::to_double(value) / approximate_quadruple_area(d.f) /
+           (2 * approximate_quadruple_area(d.g));
   }
 
   using Enclosed_values::cotangent_weight;
@@ -277,10 +259,10 @@ private:
     return result;
   }
 
-  std::vector<Unfolded_diamond> unfolded(std::span<const Indexed_face> faces) const {
-    std::vector<Unfolded_diamond> result;
-    for (const Indexed_face& f : faces) result.push_back(unfolder_->face(f));
-    return result;
+  // whether stored values tell (q_f a_g + q_g a_f) / (2 a_f a_g)
+  bool has_accurate_weight(const Diamond& d) const {
+    const Diamond_values<FT> v = enclosure(d);
+    return is_accurate(Delaunay_expression()(v)) && is_accurate(v.area_f) && is_accurate(v.area_g);
   }
 
   // Not inline: what the filter cannot decide is rare, and takes long to compile; see `extern template`.
@@ -290,30 +272,14 @@ private:
   Sign exact_sign(std::span<const Indexed_face> faces, std::vector<Face_values<FT>>& values,
                   const Expression& expression) const;
 
-  Face_versions versions_;
-  std::shared_ptr<const Input_metric> input_; // immutable, shared by copies
-  Input_unfolder* unfolder_ = nullptr;        // if vertices were inserted
-  mutable Exact_evaluation evaluation_;       // remembers
-  mutable Predicate_statistics statistics_;   // counts
+  Exact_geometry geometry_;
 };
 
 template <class Expression>
 Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expression) const {
-  ++statistics_.filter_failures;
+  ++statistics().filter_failures;
   Diamond_values<FT> better = enclosure(d);
-  Sign s{};
-  if (unfolder_ != nullptr) {
-    s = evaluation_.sign(*input_, unfolder_->diamond(d), expression, better, statistics_);
-  } else {
-    const Face_side left = versions_.left_side(d), right = versions_.right_side(d);
-    if (history().is_input(left.face) && history().is_input(right.face))
-      if (const std::optional<Sign> of_input =
-              input_diamond_sign(*input_, left, right, expression)) {
-        ++(*of_input == ZERO ? statistics_.certified_zero : statistics_.integer);
-        return *of_input;
-      }
-    s = evaluation_.sign(*input_, history(), left, right, expression, better, statistics_);
-  }
+  const Sign s = geometry_.sign(d, expression, better);
   refine(d, better);
   return s;
 }
@@ -322,11 +288,8 @@ template <class Expression>
 Sign Exact_euclidean_metric::exact_sign(std::span<const Indexed_face> faces,
                                         std::vector<Face_values<FT>>& values,
                                         const Expression& expression) const {
-  ++statistics_.filter_failures;
-  const Sign s = unfolder_ != nullptr
-                     ? evaluation_.sign(*input_, unfolded(faces), expression, values, statistics_)
-                     : evaluation_.sign(*input_, history(), versions_.sides(faces), expression,
-                                        values, statistics_);
+  ++statistics().filter_failures;
+  const Sign s = geometry_.sign(faces, expression, values);
   refine(faces, values);
   return s;
 }

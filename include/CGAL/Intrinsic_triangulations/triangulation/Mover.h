@@ -205,7 +205,7 @@ private:
   }
 
   Insertion insert_in_face(Halfedge h, const Weights& weights) {
-    places_.start(t_, metric_);
+    if (!places_.define(t_, metric_)) return {Move_status::not_traceable};
     Insertion_in_face move{star_of_face(h), weights};
     if (!ask_to_insert(move)) return {Move_status::not_traceable};
     const Vertex v = split_face(h, mesh_, number_);
@@ -251,7 +251,7 @@ private:
   }
 
   Insertion insert_on_border(Halfedge h, double parameter) {
-    places_.start(t_, metric_);
+    if (!places_.define(t_, metric_)) return {Move_status::not_traceable};
     Insertion_on_border move{star_of_border_edge(h), parameter};
     if (!ask_to_insert(move)) return {Move_status::not_traceable};
     const Vertex v = split_border_edge(h, mesh_, number_);

@@ -7,7 +7,6 @@
 #include "meshes.h"
 #include "random_history.h"
 
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolding.h>
 
 #include <CGAL/Gmpfi.h>
 #include <CGAL/Gmpq.h>
@@ -94,11 +93,10 @@ TEST(History_evaluator, overlaps_unfolding_in_intervals_of_256_bits_after_hundre
       if (walk.sign(h, IT::Delaunay_expression()) == CGAL::NEGATIVE) walk.flip(h);
   }
   EXPECT_GT(walk.history.number_of_flips(), 200U);
-  IT::Unfolding unfolding;
   const Interval_input input{&walk.input};
   std::size_t compared = 0;
   for (const Map::Halfedge h : walk.inner_edges()) {
-    const auto d = unfolding.diamond(walk.history, walk.side(h), walk.side(Map::opposite(h)));
+    const auto d = walk.unfolded(h);
     if (!d) continue;
     ++compared;
     const auto x = d->values<Gmpfi>(input);

@@ -74,13 +74,11 @@ public:
   }
 
 private:
-  static constexpr bool has_correspondence =
-      !std::is_same_v<typename Triangulation::Correspondence, No_correspondence>;
 
   void check_input(const Input& input) const {
     if (input.has_surface()) return;
     if (Metric::is_exact) in_.fail("exact values need the input that defines them");
-    if (has_correspondence)
+    if (Triangulation::has_correspondence)
       in_.refuse("how the triangulation lies on its input is not stored; read it with "
                  "No_correspondence");
   }

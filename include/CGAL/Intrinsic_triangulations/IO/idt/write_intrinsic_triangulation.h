@@ -63,9 +63,9 @@ private:
   // none if doubles are all that there is
   void find_coordinates() {
     if constexpr (Metric::is_exact) {
-      coordinates_ = t_.places_.kept(t_);
+      coordinates_ = t_.places_.coordinates(t_);
       if (coordinates_ == nullptr)
-        coordinates_ = &replayed_.emplace(decltype(t_.places_)::replayed(t_));
+        throw std::length_error("an edge crosses more input edges than a file can count");
     } else if constexpr (std::is_base_of_v<Integer_coordinates, Correspondence>) {
       if (t_.input().is_defined_by_metric()) coordinates_ = &t_.correspondence();
     }
@@ -228,7 +228,6 @@ private:
   const Triangulation& t_;
   Compact_numbers<Triangulation> numbers_;
   Gluing_map mesh_; // with these numbers
-  std::optional<Integer_coordinates> replayed_;
   const Integer_coordinates* coordinates_ = nullptr;
 };
 

@@ -4,23 +4,29 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_INPUT_UNFOLDER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_INPUT_UNFOLDER_H
 
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
+#include <optional>
+
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief unfolds the input triangles over which diamonds and faces of a triangulation lie, for a metric whose vertices
-are places on the input.
+\brief unfolds the input triangles over which diamonds and faces of a triangulation lie, for a metric that decides
+predicates on them.
 */
 class Input_unfolder {
 public:
   virtual ~Input_unfolder() = default;
-  /// returns the input triangles under a diamond, valid until the next call.
-  virtual const Unfolded_diamond& diamond(const Diamond& d) = 0;
-  /// returns those under a face, as a diamond whose corner m is i, valid until the next call.
-  virtual const Unfolded_diamond& face(const Indexed_face& f) = 0;
+  /// returns a diamond whose interior is known to lie in one plane in space.
+  virtual std::optional<Flat_diamond> flat_diamond(const Diamond& d) = 0;
+  /// returns the input triangles under a diamond, valid until the next call; null if that is not known, or edges
+  /// cross too many of them: then the history of flips tells the values.
+  virtual const Unfolded_diamond* diamond(const Diamond& d) = 0;
+  /// returns those under a face, as a diamond whose corner m is i, valid until the next call; null as above.
+  virtual const Unfolded_diamond* face(const Indexed_face& f) = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H
 
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -44,15 +45,10 @@ namespace internal {
 
 template <class Triangulation>
 void measure_faces(const Triangulation& t, Quality& q) {
-  const auto& mesh = t.mesh();
-  const auto squared_length = [&](auto h) {
-    return t.metric().approximate_squared_length(t.index(edge(h, mesh)));
-  };
   double sum = 0;
-  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
-    const double area = t.metric().approximate_quadruple_area(t.index(f));
-    const auto h = halfedge(f, mesh), n = next(h, mesh);
-    const double a = squared_length(h), b = squared_length(n), c = squared_length(next(n, mesh));
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
+    const auto [lengths, area] = accurate_values(t, f);
+    const auto [a, b, c] = lengths;
     for (const double numerator : {a + b - c, b + c - a, c + a - b}) {
       const double angle = std::atan2(area, numerator) * (180 / std::numbers::pi);
       q.minimum_angle = std::min(q.minimum_angle, angle);
@@ -65,7 +61,7 @@ void measure_faces(const Triangulation& t, Quality& q) {
     q.maximum_aspect_ratio = std::max(q.maximum_aspect_ratio, ratio);
     sum += ratio;
   }
-  q.mean_aspect_ratio = sum / static_cast<double>(num_faces(mesh));
+  q.mean_aspect_ratio = sum / static_cast<double>(num_faces(t.mesh()));
 }
 
 } // namespace internal
@@ -121,14 +117,10 @@ every vertex. For equilateral faces of total area A with sides l it is A l^2 / 4
 */
 template <MeasuredTriangulation Triangulation>
 double odt_energy(const Triangulation& t) {
-  const auto& mesh = t.mesh();
   double energy = 0;
-  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
-    double sum = 0;
-    auto h = halfedge(f, mesh);
-    for (int k = 0; k < 3; ++k, h = next(h, mesh))
-      sum += t.metric().approximate_squared_length(t.index(edge(h, mesh)));
-    energy += t.metric().approximate_quadruple_area(t.index(f)) * sum;
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
+    const auto [l, area] = internal::accurate_values(t, f);
+    energy += area * (l[0] + l[1] + l[2]);
   }
   return std::ldexp(energy / 48, -4 * t.metric().scale_exponent());
 }

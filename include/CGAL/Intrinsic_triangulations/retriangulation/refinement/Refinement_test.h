@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 
 #include <CGAL/enum.h>
 
@@ -113,24 +114,6 @@ private:
 };
 
 namespace internal {
-
-template <class Triangulation>
-Indexed_face indexed_face(const Triangulation& t, typename Triangulation::face_descriptor f) {
-  const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh()), l = next(n, t.mesh());
-  const auto edge_number = [&t](auto g) { return t.numbers().halfedge(g) / 2; };
-  return {t.index(f), {edge_number(h), edge_number(n), edge_number(l)}};
-}
-
-// in scaled units
-template <class Triangulation>
-Face_values<double> approximate_values(const Triangulation& t,
-                                       typename Triangulation::face_descriptor f) {
-  const Indexed_face i = indexed_face(t, f);
-  const auto& m = t.metric();
-  return {{m.approximate_squared_length(i.edges[0]), m.approximate_squared_length(i.edges[1]),
-           m.approximate_squared_length(i.edges[2])},
-          m.approximate_quadruple_area(i.face)};
-}
 
 // R = abc / (4 A)
 inline double squared_circumradius(const Face_values<double>& v) {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
 
@@ -40,11 +40,10 @@ void expect_same(const IT::Diamond_values<Multiquadratic_number>& x,
 
 // what unfolding gives against what repeating the flips gives
 std::size_t check_all_edges(const Walk& walk) {
-  IT::Unfolding unfolding;
   std::size_t checked = 0;
   for (const Map::Halfedge h : walk.inner_edges()) {
     const auto l = walk.side(h), r = walk.side(Map::opposite(h));
-    const std::optional<IT::Unfolded_diamond> d = unfolding.diamond(walk.history, l, r);
+    const std::optional<IT::Unfolded_diamond> d = walk.unfolded(h);
     if (!d || d->triangles.size() > 40) continue;
     const Exact_input input(walk.input);
     IT::History_values<Multiquadratic_number> memory;
@@ -62,7 +61,7 @@ Walk walk_on(const meshes::Mesh& m) {
   return {std::move(map), std::move(input)};
 }
 
-TEST(Unfolding, agrees_exactly_with_repeated_flips_on_a_box) {
+TEST(History_evaluator, agrees_exactly_with_unfolding_on_a_box) {
   std::mt19937 random(1);
   Walk walk = walk_on(meshes::box(2, 2, 2));
   for (int round = 0; round < 5; ++round) {
@@ -72,7 +71,7 @@ TEST(Unfolding, agrees_exactly_with_repeated_flips_on_a_box) {
   EXPECT_GT(walk.history.number_of_flips(), 30U);
 }
 
-TEST(Unfolding, agrees_exactly_with_repeated_flips_where_every_face_has_its_own_square_class) {
+TEST(History_evaluator, agrees_exactly_with_unfolding_where_every_face_has_its_own_square_class) {
   std::mt19937 random(2);
   Walk walk = walk_on(meshes::integer_height_field(3, 3, 5));
   for (int round = 0; round < 3; ++round) {
@@ -81,7 +80,7 @@ TEST(Unfolding, agrees_exactly_with_repeated_flips_where_every_face_has_its_own_
   }
 }
 
-TEST(Unfolding, agrees_exactly_with_repeated_flips_on_Delta_complexes) {
+TEST(History_evaluator, agrees_exactly_with_unfolding_on_Delta_complexes) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
     std::mt19937 random(3);
@@ -96,30 +95,16 @@ TEST(Unfolding, agrees_exactly_with_repeated_flips_on_Delta_complexes) {
   }
 }
 
-TEST(Unfolding, gives_the_input_triangles_back_after_four_flips) {
+TEST(History_evaluator, and_unfolding_give_the_input_triangles_back_after_four_flips) {
   Walk walk = walk_on(meshes::box(1, 1, 1));
   for (const Map::Halfedge h : walk.inner_edges()) {
     if (!walk.is_convex(h)) continue;
     for (int i = 0; i < 4; ++i) walk.flip(h);
-    IT::Unfolding unfolding;
-    const auto d = unfolding.diamond(walk.history, walk.side(h), walk.side(Map::opposite(h)));
+    const auto d = walk.unfolded(h);
     ASSERT_TRUE(d);
     EXPECT_EQ(d->triangles.size(), 2U);
     EXPECT_EQ(check_all_edges(walk), walk.inner_edges().size());
   }
-}
-
-TEST(Unfolding, gives_up_where_paths_grow_exponentially) {
-  const gallery::Surface s = gallery::one_vertex_torus();
-  Map map(s.gluing);
-  IT::Input_metric input =
-      IT::Input_metric::from_squared_lengths(map, gallery::squared_lengths(s), 0);
-  Walk walk(std::move(map), std::move(input));
-  // each flip of the three edges in turn makes the next edge longer by the golden ratio
-  for (std::uint32_t i = 0; i < 60; ++i) walk.flip(Map::Halfedge{2 * (i % 3)});
-  IT::Unfolding unfolding;
-  EXPECT_FALSE(
-      unfolding.diamond(walk.history, walk.side(Map::Halfedge{0}), walk.side(Map::Halfedge{1})));
 }
 
 } // namespace

@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_GEOMETRY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_GEOMETRY_H
+
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Face_versions.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief knows all values of a triangulation exactly, by the input: decides signs that stored values leave open, and encloses
+values.
+
+The input under a diamond or a face is found by an `Input_unfolder`. Where there is none, or strips would be too long, the flips
+are repeated, of which there is a history as long as no vertex is inserted.
+
+All members but the constructors ask for rounding upwards.
+*/
+class Exact_geometry {
+public:
+  /// Number type of enclosures.
+  using FT = Interval_nt<false>;
+
+  /// knows nothing.
+  Exact_geometry() = default;
+
+  /// takes the input, before the first flip. \pre no face of the input has the edge of its halfedge twice
+  explicit Exact_geometry(const std::shared_ptr<const Input>& input)
+      : input_(input, &input->metric()) {
+    std::vector<Face_versions::Version> versions;
+    versions.reserve(input_->number_of_faces());
+    for (std::uint32_t f = 0; f < input_->number_of_faces(); ++f)
+      versions.push_back({f, input->halfedge_of_face(f) / 2});
+    versions_ = {Flip_history(input_->number_of_faces()), std::move(versions)};
+  }
+
+  /// returns the input, which defines all values.
+  const Input_metric& input() const { return *input_; }
+  /// returns the flips so far, and which of them made each face. \pre `!is_defined_by_places()`
+  const Face_versions& versions() const { return versions_; }
+  /// returns how signs were decided, which may be reset.
+  Predicate_statistics& statistics() const { return statistics_; }
+
+  /// records a flip.
+  void flip(const Diamond& d) {
+    if (!is_defined_by_places_) versions_.flip(d);
+  }
+  /// takes who unfolds the input; must be given again to copies, and outlive its use.
+  void unfold_by(Input_unfolder& unfolder) { unfolder_ = &unfolder; }
+  /// defines values by the input that is unfolded from now on, not by the history of flips, which is forgotten.
+  /// \pre someone unfolds the input, whatever is asked for
+  void forget_flips() {
+    versions_ = {};
+    is_defined_by_places_ = true;
+  }
+  /// tells whether values are defined by places of vertices on the input.
+  bool is_defined_by_places() const { return is_defined_by_places_; }
+
+  /*!
+  \brief returns the exact sign of an expression in the values of a diamond, of any degree.
+  \tparam Expression a model of `DiamondExpression`
+  \param d the diamond
+  \param expression the expression
+  \param better set to intervals that contain the values, if any were computed
+  */
+  template <class Expression>
+  Sign sign(const Diamond& d, const Expression& expression, Diamond_values<FT>& better) const {
+    if (const std::optional<Sign> s = sign_on_input(d, expression)) return *s;
+    if (const std::optional<Sign> s = sign_in_plane(d, expression, better)) return *s;
+    if (const Unfolded_diamond* u = unfolded(d))
+      return evaluation_.sign(*input_, *u, expression, better, statistics_);
+    return evaluation_.sign(*input_, versions_.history(), versions_.left_side(d),
+                            versions_.right_side(d), expression, better, statistics_);
+  }
+
+  /// returns the exact sign of an expression in the values of faces; see above.
+  /// \tparam Expression a model of `FaceExpression`
+  template <class Expression>
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression,
+            std::vector<Face_values<FT>>& better) const {
+    if (const auto u = unfolded(faces))
+      return evaluation_.sign(*input_, *u, expression, better, statistics_);
+    return evaluation_.sign(*input_, versions_.history(), versions_.sides(faces), expression,
+                            better, statistics_);
+  }
+
+  /// returns intervals that contain the values of faces, computed in so many bits; 53: doubles.
+  std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face> faces,
+                                          unsigned bits) const {
+    if (const auto u = unfolded(faces)) return evaluation_.enclosures(*input_, *u, bits);
+    return evaluation_.enclosures(*input_, versions_.history(), versions_.sides(faces), bits);
+  }
+
+  /*!
+  \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
+  \pre the value is not zero
+  \complexity that of the precision that it takes
+  */
+  template <class Expression>
+  FT nonzero_value(const Diamond& d, const Expression& expression) const {
+    FT value;
+    for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
+      const Unfolded_diamond* u = unfolded(d);
+      value = u != nullptr
+                  ? evaluation_.enclosure(*input_, *u, expression, bits)
+                  : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
+                                          versions_.right_side(d), expression, bits);
+      if (CGAL::width(value) <= 0x1p-42 * CGAL::magnitude(value) && CGAL::is_finite(value)) break;
+    }
+    return value;
+  }
+
+private:
+  // the input under a diamond, if that is known
+  const Unfolded_diamond* unfolded(const Diamond& d) const {
+    return unfolder_ != nullptr ? unfolder_->diamond(d) : nullptr;
+  }
+
+  // the input under faces, if that is known of all
+  std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const {
+    std::vector<Unfolded_diamond> result;
+    for (const Indexed_face& f : faces) {
+      const Unfolded_diamond* u = unfolder_ != nullptr ? unfolder_->face(f) : nullptr;
+      if (u == nullptr) return std::nullopt;
+      result.push_back(*u);
+    }
+    return result;
+  }
+
+  // in integers of fixed size, if two faces of the input are known to be there
+  template <class Expression>
+  std::optional<Sign> sign_on_input(const Diamond& d, const Expression& expression) const {
+    if (is_defined_by_places_) return std::nullopt;
+    const Face_side left = versions_.left_side(d), right = versions_.right_side(d);
+    if (!versions_.history().is_input(left.face) || !versions_.history().is_input(right.face))
+      return std::nullopt;
+    const std::optional<Sign> s = input_diamond_sign(*input_, left, right, expression);
+    if (s) ++(*s == ZERO ? statistics_.certified_zero : statistics_.integer);
+    return s;
+  }
+
+  // by positions in space, if the diamond is known to lie in one plane
+  template <class Expression>
+  std::optional<Sign> sign_in_plane(const Diamond& d, const Expression& expression,
+                                    Diamond_values<FT>& better) const {
+    if constexpr (PolynomialExpression<Expression>)
+      if (unfolder_ != nullptr && degree_of(expression).is_linear_in_areas())
+        if (const std::optional<Flat_diamond> flat = unfolder_->flat_diamond(d)) {
+          better = flat_diamond_values(*input_, *flat);
+          return flat_diamond_sign(*input_, *flat, expression, statistics_);
+        }
+    return std::nullopt;
+  }
+
+  Face_versions versions_;
+  std::shared_ptr<const Input_metric> input_; // immutable, shared by copies
+  Input_unfolder* unfolder_ = nullptr;        // of the triangulation
+  bool is_defined_by_places_ = false;
+  mutable Exact_evaluation evaluation_;     // remembers
+  mutable Predicate_statistics statistics_; // counts
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_GEOMETRY_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_MIRRORED_STRIP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_MIRRORED_STRIP_H
+
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+/*
+A reflection of the unfolded triangles of a diamond onto themselves: a map of the tree of triangles that turns each over, with
+the same side lengths, and neighbors to neighbors. Then the figure in the plane has that reflection too, since it is developed from
+nothing else.
+*/
+class Strip_reflection {
+public:
+  Strip_reflection(const Input_metric& input, const Unfolded_diamond& diamond)
+      : input_(input), diamond_(diamond), neighbor_(diamond.triangles.size(), {none, none, none}) {
+    for (std::uint32_t t = 1; t < diamond.triangles.size(); ++t) {
+      const Unfolded_diamond::Triangle& child = diamond.triangles[t];
+      const auto& p = diamond.triangles[child.parent].point;
+      const std::uint32_t exit = p[0] == child.end() ? 0 : p[1] == child.end() ? 1 : 2;
+      neighbor_[t][child.entry] = child.parent;
+      neighbor_[child.parent][exit] = t;
+    }
+  }
+
+  // whether there is one that takes corners i to a and j to b, hence a to i and b to j
+  bool exchanges(std::size_t a, std::size_t b) {
+    const std::uint32_t i = diamond_.point(0), j = diamond_.point(1), to_i = diamond_.point(a);
+    const Unfolded_diamond::Corner& start = diamond_.corners[0];
+    for (std::uint32_t t = 0; t < diamond_.triangles.size(); ++t)
+      for (std::uint32_t k = 0; k < 3; ++k)
+        if (diamond_.triangles[t].point[k] == to_i &&
+            maps_all({start.triangle, t, (start.slot + k) % 3}) && image_[i] == to_i &&
+            image_[j] == diamond_.point(b) && image_[to_i] == i && image_[diamond_.point(b)] == j)
+          return true;
+    return false;
+  }
+
+private:
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+  // corner c of triangle `from` is mapped to corner `sum` - c of triangle `to`
+  struct Step {
+    std::uint32_t from, to, sum;
+    std::uint32_t corner(std::uint32_t c) const { return (sum + 3 - c) % 3; }
+    std::uint32_t side(std::uint32_t s) const { return (sum + 5 - s) % 3; }
+  };
+
+  // extends the map of one triangle to the others; whether that goes
+  bool maps_all(const Step& first) {
+    image_.assign(diamond_.triangles.size() + 2, none);
+    std::vector<Step> stack{first};
+    std::vector<bool> is_done(diamond_.triangles.size());
+    while (!stack.empty()) {
+      const Step s = stack.back();
+      stack.pop_back();
+      is_done[s.from] = true;
+      if (!are_mirrored(s)) return false;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        image_[diamond_.triangles[s.from].point[k]] = diamond_.triangles[s.to].point[s.corner(k)];
+        const std::uint32_t next = neighbor_[s.from][k], to = neighbor_[s.to][s.side(k)];
+        if ((next == none) != (to == none)) return false;
+        if (next != none && !is_done[next])
+          stack.push_back({next, to, (side_to(next, s.from) + side_to(to, s.to) + 1) % 3});
+      }
+    }
+    return true;
+  }
+
+  std::uint32_t side_to(std::uint32_t t, std::uint32_t neighbor) const {
+    return neighbor_[t][0] == neighbor ? 0 : neighbor_[t][1] == neighbor ? 1 : 2;
+  }
+
+  // whether the sides have the same lengths
+  bool are_mirrored(const Step& s) const {
+    const std::uint32_t f = diamond_.triangles[s.from].face, g = diamond_.triangles[s.to].face;
+    return have_same_lengths<Interval_nt<false>>(f, g, s) && have_same_lengths<Mpzf>(f, g, s);
+  }
+  template <class FT>
+  bool have_same_lengths(std::uint32_t f, std::uint32_t g, const Step& s) const {
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (!CGAL::possibly(input_.squared_length<FT>(f, k) ==
+                          input_.squared_length<FT>(g, s.side(k))))
+        return false;
+    return true;
+  }
+
+  const Input_metric& input_;
+  const Unfolded_diamond& diamond_;
+  std::vector<std::array<std::uint32_t, 3>> neighbor_; // across each side
+  std::vector<std::uint32_t> image_;                   // of each point
+};
+
+} // namespace internal
+
+/*!
+\brief proves that the corners of an unfolded diamond are cocircular, where a reflection of its triangles exchanges the ends of two
+opposite sides: it is an isosceles trapezoid.
+
+Ties on curved surfaces that are symmetric by a plane are of this kind. Their values have as many square roots as there are
+triangles, which no other proof gets through.
+\param input the input
+\param diamond the triangles
+\return true if `Delaunay_expression` is zero, proven; false if nothing is known
+\complexity linear in the number of triangles, times that at a corner
+*/
+inline bool is_mirrored_strip(const Input_metric& input, const Unfolded_diamond& diamond) {
+  if (diamond.has_inserted_corners()) return false;
+  internal::Strip_reflection reflection(input, diamond);
+  return reflection.exchanges(2, 3) || reflection.exchanges(3, 2);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_MIRRORED_STRIP_H

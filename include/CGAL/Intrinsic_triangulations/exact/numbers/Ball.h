@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_BALL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_BALL_H
+
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <boost/multiprecision/mpfr.hpp>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// A number of 256 bits that needs no memory elsewhere.
+using Mpfr_256 = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<77, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
+
+/*!
+\brief encloses a real number by a center and a radius, with fixed precision: at a tenth of the price of `Gmpfi` of as
+many bits, which allocates.
+
+What overflows, or is divided by what may be zero, gets a radius that is infinite or not a number. All operations ask for
+rounding to the nearest, but for `interval()`.
+\tparam Center `Double_double` or `Mpfr_256`
+\cgalModels{Field}
+*/
+template <class Center>
+class Ball {
+  static constexpr bool is_short = std::is_same_v<Center, Double_double>;
+
+public:
+  /// Bits of the center, of which rounding takes a few.
+  static constexpr unsigned bits = is_short ? 106 : 256;
+
+  /// constructs zero.
+  Ball() = default;
+  /// converts a number exactly.
+  Ball(double x) : center_(x) {} // NOLINT(google-explicit-constructor)
+
+  /// returns the sum.
+  friend Ball operator+(const Ball& a, const Ball& b) {
+    return {a.center_ + b.center_, a.radius_ + b.radius_};
+  }
+  /// returns the difference.
+  friend Ball operator-(const Ball& a, const Ball& b) {
+    return {a.center_ - b.center_, a.radius_ + b.radius_};
+  }
+  /// returns the product.
+  friend Ball operator*(const Ball& a, const Ball& b) {
+    return {a.center_ * b.center_,
+            a.size() * b.radius_ + b.size() * a.radius_ + a.radius_ * b.radius_};
+  }
+  /// returns the quotient. a / b - A / B = ((a - A) - A / B (b - B)) / b
+  friend Ball operator/(const Ball& a, const Ball& b) {
+    const Center q = a.center_ / b.center_;
+    const double least = std::abs(rounded(b.center_)) * (1 - slack) - b.radius_;
+    if (!(least > 0)) return {q, std::numeric_limits<double>::infinity()};
+    return {q, (a.radius_ + std::abs(rounded(q)) * (1 + slack) * b.radius_) / least};
+  }
+  /// returns the square.
+  friend Ball square(const Ball& x) { return x * x; }
+  /// returns the square root of what is not negative. |sqrt(x) - sqrt(X)| <= |x - X| / sqrt(X)
+  friend Ball sqrt(const Ball& x) {
+    if (!(rounded(x.center_) > 0))
+      return {Center(0), std::sqrt(x.size() + x.radius_) * (1 + slack)};
+    const Center s = root(x.center_);
+    return {s, x.radius_ / (rounded(s) * (1 - slack))};
+  }
+
+  /// returns the sign, if it is certain.
+  Uncertain<Sign> sign() const {
+    const double c = rounded(center_);
+    if (std::abs(c) * (1 - slack) > radius_) return c > 0 ? POSITIVE : NEGATIVE;
+    return c == 0 && radius_ == 0 ? Uncertain<Sign>(ZERO) : Uncertain<Sign>::indeterminate();
+  }
+
+  /// tells whether the number is zero as far as can be seen: rounding errors of zero mostly cancel.
+  bool seems_zero() const { return std::abs(rounded(center_)) * 64 < radius_; }
+
+  /// returns an interval that contains the number. \pre rounding is upwards
+  Interval_nt<false> interval() const {
+    using Interval = Interval_nt<false>;
+    if (!(radius_ < std::numeric_limits<double>::infinity())) return Interval::largest();
+    const double c = rounded(center_), error = std::abs(c) * 0x1p-52 + 0x1p-1060;
+    return Interval(c) + Interval(-error, error) + Interval(-radius_, radius_);
+  }
+
+private:
+  // more than rounding to a double, and a few operations on radii
+  static constexpr double slack = 0x1p-48;
+
+  // adds rounding errors to a radius: of the operation, of the radius, of what underflows
+  Ball(const Center& c, double radius)
+      : center_(c),
+        radius_((radius + std::abs(rounded(c)) * (is_short ? 0x1p-102 : 0x1p-254)) * (1 + slack) +
+                0x1p-1060) {}
+
+  static Double_double root(const Double_double& x) { return sqrt(x); }
+  static Mpfr_256 root(const Mpfr_256& x) { return boost::multiprecision::sqrt(x); }
+  static double rounded(const Double_double& x) { return x.to_double(); }
+  static double rounded(const Mpfr_256& x) { return mpfr_get_d(x.backend().data(), MPFR_RNDN); }
+
+  double size() const { return std::abs(rounded(center_)) * (1 + slack); }
+
+  Center center_{0};
+  double radius_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_BALL_H

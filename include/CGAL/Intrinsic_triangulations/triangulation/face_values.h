@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_FACE_VALUES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_FACE_VALUES_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+
+#include <span>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The numbers of a face and of its sides, from its halfedge on.
+template <class Triangulation>
+Indexed_face indexed_face(const Triangulation& t, typename Triangulation::face_descriptor f) {
+  const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh()), l = next(n, t.mesh());
+  const auto edge_number = [&t](auto g) { return t.numbers().halfedge(g) / 2; };
+  return {t.index(f), {edge_number(h), edge_number(n), edge_number(l)}};
+}
+
+template <class Metric>
+Face_values<double> approximate_values(const Metric& metric, const Indexed_face& face) {
+  return {{metric.approximate_squared_length(face.edges[0]),
+           metric.approximate_squared_length(face.edges[1]),
+           metric.approximate_squared_length(face.edges[2])},
+          metric.approximate_quadruple_area(face.face)};
+}
+
+// What is stored of a face, in scaled units.
+template <class Triangulation>
+Face_values<double> approximate_values(const Triangulation& t,
+                                       typename Triangulation::face_descriptor f) {
+  return approximate_values(t.metric(), indexed_face(t, f));
+}
+
+// The values of a face in scaled units, for users: with exact traits, intervals are made narrow first, and doubles with them.
+template <class Triangulation>
+Face_values<double> accurate_values(const Triangulation& t,
+                                    typename Triangulation::face_descriptor f) {
+  const Indexed_face face = indexed_face(t, f);
+  if constexpr (Triangulation::Metric::is_exact &&
+                requires(std::span<const Indexed_face> faces) { t.metric().sharpen(faces); }) {
+    if (!t.metric().is_narrow(face)) {
+      const typename Triangulation::Metric::Scope scope;
+      t.metric().sharpen(std::span(&face, 1));
+    }
+  }
+  return approximate_values(t.metric(), face);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_FACE_VALUES_H

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Triangulation_unfolder.h>
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
+
+#include "gallery.h"
+#include "meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Exact = IT::Intrinsic_triangulation<>;
+using Counted = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                            IT::Integer_coordinates>;
+
+// two facing chains on parabolas, triangulated as badly as can be: quadratically many flips
+meshes::Mesh two_parabolas(std::uint32_t n, double slope) {
+  meshes::Mesh m;
+  const double half = n / 2.0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double x = i - half;
+    m.points.push_back({x, 0.1 * x * x / n, 0});
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double x = i - half, y = 0.5 * n - 0.1 * x * x / n;
+    m.points.push_back({x + 0.25, y, slope * y});
+  }
+  for (std::uint32_t i = 0; i + 1 < n; ++i) {
+    m.triangles.push_back({i, i + 1, n});
+    m.triangles.push_back({n - 1, n + i + 1, n + i});
+  }
+  return m;
+}
+
+std::size_t multi_precision(const IT::Predicate_statistics& s) {
+  std::size_t n = 0;
+  for (const auto& [bits, count] : s.escalations)
+    if (bits > 106) n += count;
+  return n;
+}
+
+TEST(Triangulation_unfolder,
+     finds_flat_parts_so_that_quadratically_many_flips_need_no_more_than_doubles) {
+  for (const double slope : {0.0, 0.5}) {
+    Exact t(two_parabolas(100, slope).input());
+    Counted u(two_parabolas(100, slope).input());
+    const auto r = IT::flip_to_delaunay(t), s = IT::flip_to_delaunay(u);
+    EXPECT_GT(r.flips, 4000U);
+    EXPECT_EQ(r.flips, s.flips);
+    EXPECT_EQ(multi_precision(t.metric().statistics()), 0U);
+    EXPECT_EQ(multi_precision(u.metric().statistics()), 0U);
+  }
+}
+
+// flips edges that can be, at random
+template <class T>
+void flip_at_random(T& t, std::mt19937& random, std::size_t tries) {
+  typename T::Session session(t);
+  for (std::size_t i = 0; i < tries; ++i)
+    session.flip_edge(typename T::halfedge_descriptor{
+        static_cast<std::uint32_t>(random() % t.mesh().number_of_halfedges())});
+}
+
+// signs that the metric gives, against those of values in 512 bits
+template <class T>
+std::size_t check_signs(const T& t) {
+  const typename T::Metric::Scope scope;
+  const IT::Intrinsic_view<T> view(t);
+  IT::Diamond_unfolder unfolder;
+  IT::Exact_evaluation evaluation;
+  std::size_t certain = 0;
+  for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); h += 2) {
+    if (view.is_border(h) || view.is_border(h ^ 1U) || view.face(h) == view.face(h ^ 1U)) continue;
+    const auto& d = unfolder(view, t.correspondence(), h);
+    const CGAL::Interval_nt<false> value =
+        evaluation.enclosure(t.input().metric(), d, IT::Delaunay_expression(), 512);
+    const CGAL::Uncertain<CGAL::Sign> expected = CGAL::sign(value);
+    const CGAL::Sign s = t.metric().sign(t.diamond({h}), IT::Delaunay_expression());
+    EXPECT_EQ(s, CGAL::is_certain(expected) ? CGAL::get_certain(expected) : CGAL::ZERO);
+    certain += CGAL::is_certain(expected);
+  }
+  return certain;
+}
+
+TEST(Triangulation_unfolder, decides_as_many_bits_do_after_random_flips_over_flat_and_bent_parts) {
+  std::mt19937 random(1);
+  for (const meshes::Mesh& m :
+       {meshes::box(3, 3, 3), meshes::stairs(3, 3), meshes::l_shape(3),
+        meshes::sheared_grid(4, 4, 5), meshes::folded_lattice(3, 4, 1), meshes::rough_grid(4, 3)}) {
+    Counted t(m.input());
+    std::size_t certain = 0;
+    for (int round = 0; round < 6; ++round) {
+      flip_at_random(t, random, 60);
+      certain += check_signs(t);
+    }
+    EXPECT_GT(certain, 0U);
+  }
+}
+
+TEST(Triangulation_unfolder, leaves_what_normal_coordinates_cannot_count_to_the_history) {
+  // each flip of the three edges of a flat torus in turn makes the next edge longer by the golden ratio
+  const gallery::Surface s = gallery::one_vertex_torus();
+  for (const bool asks_early : {false, true}) {
+    Exact t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
+                                IT::Mollification::none));
+    const typename Exact::Metric::Scope scope;
+    for (std::uint32_t i = 0; i < 60; ++i) {
+      if (asks_early && i % 7 == 3)
+        t.metric().sharpen(std::vector{IT::internal::indexed_face(t, {0})});
+      EXPECT_EQ(IT::internal::Mover<Exact>(t).flip({2 * (i % 3)}), IT::Move_status::done);
+    }
+    // the area of each face stays what it was, exactly
+    t.metric().sharpen(
+        std::vector{IT::internal::indexed_face(t, {0}), IT::internal::indexed_face(t, {1})});
+    Exact input(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
+                                    IT::Mollification::none));
+    EXPECT_NEAR(t.area({0}) / input.area({0}), 1, 1e-12);
+    EXPECT_NEAR(t.area({1}) / input.area({1}), 1, 1e-12);
+    // as all that makes a torus longer can be undone
+    IT::flip_to_delaunay(t);
+    for (const auto e : edges(t.mesh())) EXPECT_LT(t.length(e), 3 * input.length({0}));
+  }
+}
+
+} // namespace
