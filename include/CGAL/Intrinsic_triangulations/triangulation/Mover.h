@@ -179,7 +179,7 @@ private:
   bool ask_to_insert(Insertion_move& move) {
     if (!places_.before(t_, move)) return false;
     if constexpr (Defined_by_places<Metric>) {
-      const auto* found = places_.kept(t_);
+      const auto* found = places_.coordinates(t_);
       if (&found->input() == &t_.input() && static_cast<const void*>(found) != &correspondence_)
         move.place = found->inserted_place();
     }
