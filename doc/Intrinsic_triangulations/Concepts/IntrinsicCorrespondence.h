@@ -37,6 +37,8 @@ Every move runs in one order: its record is made, and the values of a flip are c
 the same record, except that before an insertion what is new is `Gluing::none`. A move that is refused for reasons of
 connectivity or convexity is not announced. An insertion may be announced and then not be done, because an inexact number
 type cannot hold it: then the next call announces another move.
+With exact traits the record of an insertion names the place on the input that defines the vertex, unless it is the
+correspondence that finds it, as \itc{Integer_coordinates} does.
 
 A vertex on an inner edge is inserted in a face, at distance zero from the side, which is flipped then; it is removed
 in the opposite order.

@@ -63,7 +63,8 @@ public:
       rotation_.push_back(
           internal::fitting_rotation(s.face_begin[f], s.face_begin[f + 1], [&](std::size_t c) {
             const auto p = from.position(internal::corner_in_face(view, s, base, c)),
-                       q = to.position(weights_on_input(s.on_input(s.corner[c]), corners));
+                       q = to.position(
+                           internal::weights_at_corners(s.on_input(s.corner[c]), corners));
             return std::array{Complex(p[0], p[1]), Complex(q[0], q[1])};
           }));
     }
@@ -96,22 +97,12 @@ private:
 
   static std::array<std::uint32_t, 3> corners_of(const Input& input, std::uint32_t face,
                                                  std::uint32_t user_face) {
-    std::array<std::uint32_t, 3> v = sides_of_face(input, input.halfedge_of_face(face));
-    for (std::uint32_t& i : v) i = input.names().vertices.user(input.source(i));
+    const std::array<std::uint32_t, 3> v = internal::names_of_corners(input, face);
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
       throw Invalid_input(Element_kind::face, user_face,
                           "face " + std::to_string(user_face) +
                               " has a vertex at two corners: its frame has no name; subdivide it");
     return v;
-  }
-
-  static std::array<double, 3> weights_on_input(const Weighted_vertices& w,
-                                                const std::array<std::uint32_t, 3>& corners) {
-    std::array<double, 3> weights{0, 0, 0};
-    for (std::size_t i = 0; i < w.size; ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        if (w.vertices[i] == corners[k]) weights[k] += w.weights[i];
-    return weights;
   }
 
   std::vector<Complex> average(const std::vector<Complex>& field,

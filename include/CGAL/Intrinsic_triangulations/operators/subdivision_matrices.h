@@ -6,7 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <Eigen/Core>
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -22,8 +25,8 @@
 
 /*!
 \file
-Integrals over the faces of a common subdivision. Areas are intrinsic: they come from the places of
-the corners in the intrinsic face and need no positions in space.
+Integrals over the faces of a common subdivision. Areas need no positions in space: they come from the places of
+the corners in one of the two faces that contain them.
 
 And the way from values at the vertices of the input, or of the intrinsic triangulation, to values at the
 vertices of their common subdivision (§4.11.1 of the course): both are piecewise linear there.
@@ -39,6 +42,58 @@ inline double area_fraction(const std::array<double, 3>& p, const std::array<dou
   const double x1 = q[1] - p[1], y1 = q[2] - p[2], x2 = r[1] - p[1], y2 = r[2] - p[2];
   return std::max(0.0, x1 * y2 - x2 * y1); // the corners of convex faces turn left, up to rounding
 }
+
+// the user's names of the corners of an input face
+inline std::array<std::uint32_t, 3> names_of_corners(const Input& input, std::uint32_t face) {
+  std::array<std::uint32_t, 3> v = sides_of_face(input, input.halfedge_of_face(face));
+  for (std::uint32_t& i : v) i = input.names().vertices.user(input.source(i));
+  return v;
+}
+
+// barycentric coordinates of a point in a face with these corners
+inline std::array<double, 3> weights_at_corners(const Weighted_vertices& w,
+                                                const std::array<std::uint32_t, 3>& corners) {
+  std::array<double, 3> weights{0, 0, 0};
+  for (std::size_t i = 0; i < w.size; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (w.vertices[i] == corners[k]) weights[k] += w.weights[i];
+  return weights;
+}
+
+// Places corners of a face of a subdivision in the smaller one of the two faces that contain it: rounding of
+// barycentric coordinates changes areas by a part of the area of the face in which they are taken, so that areas add up
+// to that of a sliver if it is cut by large faces, and to that of a face that is cut by slivers.
+template <class Triangulation>
+class Cell_in_face {
+public:
+  Cell_in_face(const Triangulation& t, const Common_subdivision& s, std::size_t f)
+      : s_(s), view_(t), base_(view_.halfedge_of_face(s.intrinsic_face[f])),
+        area_(t.area(t.numbers().face_at(s.intrinsic_face[f]))) {
+    const Input& input = t.input();
+    const std::uint32_t g = input.names().faces.here(s.input_face[f]);
+    const double area = std::ldexp(input.quadruple_area(g), -2 * input.scale_exponent() - 2);
+    if (!(area < area_)) return;
+    corners_ = names_of_corners(input, g);
+    if (corners_[0] == corners_[1] || corners_[1] == corners_[2] || corners_[2] == corners_[0])
+      return; // names do not tell where points are
+    is_on_input_ = true;
+    area_ = area;
+  }
+
+  double area() const { return area_; }
+  std::array<double, 3> corner(std::size_t c) const {
+    return is_on_input_ ? weights_at_corners(s_.on_input(s_.corner[c]), corners_)
+                        : corner_in_face(view_, s_, base_, c);
+  }
+
+private:
+  const Common_subdivision& s_;
+  Intrinsic_view<Triangulation> view_;
+  std::uint32_t base_;
+  double area_;
+  std::array<std::uint32_t, 3> corners_{};
+  bool is_on_input_ = false;
+};
 
 } // namespace internal
 
@@ -56,17 +111,15 @@ fans from their first corners.
 template <class Triangulation, class Function>
 void for_each_subdivision_triangle(const Triangulation& t, const Common_subdivision& s,
                                    Function function) {
-  const Intrinsic_view<Triangulation> view(t);
   for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
-    const std::uint32_t base = view.halfedge_of_face(s.intrinsic_face[f]);
-    const double area = t.area(t.numbers().face_at(s.intrinsic_face[f]));
+    const internal::Cell_in_face<Triangulation> cell(t, s, f);
     const std::size_t begin = s.face_begin[f], end = s.face_begin[f + 1];
-    const std::array<double, 3> first = internal::corner_in_face(view, s, base, begin);
-    std::array<double, 3> last = internal::corner_in_face(view, s, base, begin + 1);
+    const std::array<double, 3> first = cell.corner(begin);
+    std::array<double, 3> last = cell.corner(begin + 1);
     for (std::size_t c = begin + 2; c < end; ++c) {
-      const std::array<double, 3> here = internal::corner_in_face(view, s, base, c);
+      const std::array<double, 3> here = cell.corner(c);
       function(f, std::array{s.corner[begin], s.corner[c - 1], s.corner[c]},
-               area * internal::area_fraction(first, last, here));
+               cell.area() * internal::area_fraction(first, last, here));
       last = here;
     }
   }

@@ -56,20 +56,20 @@ struct Geodesic_target {
   \brief calls a function with the weights of the target for each time that a face contains it.
   \param complex the surface
   \param face a face
-  \param f takes an array of three weights
+  \param f takes an array of three weights, and the number of the side of the face that the target is described from
   */
   template <NumberedComplex Complex, class Function>
   void for_each_place(const Complex& complex, const Geodesic_face& face, Function f) const {
     std::array<double, 3> w{0, 0, 0};
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (unsigned k = 0; k < 3; ++k) {
       if (vertex != Gluing::none) {
         w = {0, 0, 0};
         w[k] = 1;
-        if (complex.source(face.side[k]) == vertex) f(w);
+        if (complex.source(face.side[k]) == vertex) f(w, k);
       } else {
         for (const Surface_point& p : point) {
           for (std::size_t i = 0; i < 3; ++i) w[(k + i) % 3] = p.weights[i];
-          if (face.side[k] == p.halfedge) f(w);
+          if (face.side[k] == p.halfedge) f(w, k);
         }
       }
     }
@@ -105,6 +105,11 @@ struct Geodesic_to_target {
   double slope = 0;
   /// Length of the straight line.
   double length = 0;
+  /// The halfedge that describes the target: that of the `Geodesic_target`, its opposite, or one that starts at the
+  /// vertex.
+  std::uint32_t end = Gluing::none;
+  /// Unit vector along the straight line, in the frame of `end`.
+  Planar_vector<double> direction{1, 0};
 };
 
 namespace internal {
@@ -150,21 +155,23 @@ private:
   bool arrive(const Geodesic_walk<Complex>& walk) {
     double best = tolerance(walk);
     bool is_there = false;
-    target_.for_each_place(complex_, walk.face(), [&](const std::array<double, 3>& w) {
-      Planar_vector<double> v{0, 0};
-      for (unsigned k = 0; k < 3; ++k) {
-        if (w[k] == 0) continue;
-        const Planar_vector<double> c = walk.relative_corner(k);
-        v = {v[0] + w[k] * c[0], v[1] + w[k] * c[1]};
-      }
-      v[0] += walk.travelled();
-      const double off = std::hypot(v[0] - length_, v[1]);
-      if (!(off <= best)) return;
-      best = off;
-      is_there = true;
-      end_ = v;
-      end_weights_ = w;
-    });
+    target_.for_each_place(complex_, walk.face(),
+                           [&](const std::array<double, 3>& w, unsigned side) {
+                             Planar_vector<double> v{0, 0};
+                             for (unsigned k = 0; k < 3; ++k) {
+                               if (w[k] == 0) continue;
+                               const Planar_vector<double> c = walk.relative_corner(k);
+                               v = {v[0] + w[k] * c[0], v[1] + w[k] * c[1]};
+                             }
+                             v[0] += walk.travelled();
+                             const double off = std::hypot(v[0] - length_, v[1]);
+                             if (!(off <= best)) return;
+                             best = off;
+                             is_there = true;
+                             end_ = v;
+                             end_weights_ = w;
+                             end_side_ = side;
+                           });
     return is_there;
   }
 
@@ -180,6 +187,11 @@ private:
                             s.target[1] - result.slope * s.target[0]});
     result.is_reached = clearance >= 0;
     result.is_certain = clearance > walk.position_error();
+    result.end = walk.face().side[end_side_];
+    const Planar_vector<double>& d = walk.direction();
+    const double c = end_[0] / result.length, s = end_[1] / result.length;
+    result.direction =
+        walk.face().relative_to(end_side_, {c * d[0] - s * d[1], s * d[0] + c * d[1]});
     if (strip_.empty()) along_side(walk, start, result);
     return result;
   }
@@ -199,6 +211,7 @@ private:
   std::vector<Strip_side>& strip_;
   Planar_vector<double> end_{0, 0};
   std::array<double, 3> end_weights_{0, 0, 0};
+  unsigned end_side_ = 0;
 };
 
 } // namespace internal

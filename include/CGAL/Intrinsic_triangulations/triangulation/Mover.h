@@ -175,6 +175,16 @@ private:
   bool ask(const Move& move) {
     return places_.before(t_, move) && correspondence_.before(t_, move);
   }
+  template <class Insertion_move>
+  bool ask_to_insert(Insertion_move& move) {
+    if (!places_.before(t_, move)) return false;
+    if constexpr (Defined_by_places<Metric>) {
+      const auto* found = places_.coordinates(t_);
+      if (&found->input() == &t_.input() && static_cast<const void*>(found) != &correspondence_)
+        move.place = found->inserted_place();
+    }
+    return correspondence_.before(t_, move);
+  }
   template <class Move>
   void tell(const Move& move) {
     places_.after(t_, move);
@@ -197,7 +207,7 @@ private:
   Insertion insert_in_face(Halfedge h, const Weights& weights) {
     if (!places_.define(t_, metric_)) return {Move_status::not_traceable};
     Insertion_in_face move{star_of_face(h), weights};
-    if (!ask(move)) return {Move_status::not_traceable};
+    if (!ask_to_insert(move)) return {Move_status::not_traceable};
     const Vertex v = split_face(h, mesh_, number_);
     static_cast<Star_of_vertex&>(move) = star_of_vertex(h);
     if (!store_insertion(move.edges_and_faces(), weights)) {
@@ -243,7 +253,7 @@ private:
   Insertion insert_on_border(Halfedge h, double parameter) {
     if (!places_.define(t_, metric_)) return {Move_status::not_traceable};
     Insertion_on_border move{star_of_border_edge(h), parameter};
-    if (!ask(move)) return {Move_status::not_traceable};
+    if (!ask_to_insert(move)) return {Move_status::not_traceable};
     const Vertex v = split_border_edge(h, mesh_, number_);
     static_cast<Star_on_border&>(move) = star_on_border(h);
     if (!store_insertion(move.edges_and_faces(), parameter)) {

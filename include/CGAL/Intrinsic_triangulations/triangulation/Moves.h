@@ -7,9 +7,11 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 /*!
 \file
@@ -62,6 +64,8 @@ struct Insertion_in_face : Star_of_vertex {
   /// Barycentric coordinates of p at i, j, k, see `representable_weights()`; the last one is zero if p
   /// is on the edge ij, which is flipped away next.
   std::array<double, 3> weights;
+  /// The place on the input that defines p, if there is one that the correspondence has not to find.
+  std::optional<Surface_point> place{};
 };
 
 /*!
@@ -94,6 +98,8 @@ Before it, only `ip`, `jk`, `ki`, `f` and the parameter are known, and what is n
 struct Insertion_on_border : Star_on_border {
   /// Weight of j; that of i is one minus it.
   double parameter;
+  /// See `Insertion_in_face`.
+  std::optional<Surface_point> place{};
 };
 
 /*!

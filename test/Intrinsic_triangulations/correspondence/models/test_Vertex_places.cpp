@@ -104,6 +104,32 @@ TEST(Vertex_places, define_all_values_and_signs_after_random_moves) {
   }
 }
 
+// rounding of a place in an input face may put it outside of a thin intrinsic face, or on an input edge beyond it
+TEST(Vertex_places, are_found_for_points_near_sides_of_every_face_that_is_wide_enough) {
+  int inserted = 0;
+  for (const double height : {1., 0.1, 1e-2, 1e-3, 1e-4})
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      With_integers t(input(meshes::grid(2, 8, 1, height)));
+      Mover<With_integers> random(t, seed);
+      for (int i = 0; i < 60; ++i) {
+        if (i % 10 == 9) IT::flip_to_delaunay(t);
+        const std::uint32_t h = random.halfedge(i % 2 == 0);
+        const auto weights =
+            i % 5 == 4 ? std::array{0.5, 0.5 - 1e-13, 1e-13} : random.weights(i % 3 == 0);
+        const IT::Intrinsic_view<With_integers> view(t);
+        const double area = view.quadruple_area(view.face(h)),
+                     length = std::sqrt(view.squared_length(h / 2));
+        const Move_status status = t.insert_vertex({h}, weights).status;
+        inserted += status == Move_status::done ? 1 : 0;
+        if (status != Move_status::not_traceable) continue;
+        // 2^-28 of the height, by which points of sides are moved, is less than the unit of weights, 2^-52
+        EXPECT_LT(area, 0x1p-22 * length) << height << ' ' << seed << ' ' << i;
+      }
+      EXPECT_EQ(places::first_wrong_value(t), IT::Gluing::none) << height << ' ' << seed;
+    }
+  EXPECT_GT(inserted, 2500);
+}
+
 TEST(Vertex_places, define_all_values_and_signs_on_Delta_complexes) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);

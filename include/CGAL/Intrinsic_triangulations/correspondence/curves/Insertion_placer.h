@@ -18,6 +18,7 @@
 #include <CGAL/Gmpfi.h>
 #include <CGAL/Interval_nt.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -76,6 +77,8 @@ public:
   \param h a halfedge of the face
   \param weights barycentric coordinates, approximately; if the last one is zero, the vertex will be on the side, if
   that runs along an input edge, else within rounding of it, inside the face
+  \note For exact metrics a place on a curve beyond a side is replaced by one beside the curve, and a point that
+  rounding puts outside of the face is moved inwards, up to 2^-28 of the height.
   \return the place; nothing if it is within rounding of a vertex, or, for exact metrics, not proven to be in the face
   */
   template <class Triangulation, CurveCoordinates Coordinates>
@@ -83,23 +86,20 @@ public:
                                              std::uint32_t h,
                                              const std::array<double, 3>& weights) {
     const bool along_side = weights[2] == 0 && coordinates.normal_coordinate(h / 2) < 0;
-    const Input& input = coordinates.input();
-    const Intrinsic_view<Triangulation> view(t);
-    if constexpr (!internal::Defined_by_places<typename Triangulation::Metric>) {
-      const auto place = internal::place_with(rough_, view, coordinates, h, weights, along_side,
-                                              approximate_values(input));
-      return placed(place, along_side);
-    } else {
-      const bool beside_side = weights[2] == 0 && !along_side;
-      for (double distance = nearness; distance <= farthest; distance *= 16) {
-        const auto place = internal::place_with(
-            face_, view, coordinates, h, beside_side ? beside(weights, distance) : weights,
-            along_side, internal::values_from(input, intervals_.of(input.metric())));
-        if (place && is_in_face(t, coordinates, h, *place, along_side))
-          return placed(place, along_side);
-        if (!beside_side) break;
+    if constexpr (internal::Defined_by_places<typename Triangulation::Metric>) {
+      // a point of a side that runs across input faces cannot be represented, as a rule: one beside it can
+      double distance = weights[2] == 0 && !along_side ? nearness : 0;
+      const bool is_near_side = *std::min_element(weights.begin(), weights.end()) < farthest;
+      for (; distance <= farthest; distance = std::max(16 * distance, nearness)) {
+        const auto p = place_in_face(t, coordinates, h, inside(weights, distance), along_side);
+        if (p || along_side || !is_near_side) return p;
       }
       return std::nullopt;
+    } else {
+      const Input& input = coordinates.input();
+      return placed(internal::place_with(rough_, Intrinsic_view<Triangulation>(t), coordinates, h,
+                                         weights, along_side, approximate_values(input)),
+                    along_side);
     }
   }
 
@@ -109,13 +109,35 @@ public:
 private:
   // distance of points of a side from it, in units of the height of the face
   static constexpr double nearness = 0x1p-40;
-  // distance up to which they are tried: what is put on a curve may leave the face, if it was nearest
+  // distance up to which they, and points that rounding puts outside, are moved into the face
   static constexpr double farthest = 0x1p-28;
   static constexpr unsigned bits = 256; // an area that shows no sign then is not worth an insertion
 
-  // A point of a side that runs across input faces cannot be represented, as a rule: one beside it can.
-  static std::array<double, 3> beside(const std::array<double, 3>& w, double distance) {
-    return {w[0] * (1 - distance), w[1] * (1 - distance), distance};
+  // the point, or one nearby that has a distance from all sides
+  static std::array<double, 3> inside(std::array<double, 3> w, double distance) {
+    double before = 0, after = 0; // of the weights that are raised
+    for (double& x : w)
+      if (x < distance) before += x, after += distance;
+    for (double& x : w)
+      x = x < distance ? distance : after > 0 ? x * ((1 - after) / (1 - before)) : x;
+    return w;
+  }
+
+  // where a point is put on a curve if that is in the face, else beside the curve
+  template <class Triangulation, class Coordinates>
+  std::optional<Placed_insertion>
+  place_in_face(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+                const std::array<double, 3>& weights, bool along_side) {
+    const Input& input = coordinates.input();
+    auto place = internal::place_with(face_, Intrinsic_view<Triangulation>(t), coordinates, h,
+                                      weights, along_side,
+                                      internal::values_from(input, intervals_.of(input.metric())));
+    if (place && is_in_face(t, coordinates, h, *place, along_side))
+      return placed(place, along_side);
+    if (!place || along_side || !place->region.is_on_curve) return std::nullopt;
+    place = face_.place(input, weights, Unfolded_face<FT>::least_nearness);
+    if (place && is_in_face(t, coordinates, h, *place, false)) return placed(place, false);
+    return std::nullopt;
   }
 
   // computes the values at a place; whether they are proven to be those of a point of the face

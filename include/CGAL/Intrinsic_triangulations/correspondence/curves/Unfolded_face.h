@@ -29,6 +29,11 @@ namespace CGAL::Intrinsic_triangulations {
 template <class FT>
 class Unfolded_face : public Face_layout<FT> {
 public:
+  /// Relative distance from a curve within which a point is put on it: a few roundings of a circumcenter.
+  static constexpr double usual_nearness = 0x1p-40;
+  /// The unit of weights.
+  static constexpr double least_nearness = 0x1p-52;
+
   /// A point of the face.
   struct Place {
     Face_region region;              ///< in the face
@@ -43,15 +48,18 @@ public:
   coordinates there, which then define it. A point within rounding of a curve is put on it.
   \param input the input
   \param weights barycentric coordinates of the point in the face, approximately
+  \param nearness distance from a curve within which a point is put on it, relative to the height of the triangle;
+  what is represented beside it is at least `least_nearness` away
   \return the place; nothing if it is within rounding of a vertex of the input
   */
-  std::optional<Place> place(const Input& input, const std::array<double, 3>& weights) const {
+  std::optional<Place> place(const Input& input, const std::array<double, 3>& weights,
+                             double nearness = usual_nearness) const {
     const Plane_point<double> p = combination(weights);
     Place result;
     result.region = middle_region();
     walk(p, result);
     const std::array<double, 3> in_triangle = barycentric(triangles_[result.triangle], p);
-    return rounded(input, in_triangle, result) ? std::optional(result) : std::nullopt;
+    return rounded(input, in_triangle, nearness, result) ? std::optional(result) : std::nullopt;
   }
 
   /*!
@@ -161,10 +169,7 @@ private:
     return weights_above_side(seen(p), seen(approximate(t.point[2])));
   }
 
-  // relative distance from a curve within which a point is put on it: a few roundings of a circumcenter
-  static constexpr double nearness = 0x1p-40;
-
-  bool rounded(const Input& input, std::array<double, 3> w, Place& result) const {
+  bool rounded(const Input& input, std::array<double, 3> w, double nearness, Place& result) const {
     const std::uint32_t t = result.triangle;
     if (t > 0 && w[2] < nearness) return put_on_curve(t, 2, w, result);
     for (const std::uint32_t child : {t + 1, static_cast<std::uint32_t>(along_) + 1}) {

@@ -152,6 +152,9 @@ public:
   /// `Unfolded_face::values()`. \pre the metric is defined by places
   const Vertex_move_values<Interval_nt<false>>& inserted_values() const { return placer_.values(); }
 
+  /// returns the place of that vertex.
+  const Surface_point& inserted_place() const { return insertion_.location; }
+
   /// follows the insertion of a vertex on the border.
   template <class Triangulation>
   void after(const Triangulation&, const Insertion_on_border& move) {

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/locate_by_signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -34,7 +35,9 @@ halfedge at its source (§3.4 of the course).
 At a vertex of the input the direction is a cone angle in the frame of the input
 (`Tangent_frames`); at an inserted vertex it is an angle in the frame of the halfedge of its location on the
 input. A flip costs two arc tangents (Eq. 7, unscaled). Paths, points and vectors are found by tracing
-geodesics. Angles are rounded: whether a path was found, and is certain, is always reported.
+geodesics. Angles are rounded: whether a path was found, and is certain, is always reported. Where inserted
+vertices are is rounded too, unless their places define the metric, see `Insertion_in_face::place`: then paths start and
+end there.
 
 \cgalModels{IntrinsicCorrespondence}
 */
@@ -145,6 +148,11 @@ public:
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_in_face& move) {
     const std::uint32_t h = move.sides[0];
+    if (move.place) {
+      const auto seen = internal::see_corner(t, *this, {h, move.weights}, *move.place);
+      if (seen) seen_ = *seen, inserted_ = *move.place;
+      return seen.has_value();
+    }
     const Intrinsic_view<Triangulation> view(t);
     std::optional<Mapped_point> p;
     if (move.weights[2] == 0) p = place_on_edge(view, h, move.weights[1]);
@@ -153,7 +161,7 @@ public:
     inserted_ = p->point;
     const Planar_vector<double> to_source =
         p->transfer(Geodesic_face(view, h).to_corner(move.weights, 0));
-    inserted_angle_ = std::atan2(to_source[1], to_source[0]);
+    seen_ = {0, std::atan2(to_source[1], to_source[0])};
     return true;
   }
 
@@ -161,18 +169,22 @@ public:
   template <class Triangulation>
   void after(const Triangulation& t, const Insertion_in_face& move) {
     const Intrinsic_view<Triangulation> view(t);
-    const auto& [ij, jk, ki] = move.sides;
-    const std::uint32_t pi = move.spokes[0] ^ 1U, pj = move.spokes[1] ^ 1U;
+    const auto spoke = [&](unsigned k) { return move.spokes[(seen_.corner + k) % 3] ^ 1U; };
     for (const std::uint32_t s : move.spokes) grow(s);
     const std::uint32_t f = add_location(move.vertex, false);
-    signpost_[pi] = {reduced(f, inserted_angle_), f};
-    for (const std::uint32_t g : {pi, pj, ij, jk, ki}) set_next(view, g);
+    signpost_[spoke(0)] = {reduced(f, seen_.angle), f};
+    for (const std::uint32_t g : {spoke(0), spoke(1), move.sides[0], move.sides[1], move.sides[2]})
+      set_next(view, g);
   }
 
   /// announces the insertion of a vertex on the border.
   /// \return true
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_on_border& move) {
+    if (move.place) {
+      inserted_ = *move.place;
+      return true;
+    }
     const Intrinsic_view<Triangulation> view(t);
     const std::uint32_t i = view.source(move.ip), j = view.target(move.ip);
     const std::uint32_t g = is_inserted(i)
@@ -310,7 +322,7 @@ private:
   std::vector<std::uint32_t> outgoing_; // per fan of the input: an intrinsic halfedge of it
   std::vector<Surface_point> location_; // per inserted vertex
   Surface_point inserted_;              // of the vertex that is being inserted
-  double inserted_angle_ = 0;           // from it to the source of the halfedge
+  internal::Seen_corner seen_;          // from there
 };
 
 } // namespace CGAL::Intrinsic_triangulations

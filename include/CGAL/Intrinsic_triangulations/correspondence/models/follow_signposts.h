@@ -15,83 +15,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 /*!
 \file
-Points, vectors and edges taken from one triangulation to the other along geodesics that signposts start.
+Edges of one triangulation traced over the other along geodesics that signposts start.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
-
-/// The geodesic from a corner of a face to a point of it.
-struct Corner_geodesic {
-  unsigned corner;                 // of the face
-  double length;                   // to the point
-  double angle;                    // from the side that starts at the corner
-  Planar_vector<double> direction; // in the frame of the face
-};
-
-// The geodesics from the corners of a face to a point, the shortest first.
-inline std::array<Corner_geodesic, 3> corner_geodesics(const Geodesic_face& face,
-                                                       const std::array<double, 3>& weights) {
-  std::array<Corner_geodesic, 3> result;
-  for (unsigned k = 0; k < 3; ++k) {
-    const Planar_vector<double> back = face.to_corner(weights, k), v{0 - back[0], 0 - back[1]};
-    const Planar_vector<double> relative = face.relative_to(k, v);
-    const double length = std::hypot(v[0], v[1]);
-    result[k] = {k, length, std::atan2(std::max(0.0, relative[1]), relative[0]),
-                 length > 0 ? Planar_vector<double>{v[0] / length, v[1] / length}
-                            : Planar_vector<double>{1, 0}};
-  }
-  std::sort(result.begin(), result.end(),
-            [](const Corner_geodesic& a, const Corner_geodesic& b) { return a.length < b.length; });
-  return result;
-}
-
-// Traces from the corners in turn until one succeeds; `walk` starts from a corner.
-template <class Complex, class Start>
-std::optional<Mapped_point> locate_from_corners(const Complex& complex, const Geodesic_face& face,
-                                                const std::array<double, 3>& weights, Start start) {
-  std::vector<Geodesic_crossing> crossings;
-  for (const Corner_geodesic& g : corner_geodesics(face, weights)) {
-    const Geodesic_walk<Complex> walk = start(face.side[g.corner], g.angle);
-    if (walk.is_blocked() && g.length > 0) continue;
-    crossings.clear();
-    const Geodesic_end end =
-        finish_walk(complex, walk, g.length, {std::size_t{1} << 22U, false}, crossings);
-    if (end.status == Status::done) return Mapped_point{end.point, g.direction, end.direction};
-  }
-  return std::nullopt;
-}
-
-// Finds the point of the input at a point of the intrinsic triangulation, along the geodesic from the nearest
-// corner of its face that works, which has the same direction and length on both (§3.4.3).
-template <class Triangulation, class Signposts>
-std::optional<Mapped_point> find_on_input(const Triangulation& t, const Signposts& signposts,
-                                          const Surface_point& p) {
-  const Intrinsic_view<Triangulation> view(t);
-  return locate_from_corners(
-      signposts.input(), Geodesic_face(view, p.halfedge), p.weights,
-      [&](std::uint32_t h, double angle) { return signposts.walk(h, angle); });
-}
-
-// Finds the point of the intrinsic triangulation at a point of the input, likewise.
-template <class Triangulation, class Signposts>
-std::optional<Mapped_point> find_on_intrinsic(const Triangulation& t, const Signposts& signposts,
-                                              const Surface_point& p) {
-  const Intrinsic_view<Triangulation> view(t);
-  return locate_from_corners(view, Geodesic_face(signposts.input(), p.halfedge), p.weights,
-                             [&](std::uint32_t h, double angle) {
-                               return Geodesic_walk<Intrinsic_view<Triangulation>>(
-                                   view, signposts.intrinsic_direction(view, h, angle));
-                             });
-}
 
 // Traces to a target; once more in a corrected direction if it was met by a bent line. `walk(turn)` starts.
 template <class Complex, class Walk>

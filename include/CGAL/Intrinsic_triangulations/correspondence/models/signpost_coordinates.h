@@ -187,8 +187,8 @@ private:
 
 All intrinsic edges are traced over the input. What the traces say is accepted only if it is proved
 to be consistent, see `first_inconsistent_edge()`: the common subdivision is right, or there is none.
-A vertex whose location is exactly on an input edge cuts that edge; where rounding put it there, other
-representations may have it beside the edge.
+A vertex whose location is exactly on an input edge cuts that edge; where rounding put it there, which only happens
+in doubles, other representations may have it beside the edge.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
 \tparam Signposts its correspondence, `Signposts`
 \param t the triangulation

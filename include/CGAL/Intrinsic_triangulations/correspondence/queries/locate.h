@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/locate_by_signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
