@@ -8,11 +8,13 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -22,6 +24,20 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// whether a number may be a copy of another one
+inline bool are_identical(double x, double y) { return x == y; }
+inline bool are_identical(const Interval_nt<false>& x, const Interval_nt<false>& y) {
+  return x.inf() == y.inf() && x.sup() == y.sup();
+}
+template <class Center>
+bool are_identical(const Ball<Center>& x, const Ball<Center>& y) {
+  return x.is_identical(y);
+}
+
+} // namespace internal
 
 /// returns the face of an input halfedge and its slot there. \pre it has a face
 inline Face_side input_side(const Input& input, std::uint32_t halfedge) {
@@ -48,7 +64,7 @@ the lists of the curves that cross one or two sides (§3.5 of the course).
 
 Nothing but the input and integers enters: errors do not depend on the moves that made the face. Coordinates are
 such that the first side of the first triangle runs from 0 to 1. Memory stays from face to face.
-\tparam FT a model of `Field` with `CGAL::to_double()`
+\tparam FT `double`, `Interval_nt<false>` or a `Ball`
 */
 template <class FT>
 class Face_layout {
@@ -211,8 +227,7 @@ protected:
     return std::nullopt;
   }
   static bool is_same(const Point& p, const Point& q) {
-    return CGAL::to_interval(p.x) == CGAL::to_interval(q.x) &&
-           CGAL::to_interval(p.y) == CGAL::to_interval(q.y);
+    return internal::are_identical(p.x, q.x) && internal::are_identical(p.y, q.y);
   }
 
   Plane_point<double> combination(const std::array<double, 3>& weights) const {

@@ -9,13 +9,14 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <CGAL/Gmpfi.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
@@ -111,7 +112,6 @@ private:
   static constexpr double nearness = 0x1p-40;
   // distance up to which they, and points that rounding puts outside, are moved into the face
   static constexpr double farthest = 0x1p-28;
-  static constexpr unsigned bits = 256; // an area that shows no sign then is not worth an insertion
 
   // the point, or one nearby that has a distance from all sides
   static std::array<double, 3> inside(std::array<double, 3> w, double distance) {
@@ -149,8 +149,12 @@ private:
     if (are_positive(values_, along_side)) return true;
     for (const FT& area : values_.quadruple_areas)
       if (area.sup() < 0) return false;
-    ++t.metric().statistics().sharpenings[bits];
-    return find_values(Intrinsic_view<Triangulation>(t), coordinates, h, place, along_side);
+    const Intrinsic_view<Triangulation> view(t);
+    const auto is_proven_in = [&](auto& numbers) {
+      ++t.metric().statistics().sharpenings[std::decay_t<decltype(numbers)>::bits];
+      return find_values(numbers, view, coordinates, h, place, along_side);
+    };
+    return is_proven_in(short_) || is_proven_in(long_);
   }
 
   template <class Place>
@@ -167,21 +171,27 @@ private:
     return true;
   }
 
-  // in more bits
-  template <class View, class Coordinates, class Place>
-  bool find_values(const View& view, const Coordinates& coordinates, std::uint32_t h,
-                   const Place& place, bool along_side) {
-    const Gmpfi_precision precision(bits);
-    Input_face_intervals<Gmpfi> intervals;
-    Unfolded_face<Gmpfi> face;
+  // balls with centers of a type
+  template <class Center>
+  struct Numbers {
+    static constexpr unsigned bits = Ball<Center>::bits;
+    Unfolded_face<Ball<Center>> face;
+    Input_face_intervals<Ball<Center>> input;
+  };
+
+  // in more bits; an area that shows no sign in 256 is not worth an insertion
+  template <class Center, class View, class Coordinates, class Place>
+  bool find_values(Numbers<Center>& numbers, const View& view, const Coordinates& coordinates,
+                   std::uint32_t h, const Place& place, bool along_side) {
     const Input& input = coordinates.input();
-    face.unfold(view, coordinates, h, internal::values_from(input, intervals.of(input.metric())));
-    const Vertex_move_values<Gmpfi> wide =
-        face.values({place.region, place.triangle, place.weights, place.location});
+    const Vertex_move_values<Ball<Center>> wide = internal::to_nearest([&] {
+      numbers.face.unfold(view, coordinates, h,
+                          internal::values_from(input, numbers.input.of(input.metric())));
+      return numbers.face.values({place.region, place.triangle, place.weights, place.location});
+    });
     for (std::size_t k = 0; k < 3; ++k) {
-      values_.squared_lengths[k] = internal::interval(wide.squared_lengths[k]);
-      if (!along_side || k > 0)
-        values_.quadruple_areas[k] = internal::interval(wide.quadruple_areas[k]);
+      values_.squared_lengths[k] = wide.squared_lengths[k].interval();
+      if (!along_side || k > 0) values_.quadruple_areas[k] = wide.quadruple_areas[k].interval();
     }
     return are_positive(values_, along_side);
   }
@@ -189,6 +199,8 @@ private:
   Unfolded_face<double> rough_;
   Unfolded_face<FT> face_;
   Input_face_intervals<FT> intervals_;
+  Numbers<Double_double> short_;
+  Numbers<Mpfr_256> long_;
   Vertex_move_values<FT> values_;
 };
 

@@ -85,6 +85,11 @@ public:
   /// tells whether the number is zero as far as can be seen: rounding errors of zero mostly cancel.
   bool seems_zero() const { return std::abs(rounded(center_)) * 64 < radius_; }
 
+  /// tells whether center and radius are the same.
+  bool is_identical(const Ball& other) const {
+    return center_ == other.center_ && radius_ == other.radius_;
+  }
+
   /// returns an interval that contains the number. \pre rounding is upwards
   Interval_nt<false> interval() const {
     using Interval = Interval_nt<false>;

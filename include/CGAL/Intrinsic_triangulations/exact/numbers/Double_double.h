@@ -25,6 +25,8 @@ public:
   /// returns the nearest double.
   double to_double() const { return high_; }
 
+  /// tells whether two sums are the same.
+  friend bool operator==(const Double_double&, const Double_double&) = default;
   /// returns the negative.
   friend Double_double operator-(const Double_double& a) { return {-a.high_, -a.low_}; }
   /// returns the sum.
