@@ -86,14 +86,6 @@ public:
     });
   }
 
-  /// tells whether a diamond can be unfolded: no triangle is entered by a side without length.
-  bool is_defined(const Input_metric& input, const Unfolded_diamond& diamond) {
-    return std::none_of(diamond.triangles.begin(), diamond.triangles.end(),
-                        [&](const Unfolded_diamond::Triangle& t) {
-                          return faces_(input, t.face).squared_lengths[t.entry].sign() == ZERO;
-                        });
-  }
-
 private:
   // entries that are kept between calls, some hundred bytes each
   static constexpr std::size_t maximal_memory = 50000;

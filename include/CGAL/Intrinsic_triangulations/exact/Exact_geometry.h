@@ -123,6 +123,7 @@ public:
   FT nonzero_value(const Diamond& d, const Expression& expression) const {
     FT value;
     for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
+      ++statistics_.sharpenings[bits];
       const Unfolded_diamond* u = unfolded(d);
       value = u != nullptr
                   ? evaluation_.enclosure(*input_, *u, expression, bits)

@@ -21,7 +21,7 @@ struct Predicate_statistics {
   std::uint64_t integer = 0;
   /// Predicates decided by interval arithmetic of so many bits; 53: doubles, unfolded anew from the input.
   std::map<unsigned, std::uint64_t> escalations;
-  /// Faces whose values were computed by interval arithmetic of so many bits, for an insertion or a query.
+  /// Faces and weights whose values were computed in so many bits, for an insertion or to be handed out; 53: doubles.
   std::map<unsigned, std::uint64_t> sharpenings;
   /// Values proven to be zero by exact arithmetic.
   std::uint64_t certified_zero = 0;

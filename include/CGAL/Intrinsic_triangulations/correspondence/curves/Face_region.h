@@ -6,8 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 
-#include <CGAL/enum.h>
-
 #include <array>
 #include <cstdint>
 
@@ -31,68 +29,6 @@ struct Face_region {
   /// The corner of that curve.
   unsigned corner = 3;
 };
-
-/*!
-\brief counts the curves, among `count` that do not cross each other, that have a point strictly on
-their left; the curves are ordered so that those come first.
-\param count number of curves
-\param side a functor that returns on which side of curve number `i` the point lies
-\param is_on set if the point is on the curve next to those counted
-\complexity logarithmic
-*/
-template <class Side>
-Normal_coordinate count_curves_passed(Normal_coordinate count, Side side, bool& is_on) {
-  Normal_coordinate passed = 0, bound = count; // passed are passed, from bound on are not
-  while (passed < bound) {
-    const Normal_coordinate middle = passed + (bound - passed) / 2;
-    const Sign s = side(middle);
-    if (s == POSITIVE)
-      passed = middle + 1;
-    else
-      bound = middle;
-    if (s == ZERO) {
-      is_on = true;
-      return middle;
-    }
-  }
-  return passed;
-}
-
-/*!
-\brief finds the region of a face that contains a point.
-\param c how curves run in the face
-\param sides the sides of the face
-\param side a functor that takes a `Curve_crossing` with a side of the face and returns POSITIVE if
-the point is on the left of the curve that leaves the face there, ZERO if it is on the curve
-\complexity logarithmic in the number of curves
-*/
-template <class Side>
-Face_region find_region(const Corner_coordinates& c, const std::array<std::uint32_t, 3>& sides,
-                        Side side) {
-  Face_region r;
-  r.fan_corner = c.fan_corner();
-  for (unsigned k = 0; k < 3; ++k) {
-    const auto about_corner = [&](Normal_coordinate i) {
-      return side(Curve_crossing{sides[k], i});
-    };
-    r.cutting[k] = count_curves_passed(c.cutting[k], about_corner, r.is_on_curve);
-    if (r.is_on_curve) r.corner = k;
-    if (r.cutting[k] == c.cutting[k]) continue;
-    for (unsigned l = k + 1; l < 3; ++l) r.cutting[l] = c.cutting[l];
-    // whoever is cut off with another corner sees all curves of the fan on one side
-    if (r.fan_corner < 3)
-      r.right_of_fan = k == (r.fan_corner + 1) % 3 ? 0 : c.emanating[r.fan_corner];
-    return r;
-  }
-  if (r.fan_corner == 3) return r;
-  const unsigned k = r.fan_corner, next = (k + 1) % 3;
-  const auto in_fan = [&](Normal_coordinate i) {
-    return side(Curve_crossing{sides[next], c.cutting[next] + i});
-  };
-  r.right_of_fan = count_curves_passed(c.emanating[k], in_fan, r.is_on_curve);
-  if (r.is_on_curve) r.corner = k;
-  return r;
-}
 
 /*!
 \brief returns the normal coordinates of the edges from the corners of a face to a new vertex in a

@@ -40,18 +40,6 @@ inline void append(Crossing_path& p, const Crossing& c) {
     p.push_back(c);
 }
 
-/// returns path `p` and then path `q`.
-inline Crossing_path product(Crossing_path p, const Crossing_path& q) {
-  for (const Crossing& c : q) append(p, c);
-  return p;
-}
-
-/// returns path `p` and then path `q` backwards.
-inline Crossing_path product_with_inverse(Crossing_path p, const Crossing_path& q) {
-  for (auto c = q.rbegin(); c != q.rend(); ++c) append(p, {c->to, c->from});
-  return p;
-}
-
 /*!
 \brief locates a vertex in the plane into which the input is unfolded along a path.
 */
