@@ -26,6 +26,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -68,8 +69,8 @@ public:
   void flip(const Diamond& d) {
     if (!is_defined_by_places_) versions_.flip(d);
   }
-  /// takes who unfolds the input; must be given again to copies, and outlive its use.
-  void unfold_by(Input_unfolder& unfolder) { unfolder_ = &unfolder; }
+  /// takes who unfolds the input, which must outlive this object. Copies have none, until they are given one.
+  void unfold_by(Input_unfolder& unfolder) { unfolder_.pointer = &unfolder; }
   /// defines values by the input that is unfolded from now on, not by the history of flips, which is forgotten.
   /// \pre someone unfolds the input, whatever is asked for
   void forget_flips() {
@@ -135,18 +136,39 @@ public:
   }
 
 private:
+  // not copied: each triangulation has its own
+  struct Unfolder {
+    Input_unfolder* pointer = nullptr;
+
+    Unfolder() = default;
+    Unfolder(const Unfolder&) {}
+    Unfolder& operator=(const Unfolder&) {
+      pointer = nullptr;
+      return *this;
+    }
+  };
+
+  Input_unfolder* unfolder() const {
+    if (is_defined_by_places_ && unfolder_.pointer == nullptr)
+      throw std::logic_error(
+          "a metric of a refined triangulation decides only as long as it is in it");
+    return unfolder_.pointer;
+  }
+
   // the input under a diamond, if that is known
   const Unfolded_diamond* unfolded(const Diamond& d) const {
-    return unfolder_ != nullptr ? unfolder_->diamond(d) : nullptr;
+    Input_unfolder* const u = unfolder();
+    return u != nullptr ? u->diamond(d) : nullptr;
   }
 
   // the input under faces, if that is known of all
   std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const {
     std::vector<Unfolded_diamond> result;
     for (const Indexed_face& f : faces) {
-      const Unfolded_diamond* u = unfolder_ != nullptr ? unfolder_->face(f) : nullptr;
-      if (u == nullptr) return std::nullopt;
-      result.push_back(*u);
+      Input_unfolder* const u = unfolder();
+      const Unfolded_diamond* const face = u != nullptr ? u->face(f) : nullptr;
+      if (face == nullptr) return std::nullopt;
+      result.push_back(*face);
     }
     return result;
   }
@@ -168,8 +190,8 @@ private:
   std::optional<Sign> sign_in_plane(const Diamond& d, const Expression& expression,
                                     Diamond_values<FT>& better) const {
     if constexpr (PolynomialExpression<Expression>)
-      if (unfolder_ != nullptr && degree_of(expression).is_linear_in_areas())
-        if (const std::optional<Flat_diamond> flat = unfolder_->flat_diamond(d)) {
+      if (unfolder() != nullptr && degree_of(expression).is_linear_in_areas())
+        if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d)) {
           better = flat_diamond_values(*input_, *flat);
           return flat_diamond_sign(*input_, *flat, expression, statistics_);
         }
@@ -178,7 +200,7 @@ private:
 
   Face_versions versions_;
   std::shared_ptr<const Input_metric> input_; // immutable, shared by copies
-  Input_unfolder* unfolder_ = nullptr;        // of the triangulation
+  Unfolder unfolder_;                         // of the triangulation
   bool is_defined_by_places_ = false;
   mutable Exact_evaluation evaluation_;     // remembers
   mutable Predicate_statistics statistics_; // counts

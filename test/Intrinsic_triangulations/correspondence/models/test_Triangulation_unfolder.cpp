@@ -17,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -133,6 +134,25 @@ TEST(Triangulation_unfolder, leaves_what_normal_coordinates_cannot_count_to_the_
     IT::flip_to_delaunay(t);
     for (const auto e : edges(t.mesh())) EXPECT_LT(t.length(e), 3 * input.length({0}));
   }
+}
+
+TEST(Triangulation_unfolder, is_not_that_of_a_metric_that_was_copied) {
+  const auto flipped = std::make_unique<Exact>(meshes::potato(2, 4).input());
+  IT::flip_to_delaunay(*flipped);
+  const Exact::Metric copy = flipped->metric();
+  const typename Exact::Metric::Scope scope;
+  for (const auto e : edges(flipped->mesh())) { // the history decides
+    const auto h = halfedge(e, flipped->mesh());
+    if (flipped->flip_status(h) == IT::Move_status::border) continue;
+    EXPECT_EQ(copy.sign(flipped->diamond(h), IT::Delaunay_expression()), flipped->delaunay_sign(h));
+  }
+  // after an insertion there is none
+  ASSERT_EQ(flipped->insert_vertex({0}, {0.5, 0.25, 0.25}).status, IT::Move_status::done);
+  const Exact::Metric other = flipped->metric();
+  const auto zero = [](const auto& values) { return values.area_f - values.area_f; };
+  for (const auto e : edges(flipped->mesh()))
+    EXPECT_THROW(other.sign(flipped->diamond(halfedge(e, flipped->mesh())), zero),
+                 std::logic_error);
 }
 
 } // namespace
