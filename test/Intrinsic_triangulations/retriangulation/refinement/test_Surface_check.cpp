@@ -127,6 +127,7 @@ struct Changing {
   const auto& metric() const { return t->metric(); }
   const auto& numbers() const { return t->numbers(); }
   std::uint32_t index(face_descriptor f) const { return t->index(f); }
+  std::uint32_t index(Rounded::edge_descriptor e) const { return t->index(e); }
 };
 
 TEST(Surface_check, Finds_another_topology) {
