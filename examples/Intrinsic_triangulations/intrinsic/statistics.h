@@ -81,8 +81,10 @@ Integrals integrals_of(Triangulation& t, const std::vector<Point>& scaled_points
   const int s = t.metric().scale_exponent();
   long double area = 0, trace = 0;
   std::array<long double, 3> dirichlet = {};
-  for (const typename Triangulation::face_descriptor f : faces(mesh))
+  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
+    t.area(f); // with exact traits this makes what is stored accurate, which does not underflow
     area += t.metric().approximate_quadruple_area(t.index(f));
+  }
   typename Triangulation::Session session(t);
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto i = source(halfedge(e, mesh), mesh), j = target(halfedge(e, mesh), mesh);

@@ -95,7 +95,7 @@ public:
       longest = std::max(longest, x.sup());
     }
     // zero never gets narrow relative to itself
-    return is(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-200 * longest));
+    return is(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
   }
 
 protected:

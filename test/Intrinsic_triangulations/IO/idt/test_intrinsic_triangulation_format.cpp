@@ -120,10 +120,10 @@ TEST(Intrinsic_triangulation_format, exact_triangulation_goes_on_as_if_it_had_no
     EXPECT_TRUE(back.input().is_defined_by_metric());
     EXPECT_EQ(delaunay_signs(back), delaunay_signs(t));
     EXPECT_EQ(flip_at_random(back, 300, 4), flip_at_random(t, 300, 4));
-    expect_equal(text(back), text(t));
+    expect_same_but_for_widths(back, t); // predicates sharpen by what they remember
     IT::flip_to_delaunay(t);
     IT::flip_to_delaunay(back);
-    expect_equal(text(back), text(t));
+    expect_same_but_for_widths(back, t);
     EXPECT_EQ(IT::check_delaunay(back).non_delaunay_edges, 0U);
     EXPECT_EQ(IT::check_delaunay(back).cocircular_edges, IT::check_delaunay(t).cocircular_edges);
   }
