@@ -45,7 +45,9 @@ public:
 
   // follows a flip; two faces that are not flat hardly make flat ones
   void flip(std::uint32_t f, std::uint32_t g) {
-    if (std::max(f, g) < part_.size() && part_[f] != part_[g]) part_[f] = part_[g] = unknown;
+    if (known(f) == known(g)) return;
+    change(f);
+    change(g);
   }
   // follows any other change of a face
   void change(std::uint32_t face) {
@@ -54,6 +56,10 @@ public:
 
 private:
   static constexpr std::uint32_t unknown = none - 1;
+
+  std::uint32_t known(std::uint32_t face) const {
+    return face < part_.size() ? part_[face] : unknown;
+  }
 
   std::uint32_t part_of(const Input& input,
                         const std::vector<Unfolded_diamond::Triangle>& triangles) {
