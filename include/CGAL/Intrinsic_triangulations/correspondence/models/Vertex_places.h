@@ -86,8 +86,9 @@ public:
   }
   template <class Move>
   void after(const Triangulation& t, const Move& move) {
+    if (state_ == State::unknown) return; // nothing has been unfolded
     if (own_) own_->after(t, move);
-    if (unfolder_) unfolder_->after(move);
+    unfolder_->after(move);
   }
 
 private:
