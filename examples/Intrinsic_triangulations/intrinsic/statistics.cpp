@@ -3,6 +3,11 @@
 
 #include "statistics.h"
 
+#include <CGAL/Gmpq.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -12,15 +17,34 @@
 
 namespace program {
 
-double area(const Point& p, const Point& q, const Point& r) {
-  std::array<double, 3> u{}, v{};
+namespace {
+
+// twice the area of a triangle; `scale` is set to the sum of all products, without signs
+template <class FT>
+double cross_product(const Point& p, const Point& q, const Point& r, double& scale) {
+  std::array<FT, 3> u{}, v{};
   for (unsigned k = 0; k < 3; ++k) {
-    u[k] = q[k] - p[k];
-    v[k] = r[k] - p[k];
+    u[k] = FT(q[k]) - FT(p[k]);
+    v[k] = FT(r[k]) - FT(p[k]);
   }
-  return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                    u[0] * v[1] - u[1] * v[0]) /
-         2;
+  std::array<double, 3> normal{};
+  scale = 0;
+  for (unsigned k = 0; k < 3; ++k) {
+    const FT x = u[(k + 1) % 3] * v[(k + 2) % 3], y = u[(k + 2) % 3] * v[(k + 1) % 3];
+    normal[k] = CGAL::to_double(FT(x - y));
+    scale += std::abs(CGAL::to_double(x)) + std::abs(CGAL::to_double(y));
+  }
+  return std::hypot(normal[0], normal[1], normal[2]);
+}
+
+} // namespace
+
+double area(const Point& p, const Point& q, const Point& r) {
+  double scale = 0;
+  const double twice = cross_product<double>(p, q, r, scale);
+  // rounding is below 2^-49 of the products: where they cancel, as on needles, rationals are right
+  if (twice > 0x1p-7 * scale) return twice / 2;
+  return cross_product<CGAL::Gmpq>(p, q, r, scale) / 2;
 }
 
 namespace {
