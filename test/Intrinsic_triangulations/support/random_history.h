@@ -19,6 +19,8 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -135,6 +137,18 @@ private:
   std::vector<std::pair<std::uint32_t, Map::Halfedge>> first_; // version, and its slot 0
   IT::Exact_evaluation evaluation_;
 };
+
+/// Expects that two diamonds have the same values, exactly.
+template <class FT>
+void expect_same(const IT::Diamond_values<FT>& x, const IT::Diamond_values<FT>& y) {
+  EXPECT_TRUE(x.ij == y.ij);
+  EXPECT_TRUE(x.jk == y.jk);
+  EXPECT_TRUE(x.ki == y.ki);
+  EXPECT_TRUE(x.im == y.im);
+  EXPECT_TRUE(x.mj == y.mj);
+  EXPECT_TRUE(x.area_f == y.area_f);
+  EXPECT_TRUE(x.area_g == y.area_g);
+}
 
 } // namespace random_history
 

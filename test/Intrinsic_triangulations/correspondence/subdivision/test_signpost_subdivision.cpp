@@ -12,6 +12,7 @@
 
 #include "gallery.h"
 #include "meshes.h"
+#include "refined_meshes.h"
 #include "subdivision_oracle.h"
 
 #include <gtest/gtest.h>
@@ -189,21 +190,9 @@ TEST(Signpost_subdivision, Is_found_after_exact_moves_of_vertices) {
   RecordProperty("all", all);
 }
 
-// Faces that are cut by their parallels and diagonals: many circumcenters lie on input edges, up to rounding.
-std::vector<std::pair<std::string, meshes::Mesh>> meshes_to_refine() {
-  return {{"long grid", meshes::grid(3, 40, 1, 0.05)},
-          {"sheared grid", meshes::sheared_grid(6, 6, 9)},
-          {"rough grid", meshes::rough_grid(8, 3)},
-          {"box", meshes::box(2, 7, 1)},
-          {"terrain", meshes::integer_terrain(80, 9, 2)},
-          {"potato", meshes::potato(2, 6)},
-          {"stairs", meshes::stairs(6, 4, 3)},
-          {"parabola", meshes::parabola_fan(12)}};
-}
-
 TEST(Signpost_subdivision, Is_that_of_integer_coordinates_after_exact_refinement) {
   std::size_t on_edges = 0;
-  for (const auto& [name, mesh] : meshes_to_refine()) {
+  for (const auto& [name, mesh] : refined::cut_by_parallels()) {
     Twins<Exact> t(mesh.input());
     t.flip_to_delaunay();
     IT::delaunay_refine(t.integer, IT::parameters::minimum_angle(25.));

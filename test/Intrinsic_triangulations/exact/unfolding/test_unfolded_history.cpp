@@ -27,17 +27,6 @@ using places::Exact_input;
 using random_history::Map;
 using random_history::Walk;
 
-void expect_same(const IT::Diamond_values<Multiquadratic_number>& x,
-                 const IT::Diamond_values<Multiquadratic_number>& y) {
-  EXPECT_TRUE(x.ij == y.ij);
-  EXPECT_TRUE(x.jk == y.jk);
-  EXPECT_TRUE(x.ki == y.ki);
-  EXPECT_TRUE(x.im == y.im);
-  EXPECT_TRUE(x.mj == y.mj);
-  EXPECT_TRUE(x.area_f == y.area_f);
-  EXPECT_TRUE(x.area_g == y.area_g);
-}
-
 // what unfolding gives against what repeating the flips gives
 std::size_t check_all_edges(const Walk& walk) {
   std::size_t checked = 0;
@@ -49,7 +38,8 @@ std::size_t check_all_edges(const Walk& walk) {
     IT::History_values<Multiquadratic_number> memory;
     IT::History_evaluator<Multiquadratic_number, Exact_input> flips(walk.history, input, memory);
     const auto faces = flips.faces({l, r});
-    expect_same(d->values<Multiquadratic_number>(input), IT::diamond_values(faces[0], faces[1]));
+    random_history::expect_same(d->values<Multiquadratic_number>(input),
+                                IT::diamond_values(faces[0], faces[1]));
     ++checked;
   }
   return checked;
