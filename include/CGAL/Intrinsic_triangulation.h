@@ -101,8 +101,7 @@ public:
   \throws Invalid_input
   \complexity linear
   */
-  explicit Intrinsic_triangulation(Intrinsic_input input)
-      : Intrinsic_triangulation(internal::prepare<Metric>(std::move(input), has_correspondence)) {}
+  explicit Intrinsic_triangulation(Intrinsic_input input);
 
   /*!
   \brief builds the triangulation of a mesh in space.
@@ -124,13 +123,7 @@ public:
   \param input what it was built from; vertices that it has not are inserted ones
   \pre there is no correspondence, or `map` is the connectivity of `input`
   */
-  Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input)
-      : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
-        metric_(std::move(metric)), rows_(rows_of_mesh()) {
-    static_assert(IntrinsicCorrespondence<Correspondence, Intrinsic_triangulation>);
-    correspondence_.start(*this);
-    places_.attach(*this, metric_);
-  }
+  Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input);
 
   /*!
   \brief restores a triangulation, vertices of which may have been inserted, from its parts.
@@ -141,41 +134,15 @@ public:
   \pre there is no correspondence, or it derives from `Integer_coordinates`
   */
   Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
-                          const Integer_coordinates& coordinates)
-      : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
-        metric_(std::move(metric)), rows_(rows_of_mesh()) {
-    if constexpr (has_correspondence) correspondence_.restore(*this, coordinates);
-    places_.restore(*this, metric_, coordinates);
-  }
+                          const Integer_coordinates& coordinates);
 
   /// copies everything but the input, which is shared; elements keep their numbers.
-  Intrinsic_triangulation(const Intrinsic_triangulation& other)
-      : input_(other.input_), mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
-        metric_(other.metric_), correspondence_(other.correspondence_), places_(other.places_),
-        rows_(other.rows_) {
-    places_.attach(*this, metric_);
-  }
+  Intrinsic_triangulation(const Intrinsic_triangulation& other);
   /// moves everything; elements keep their numbers.
-  Intrinsic_triangulation(Intrinsic_triangulation&& other)
-      : input_(std::move(other.input_)), mesh_(std::move(other.mesh_)),
-        number_(mesh_, other.number_, other.mesh_), metric_(std::move(other.metric_)),
-        correspondence_(std::move(other.correspondence_)), places_(std::move(other.places_)),
-        rows_(std::move(other.rows_)) {
-    places_.attach(*this, metric_);
-  }
+  Intrinsic_triangulation(Intrinsic_triangulation&& other);
   /// assigns everything; elements keep their numbers.
-  Intrinsic_triangulation& operator=(Intrinsic_triangulation other) {
-    input_ = std::move(other.input_);
-    mesh_ = std::move(other.mesh_);
-    number_ =
-        Mesh_adaptor<Mesh>(mesh_, other.number_, other.mesh_); // as descriptors may be pointers
-    metric_ = std::move(other.metric_);
-    correspondence_ = std::move(other.correspondence_);
-    places_ = std::move(other.places_);
-    rows_ = std::move(other.rows_);
-    places_.attach(*this, metric_);
-    return *this;
-  }
+  Intrinsic_triangulation& operator=(Intrinsic_triangulation other);
+  ~Intrinsic_triangulation();
 
   /// returns the connectivity.
   const Mesh& mesh() const { return mesh_; }
@@ -335,6 +302,68 @@ private:
   internal::Vertex_rows rows_;
 };
 
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Intrinsic_input input)
+    : Intrinsic_triangulation(internal::prepare<Metric>(std::move(input), has_correspondence)) {}
+
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
+                                                          std::shared_ptr<const Input> input)
+    : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
+      metric_(std::move(metric)), rows_(rows_of_mesh()) {
+  static_assert(IntrinsicCorrespondence<Correspondence, Intrinsic_triangulation>);
+  correspondence_.start(*this);
+  places_.attach(*this, metric_);
+}
+
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
+                                                          std::shared_ptr<const Input> input,
+                                                          const Integer_coordinates& coordinates)
+    : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
+      metric_(std::move(metric)), rows_(rows_of_mesh()) {
+  if constexpr (has_correspondence) correspondence_.restore(*this, coordinates);
+  places_.restore(*this, metric_, coordinates);
+}
+
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(const Intrinsic_triangulation& other)
+    : input_(other.input_), mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
+      metric_(other.metric_), correspondence_(other.correspondence_), places_(other.places_),
+      rows_(other.rows_) {
+  places_.attach(*this, metric_);
+}
+
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Intrinsic_triangulation&& other)
+    : input_(std::move(other.input_)), mesh_(std::move(other.mesh_)),
+      number_(mesh_, other.number_, other.mesh_), metric_(std::move(other.metric_)),
+      correspondence_(std::move(other.correspondence_)), places_(std::move(other.places_)),
+      rows_(std::move(other.rows_)) {
+  places_.attach(*this, metric_);
+}
+
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+auto Intrinsic_triangulation<M, T, C>::operator=(Intrinsic_triangulation other)
+    -> Intrinsic_triangulation& {
+  input_ = std::move(other.input_);
+  mesh_ = std::move(other.mesh_);
+  number_ = Mesh_adaptor<Mesh>(mesh_, other.number_, other.mesh_); // as descriptors may be pointers
+  metric_ = std::move(other.metric_);
+  correspondence_ = std::move(other.correspondence_);
+  places_ = std::move(other.places_);
+  rows_ = std::move(other.rows_);
+  places_.attach(*this, metric_);
+  return *this;
+}
+
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+Intrinsic_triangulation<M, T, C>::~Intrinsic_triangulation() = default;
+
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/compiled_triangulations.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATION_H
