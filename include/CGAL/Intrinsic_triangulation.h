@@ -137,12 +137,33 @@ public:
                           const Integer_coordinates& coordinates);
 
   /// copies everything but the input, which is shared; elements keep their numbers.
-  Intrinsic_triangulation(const Intrinsic_triangulation& other);
+  Intrinsic_triangulation(const Intrinsic_triangulation& other)
+      : input_(other.input_), mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
+        metric_(other.metric_), correspondence_(other.correspondence_), places_(other.places_),
+        rows_(other.rows_) {
+    places_.attach(*this, metric_);
+  }
   /// moves everything; elements keep their numbers.
-  Intrinsic_triangulation(Intrinsic_triangulation&& other);
+  Intrinsic_triangulation(Intrinsic_triangulation&& other)
+      : input_(std::move(other.input_)), mesh_(std::move(other.mesh_)),
+        number_(mesh_, other.number_, other.mesh_), metric_(std::move(other.metric_)),
+        correspondence_(std::move(other.correspondence_)), places_(std::move(other.places_)),
+        rows_(std::move(other.rows_)) {
+    places_.attach(*this, metric_);
+  }
   /// assigns everything; elements keep their numbers.
-  Intrinsic_triangulation& operator=(Intrinsic_triangulation other);
-  ~Intrinsic_triangulation();
+  Intrinsic_triangulation& operator=(Intrinsic_triangulation other) {
+    input_ = std::move(other.input_);
+    mesh_ = std::move(other.mesh_);
+    number_ =
+        Mesh_adaptor<Mesh>(mesh_, other.number_, other.mesh_); // as descriptors may be pointers
+    metric_ = std::move(other.metric_);
+    correspondence_ = std::move(other.correspondence_);
+    places_ = std::move(other.places_);
+    rows_ = std::move(other.rows_);
+    places_.attach(*this, metric_);
+    return *this;
+  }
 
   /// returns the connectivity.
   const Mesh& mesh() const { return mesh_; }
@@ -325,40 +346,6 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric
   if constexpr (has_correspondence) correspondence_.restore(*this, coordinates);
   places_.restore(*this, metric_, coordinates);
 }
-
-template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
-Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(const Intrinsic_triangulation& other)
-    : input_(other.input_), mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
-      metric_(other.metric_), correspondence_(other.correspondence_), places_(other.places_),
-      rows_(other.rows_) {
-  places_.attach(*this, metric_);
-}
-
-template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
-Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Intrinsic_triangulation&& other)
-    : input_(std::move(other.input_)), mesh_(std::move(other.mesh_)),
-      number_(mesh_, other.number_, other.mesh_), metric_(std::move(other.metric_)),
-      correspondence_(std::move(other.correspondence_)), places_(std::move(other.places_)),
-      rows_(std::move(other.rows_)) {
-  places_.attach(*this, metric_);
-}
-
-template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
-auto Intrinsic_triangulation<M, T, C>::operator=(Intrinsic_triangulation other)
-    -> Intrinsic_triangulation& {
-  input_ = std::move(other.input_);
-  mesh_ = std::move(other.mesh_);
-  number_ = Mesh_adaptor<Mesh>(mesh_, other.number_, other.mesh_); // as descriptors may be pointers
-  metric_ = std::move(other.metric_);
-  correspondence_ = std::move(other.correspondence_);
-  places_ = std::move(other.places_);
-  rows_ = std::move(other.rows_);
-  places_.attach(*this, metric_);
-  return *this;
-}
-
-template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
-Intrinsic_triangulation<M, T, C>::~Intrinsic_triangulation() = default;
 
 } // namespace CGAL::Intrinsic_triangulations
 
