@@ -59,18 +59,13 @@ template <MutableDeltaComplex Mesh_ = Gluing_map,
           class Correspondence_ = No_correspondence>
 class Intrinsic_triangulation {
 public:
-  /// Connectivity.
-  using Mesh = Mesh_;
-  /// Arithmetic.
-  using Traits = Traits_;
-  /// Observer of the moves.
-  using Correspondence = Correspondence_;
+  using Mesh = Mesh_;                     ///< Connectivity.
+  using Traits = Traits_;                 ///< Arithmetic.
+  using Correspondence = Correspondence_; ///< Observer of the moves.
   /// Whether the input keeps its surface for the correspondence.
   static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
-  /// Number type of stored values.
-  using FT = typename Traits::FT;
-  /// Stores the values and decides.
-  using Metric = typename Traits::Metric;
+  using FT = typename Traits::FT;         ///< Number type of stored values.
+  using Metric = typename Traits::Metric; ///< Stores the values and decides.
   /// Vertex of the mesh.
   using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
   /// Halfedge of the mesh.
@@ -86,10 +81,8 @@ public:
   using Session = Move_session<Intrinsic_triangulation>;
   /// What became of an insertion: a `Move_status` and the new vertex.
   struct Insertion {
-    /// `done`, or why nothing was inserted.
-    Move_status status;
-    /// The new vertex.
-    vertex_descriptor vertex = boost::graph_traits<Mesh>::null_vertex();
+    Move_status status; ///< `done`, or why nothing was inserted.
+    vertex_descriptor vertex = boost::graph_traits<Mesh>::null_vertex(); ///< The new vertex.
   };
 
   /*!
