@@ -227,11 +227,12 @@ private:
   template <class Expression>
   static std::optional<Sign>
   sign_in_plane(const Input_metric& input, const Unfolded_diamond& diamond,
-                const Expression& expression, Predicate_statistics& statistics) {
+                const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                Predicate_statistics& statistics) {
     if constexpr (PolynomialExpression<Expression>)
       if (degree_of(expression).is_linear_in_areas() && diamond.has_inserted_corners() &&
           Integer_faces::is_in_space(input))
-        return coplanar_diamond_sign(input, diamond, expression, statistics);
+        return coplanar_diamond_sign(input, diamond, expression, better, statistics);
     return std::nullopt;
   }
 
@@ -297,11 +298,11 @@ Sign Exact_evaluation::sign_beyond_doubles(const Input_metric& input,
                                            const Expression& expression,
                                            Diamond_values<Interval_nt<false>>& better,
                                            Predicate_statistics& statistics) {
-  if (is_tie_of_strip(input, diamond, expression)) {
+  if (is_tie_of_strip(input, diamond, expression) || is_mirrored_tie(input, diamond, expression)) {
     ++statistics.certified_zero;
     return ZERO;
   }
-  if (const auto flat = sign_in_plane(input, diamond, expression, statistics)) return *flat;
+  if (const auto flat = sign_in_plane(input, diamond, expression, better, statistics)) return *flat;
   const auto in_balls = [&](auto& faces) {
     using FT = typename std::decay_t<decltype(faces)>::Number;
     return internal::sign_in_balls(
@@ -312,8 +313,7 @@ Sign Exact_evaluation::sign_beyond_doubles(const Input_metric& input,
   if (sign) return *sign;
   const auto is_zero = [&] { return is_zero_(input, diamond, expression); };
   std::optional<Zero_answer> answer;
-  if (seems_zero && is_mirrored_tie(input, diamond, expression)) answer = Zero_answer::zero;
-  if (seems_zero && !answer && diamond.triangles.size() <= few_triangles) answer = is_zero();
+  if (seems_zero && diamond.triangles.size() <= few_triangles) answer = is_zero();
   if (answer == Zero_answer::zero) {
     ++statistics.certified_zero;
     return ZERO;

@@ -191,10 +191,8 @@ private:
                                     Diamond_values<FT>& better) const {
     if constexpr (PolynomialExpression<Expression>)
       if (unfolder() != nullptr && degree_of(expression).is_linear_in_areas())
-        if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d)) {
-          better = flat_diamond_values(*input_, *flat);
-          return flat_diamond_sign(*input_, *flat, expression, statistics_);
-        }
+        if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d))
+          return flat_diamond_sign(*input_, *flat, expression, better, statistics_);
     return std::nullopt;
   }
 

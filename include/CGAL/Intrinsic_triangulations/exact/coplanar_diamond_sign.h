@@ -145,12 +145,6 @@ inline bool are_coplanar(const Input_metric& input, std::uint32_t f, std::uint32
                        : get_certain(internal::Input_plane<Mpzf>(input, f).contains(g, slot));
 }
 
-/// returns intervals that contain the values of a diamond that lies in one plane in space.
-inline Diamond_values<Interval_nt<false>> flat_diamond_values(const Input_metric& input,
-                                                              const Flat_diamond& diamond) {
-  return internal::Diamond_in_space<Interval_nt<false>>(input, diamond).values();
-}
-
 /*!
 \brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
 
@@ -159,14 +153,15 @@ no field is extended.
 \param input the input, from points in space
 \param diamond the diamond
 \param expression a polynomial that is linear in the areas, see `Expression_degree`
+\param better set to intervals that contain the values
 \param statistics counts how the sign was decided
 */
 template <PolynomialExpression Expression>
 Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
-                       const Expression& expression, Predicate_statistics& statistics) {
-  using Interval = Interval_nt<false>;
-  const Uncertain<Sign> s =
-      CGAL::sign(expression(internal::Diamond_in_space<Interval>(input, diamond).scaled_values()));
+                       const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                       Predicate_statistics& statistics) {
+  better = internal::Diamond_in_space<Interval_nt<false>>(input, diamond).values();
+  const Uncertain<Sign> s = CGAL::sign(expression(better));
   if (const std::optional<Sign> certain = internal::counted(s, 53, statistics)) return *certain;
   const Sign exact =
       CGAL::sign(expression(internal::Diamond_in_space<Mpzf>(input, diamond).scaled_values()));
@@ -178,14 +173,15 @@ Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
 \brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
 
 Inserted vertices in flat parts of a surface are tied often.
-\param input, expression, statistics see `flat_diamond_sign()`
+\param input, expression, better, statistics see `flat_diamond_sign()`
 \param diamond the diamond
 \return the sign; nothing if the diamond is not in one plane
 */
 template <PolynomialExpression Expression>
 std::optional<Sign>
 coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Expression& expression, Predicate_statistics& statistics) {
+                      const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                      Predicate_statistics& statistics) {
   const std::uint32_t first = diamond.triangles.front().face;
   for (const Unfolded_diamond::Triangle& t : diamond.triangles)
     if (&t != &diamond.triangles.front() && !are_coplanar(input, first, t.face, (t.entry + 2) % 3))
@@ -196,7 +192,7 @@ coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond
     const Input_metric::Sides& s = input.sides(diamond.triangles[triangle].face);
     flat.corners[c] = {{s[slot], s[(slot + 1) % 3], s[(slot + 2) % 3]}, weights};
   }
-  return flat_diamond_sign(input, flat, expression, statistics);
+  return flat_diamond_sign(input, flat, expression, better, statistics);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
