@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Remembered_signs.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -163,6 +164,7 @@ public:
   BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) {
     store(d, n);
     geometry_.flip(d);
+    signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
   }
 
   /// see `Exact_geometry::unfold_by()`
@@ -181,6 +183,7 @@ public:
   */
   void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values) {
     store(s.spokes, s.faces, {values, approximations(values)});
+    forget_signs(s);
   }
 
   /// stores the values of a face from which a vertex is removed.
@@ -190,6 +193,7 @@ public:
           {removed_from_face(quadruple_area(f), quadruple_area(g), quadruple_area(h)),
            removed_from_face(approximate_quadruple_area(f), approximate_quadruple_area(g),
                              approximate_quadruple_area(h))});
+    forget_signs(s);
   }
 
   /*!
@@ -203,6 +207,7 @@ public:
     const Vertex_move_values<FT> on_border{{l[0], l[1], l[2]}, {a[2], a[1], FT(0)}};
     store(std::array{s.ip, s.pj, s.pk}, std::array{s.f, s.g},
           {on_border, approximations(on_border)});
+    forget_signs(s);
   }
 
   /// stores the values of a border edge and its face from which a vertex is removed.
@@ -210,6 +215,7 @@ public:
     const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
     store(std::array{s.ip}, std::array{s.f},
           {removed_from_border_edge(enclosure(d)), removed_from_border_edge(approximation(d))});
+    forget_signs(s);
   }
 
   /// returns s, where coordinates are scaled by 2^s.
@@ -259,6 +265,14 @@ private:
     return result;
   }
 
+  void forget_signs(const Vertex_star& s) {
+    signs_.forget(s.sides);
+    signs_.forget(s.spokes);
+  }
+  void forget_signs(const Border_star& s) {
+    signs_.forget(std::array{s.ip, s.pj, s.jk, s.ki, s.pk});
+  }
+
   // whether stored values tell (q_f a_g + q_g a_f) / (2 a_f a_g)
   bool has_accurate_weight(const Diamond& d) const {
     const Diamond_values<FT> v = enclosure(d);
@@ -273,14 +287,24 @@ private:
                   const Expression& expression) const;
 
   Exact_geometry geometry_;
+  mutable Remembered_signs signs_; // of `Delaunay_expression`
 };
 
 template <class Expression>
 Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expression) const {
+  constexpr bool is_remembered = std::is_same_v<Expression, Delaunay_expression>;
   ++statistics().filter_failures;
+  std::uint64_t& probable = statistics().probable_zero;
+  if constexpr (is_remembered)
+    if (const auto known = signs_.find(d.ij)) {
+      if (known->sign == ZERO) ++(known->is_probable ? probable : statistics().certified_zero);
+      return known->sign;
+    }
+  const std::uint64_t before = probable;
   Diamond_values<FT> better = enclosure(d);
   const Sign s = geometry_.sign(d, expression, better);
   refine(d, better);
+  if constexpr (is_remembered) signs_.remember(d.ij, {s, probable != before});
   return s;
 }
 
