@@ -104,7 +104,7 @@ public:
     if (const auto s = in_balls(short_balls_).first) return *s;
     if (const auto s = in_balls(long_balls_).first) return *s;
     return internal::escalated_sign(
-        first_bits, [&] { return face_values<Gmpfi>(intervals().faces.of(input), faces); }, false,
+        [&] { return face_values<Gmpfi>(intervals().faces.of(input), faces); }, false,
         [&] { return is_zero_.of_faces(input, faces, expression); }, value_of, better, statistics);
   }
 
@@ -141,7 +141,7 @@ public:
   template <class Expression>
   Interval_nt<false> enclosure(const Input_metric& input, const Flip_history& history, Side left,
                                Side right, const Expression& expression, unsigned bits) {
-    const Gmpfi_precision precision(std::max(bits, history_bits));
+    const Gmpfi_precision precision(std::max(bits, internal::first_bits));
     return internal::interval(expression(values(input, history, left, right)));
   }
 
@@ -158,7 +158,7 @@ public:
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
             Predicate_statistics& statistics) {
     return internal::escalated_sign(
-        history_bits, [&] { return values(input, history, left, right); }, true,
+        [&] { return values(input, history, left, right); }, true,
         [&] { return History_zero_test(input, history, left, right)(expression); }, expression,
         better, statistics);
   }
@@ -169,7 +169,7 @@ public:
             const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
             Predicate_statistics& statistics) {
     return internal::escalated_sign(
-        history_bits, [&] { return values(input, history, sides); }, false,
+        [&] { return values(input, history, sides); }, false,
         [&] { return History_zero_test(input, history, sides).for_faces(expression); },
         [&](const auto& values) { return expression(std::span(values.data(), values.size())); },
         better, statistics);
@@ -180,7 +180,7 @@ public:
                                                           const Flip_history& history,
                                                           const std::vector<Side>& sides,
                                                           unsigned bits) {
-    const Gmpfi_precision precision(std::max(bits, history_bits));
+    const Gmpfi_precision precision(std::max(bits, internal::first_bits));
     return internal::intervals(values(input, history, sides));
   }
 
@@ -191,9 +191,11 @@ private:
                            const Expression& expression, Diamond_values<Interval_nt<false>>& better,
                            Predicate_statistics& statistics);
 
-  static constexpr unsigned first_bits = 512, history_bits = 512;
   // up to which a test for zero takes less time than 256 bits
   static constexpr std::size_t few_triangles = 12;
+  // up to which it is done before 512 bits: over longer strips ties are rare, and the areas of the triangles have many
+  // independent square roots
+  static constexpr std::size_t many_triangles = 256;
   // entries that are kept between calls, up to a kilobyte each
   static constexpr std::size_t maximal_memory = 50000;
 
@@ -320,8 +322,7 @@ Sign Exact_evaluation::sign_beyond_doubles(const Input_metric& input,
   }
   if (const auto s = in_balls(long_balls_).first) return *s;
   return internal::escalated_sign(
-      first_bits, [&] { return values(input, diamond); },
-      internal::tests_zero_first(diamond.triangles.size()),
+      [&] { return values(input, diamond); }, diamond.triangles.size() <= many_triangles,
       [&] { return answer ? *answer : is_zero(); }, expression, better, statistics);
 }
 

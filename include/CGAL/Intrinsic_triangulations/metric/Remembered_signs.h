@@ -29,7 +29,7 @@ public:
   /// remembers the sign of an edge.
   void remember(std::uint32_t edge, const Known& known) {
     if (edge >= codes_.size()) codes_.resize(edge + std::size_t{1}, unknown);
-    codes_[edge] = static_cast<std::int8_t>(known.is_probable ? probable : known.sign);
+    codes_[edge] = known.is_probable ? probable : static_cast<std::int8_t>(known.sign);
   }
   /// returns the sign of an edge, if that is known.
   std::optional<Known> find(std::uint32_t edge) const {
