@@ -22,6 +22,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <boost/config.hpp>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -31,6 +32,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -109,11 +111,13 @@ public:
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     static_assert(FaceExpression<Expression>);
-    std::vector<Face_values<FT>> values;
+    boost::container::small_vector<Face_values<FT>, 2> values;
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
     const std::optional<Sign> s =
-        certain_sign(expression(std::span<const Face_values<FT>>(values)));
-    return s ? *s : exact_sign(faces, values, expression);
+        certain_sign(expression(std::span<const Face_values<FT>>(values.data(), values.size())));
+    if (s) return *s;
+    std::vector<Face_values<FT>> better(values.begin(), values.end());
+    return exact_sign(faces, better, expression);
   }
 
   /*!
