@@ -103,11 +103,18 @@ public:
 
   /*!
   \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
+  \param d the diamond
+  \param expression a polynomial that is linear in the areas, see `Expression_degree`
   \pre the value is not zero
   \complexity that of the precision that it takes
   */
-  template <class Expression>
+  template <PolynomialExpression Expression>
   FT nonzero_value(const Diamond& d, const Expression& expression) const {
+    if (unfolder() != nullptr)
+      if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d)) {
+        ++statistics_.sharpenings[53];
+        return flat_diamond_value(*input_, *flat, expression);
+      }
     FT value;
     for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
       ++statistics_.sharpenings[bits];
@@ -160,10 +167,8 @@ private:
                                     Diamond_values<FT>& better) const {
     if constexpr (PolynomialExpression<Expression>)
       if (unfolder() != nullptr && degree_of(expression).is_linear_in_areas())
-        if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d)) {
-          better = flat_diamond_values(*input_, *flat);
-          return flat_diamond_sign(*input_, *flat, expression, statistics_);
-        }
+        if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d))
+          return flat_diamond_sign(*input_, *flat, expression, better, statistics_);
     return std::nullopt;
   }
 

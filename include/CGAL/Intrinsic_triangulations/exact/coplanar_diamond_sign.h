@@ -28,9 +28,10 @@ namespace CGAL::Intrinsic_triangulations {
 */
 bool are_coplanar(const Input_metric& input, std::uint32_t f, std::uint32_t g, std::uint32_t slot);
 
-/// returns intervals that contain the values of a diamond that lies in one plane in space.
-Diamond_values<Interval_nt<false>> flat_diamond_values(const Input_metric& input,
-                                                       const Flat_diamond& diamond);
+/// encloses an expression that is linear in the areas, in the values of a diamond that lies in one plane in space.
+template <PolynomialExpression Expression>
+Interval_nt<false> flat_diamond_value(const Input_metric& input, const Flat_diamond& diamond,
+                                      const Expression& expression);
 
 /*!
 \brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
@@ -40,24 +41,27 @@ no field is extended.
 \param input the input, from points in space
 \param diamond the diamond
 \param expression a polynomial that is linear in the areas, see `Expression_degree`
+\param better set to intervals that contain the values
 \param statistics counts how the sign was decided
 */
 template <PolynomialExpression Expression>
 Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
-                       const Expression& expression, Predicate_statistics& statistics);
+                       const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                       Predicate_statistics& statistics);
 
 /*!
 \brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
 
 Inserted vertices in flat parts of a surface are tied often.
-\param input, expression, statistics see `flat_diamond_sign()`
+\param input, expression, better, statistics see `flat_diamond_sign()`
 \param diamond the diamond
 \return the sign; nothing if the diamond is not in one plane
 */
 template <PolynomialExpression Expression>
 std::optional<Sign>
 coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Expression& expression, Predicate_statistics& statistics);
+                      const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                      Predicate_statistics& statistics);
 
 } // namespace CGAL::Intrinsic_triangulations
 

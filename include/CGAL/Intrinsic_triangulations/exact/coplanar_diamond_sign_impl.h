@@ -98,6 +98,8 @@ public:
     };
     return values(area);
   }
+  // the square of that unit
+  FT squared_unit() const { return space_dot(plane_.normal(), plane_.normal()); }
   // areas by square roots. \pre they are not negative
   Diamond_values<FT> values() const {
     return values([](const Vector& a, const Vector& b) {
@@ -140,17 +142,21 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool are_coplanar(const Input_metric& input
                        : get_certain(internal::Input_plane<Mpzf>(input, f).contains(g, slot));
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Diamond_values<Interval_nt<false>>
-flat_diamond_values(const Input_metric& input, const Flat_diamond& diamond) {
-  return internal::Diamond_in_space<Interval_nt<false>>(input, diamond).values();
+template <PolynomialExpression Expression>
+Interval_nt<false> flat_diamond_value(const Input_metric& input, const Flat_diamond& diamond,
+                                      const Expression& expression) {
+  using Interval = Interval_nt<false>;
+  const internal::Diamond_in_space<Mpzf> d(input, diamond);
+  return Interval(CGAL::to_interval(expression(d.scaled_values()))) /
+         CGAL::sqrt(Interval(CGAL::to_interval(d.squared_unit())));
 }
 
 template <PolynomialExpression Expression>
 Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
-                       const Expression& expression, Predicate_statistics& statistics) {
-  using Interval = Interval_nt<false>;
-  const Uncertain<Sign> s =
-      CGAL::sign(expression(internal::Diamond_in_space<Interval>(input, diamond).scaled_values()));
+                       const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                       Predicate_statistics& statistics) {
+  better = internal::Diamond_in_space<Interval_nt<false>>(input, diamond).values();
+  const Uncertain<Sign> s = CGAL::sign(expression(better));
   if (const std::optional<Sign> certain = internal::counted(s, 53, statistics)) return *certain;
   const Sign exact =
       CGAL::sign(expression(internal::Diamond_in_space<Mpzf>(input, diamond).scaled_values()));
@@ -161,7 +167,8 @@ Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
 template <PolynomialExpression Expression>
 std::optional<Sign>
 coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Expression& expression, Predicate_statistics& statistics) {
+                      const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                      Predicate_statistics& statistics) {
   const std::uint32_t first = diamond.triangles.front().face;
   for (const Unfolded_diamond::Triangle& t : diamond.triangles)
     if (&t != &diamond.triangles.front() && !are_coplanar(input, first, t.face, (t.entry + 2) % 3))
@@ -172,7 +179,7 @@ coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond
     const Input_metric::Sides& s = input.sides(diamond.triangles[triangle].face);
     flat.corners[c] = {{s[slot], s[(slot + 1) % 3], s[(slot + 2) % 3]}, weights};
   }
-  return flat_diamond_sign(input, flat, expression, statistics);
+  return flat_diamond_sign(input, flat, expression, better, statistics);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -16,10 +16,12 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Remembered_signs.h>
 
 #include <CGAL/Interval_nt.h>
 
 #include <boost/config.hpp>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -109,11 +111,13 @@ public:
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     static_assert(FaceExpression<Expression>);
     internal::check_has_exact_sign<Expression>();
-    std::vector<Face_values<FT>> values;
+    boost::container::small_vector<Face_values<FT>, 2> values;
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
     const std::optional<Sign> s =
-        certain_sign(expression(std::span<const Face_values<FT>>(values)));
-    return s ? *s : exact_sign(faces, values, expression);
+        certain_sign(expression(std::span<const Face_values<FT>>(values.data(), values.size())));
+    if (s) return *s;
+    std::vector<Face_values<FT>> better(values.begin(), values.end());
+    return exact_sign(faces, better, expression);
   }
 
   /*!
@@ -154,6 +158,7 @@ public:
   BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) {
     store(d, n);
     geometry_.flip(d);
+    signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
   }
 
   /// see `Exact_geometry::unfold_by()`
@@ -172,6 +177,7 @@ public:
   */
   void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values) {
     store(s.spokes, s.faces, {values, approximations(values)});
+    forget_signs(s);
   }
 
   /// stores the values of a face from which a vertex is removed.
@@ -181,6 +187,7 @@ public:
           {removed_from_face(quadruple_area(f), quadruple_area(g), quadruple_area(h)),
            removed_from_face(approximate_quadruple_area(f), approximate_quadruple_area(g),
                              approximate_quadruple_area(h))});
+    forget_signs(s);
   }
 
   /*!
@@ -194,6 +201,7 @@ public:
     const Vertex_move_values<FT> on_border{{l[0], l[1], l[2]}, {a[2], a[1], FT(0)}};
     store(std::array{s.ip, s.pj, s.pk}, std::array{s.f, s.g},
           {on_border, approximations(on_border)});
+    forget_signs(s);
   }
 
   /// stores the values of a border edge and its face from which a vertex is removed.
@@ -201,6 +209,7 @@ public:
     const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
     store(std::array{s.ip}, std::array{s.f},
           {removed_from_border_edge(enclosure(d)), removed_from_border_edge(approximation(d))});
+    forget_signs(s);
   }
 
   /// returns s, where coordinates are scaled by 2^s.
@@ -234,6 +243,14 @@ private:
     return result;
   }
 
+  void forget_signs(const Vertex_star& s) {
+    signs_.forget(s.sides);
+    signs_.forget(s.spokes);
+  }
+  void forget_signs(const Border_star& s) {
+    signs_.forget(std::array{s.ip, s.pj, s.jk, s.ki, s.pk});
+  }
+
   // whether stored values tell (q_f a_g + q_g a_f) / (2 a_f a_g)
   bool has_accurate_weight(const Diamond& d) const;
 
@@ -245,6 +262,7 @@ private:
                   const Expression& expression) const;
 
   Exact_geometry geometry_;
+  mutable Remembered_signs signs_; // of `Delaunay_expression`
 };
 
 /*!
