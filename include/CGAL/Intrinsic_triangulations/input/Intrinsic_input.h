@@ -21,6 +21,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,6 +61,12 @@ struct Intrinsic_input {
   std::vector<double> squared_lengths;
   /// Treatment of degenerate faces.
   Mollification mollification = Mollification::automatic;
+  /*!
+  How much of it, as a part of the mean length of edges; above 0, at most 1. With `lengths` and `nearly_degenerate` every
+  triangle inequality holds by so much in the end (default: 1e-5); with `squared_lengths` and `automatic` its square is
+  added to all squared lengths, so that a length of zero becomes so much (default: 2^-36).
+  */
+  std::optional<double> mollification_amount;
   /// Whether faces and vertices may be renumbered for locality; if not, vertices, faces and, of a mesh
   /// without polygons, edges keep their numbers in the order of iteration.
   bool may_renumber = true;
@@ -132,17 +140,44 @@ struct Prepared_input {
   Metric metric;
 };
 
-// Makes every triangle inequality strict; the input's metric is changed.
-inline Mollification_report mollify(Input& input, Mollification kind) {
+// Makes every triangle inequality strict; the input's metric is changed. The amount is one part of the mean edge.
+inline Mollification_report mollify(Input& input, Mollification kind,
+                                    std::optional<double> amount) {
   Input_metric metric = input.metric();
-  double added = default_squared_length_delta();
+  if (amount) { // in scaled units
+    const std::vector<double> lengths = edge_lengths(input.mesh(), metric);
+    *amount *=
+        std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
+  }
+  double added = amount ? *amount * *amount : default_squared_length_delta();
   if (kind == Mollification::lengths)
-    metric = mollify_lengths(input.mesh(), metric, 1e-5, added);
+    metric = mollify_lengths(input.mesh(), metric, amount.value_or(1e-5), added);
   else
     metric.set_delta(added);
   const int s = metric.scale_exponent() * (kind == Mollification::lengths ? 1 : 2);
   input.set_metric(std::move(metric));
   return {kind, std::ldexp(added, -s)};
+}
+
+// What is to be done about degenerate faces: never `automatic` or `nearly_degenerate`.
+template <class Metric>
+Mollification needed_mollification(Mollification asked, const Input& input, const Metric& metric,
+                                   const Input_report& report) {
+  if (asked == Mollification::nearly_degenerate)
+    return has_nearly_degenerate_face(input.mesh(), edge_lengths(input.mesh(), input.metric()))
+               ? Mollification::lengths
+               : Mollification::none;
+  if (asked != Mollification::automatic) return asked;
+  return report.degenerate_faces > 0 && has_irremovable_degeneracy(input.mesh(), metric)
+             ? Mollification::squared_lengths
+             : Mollification::none;
+}
+
+inline void check_mollification_amount(const std::optional<double>& amount) {
+  if (amount && !(*amount > 0 && *amount <= 1))
+    throw Invalid_input(Element_kind::none, 0,
+                        "the amount of mollification is " + std::to_string(*amount) +
+                            "; it is a part of the mean edge, above 0 and at most 1");
 }
 
 // One point per vertex, or one squared length per edge: numbers of elements are indices without a check.
@@ -205,15 +240,16 @@ Prepared_input<Metric> prepare(Intrinsic_input&& in, bool keep_surface) {
   check_sizes(in);
   Input_report report;
   report.triangulated_polygons = in.triangulated_polygons;
+  check_mollification_amount(in.mollification_amount);
   const Mollification asked = in.mollification;
+  const std::optional<double> amount = in.mollification_amount;
   const std::shared_ptr<Input> input = scaled_and_ordered(std::move(in), report);
   Metric metric(input);
   for (std::uint32_t f = 0; f < input->number_of_faces(); ++f)
     if (metric.is_degenerate(f)) ++report.degenerate_faces;
-  const bool needed = asked == Mollification::automatic && report.degenerate_faces > 0 &&
-                      has_irremovable_degeneracy(input->mesh(), metric);
-  if (needed || asked == Mollification::lengths || asked == Mollification::squared_lengths) {
-    report.mollification = mollify(*input, needed ? Mollification::squared_lengths : asked);
+  const Mollification needed = needed_mollification(asked, *input, metric, report);
+  if (needed != Mollification::none) {
+    report.mollification = mollify(*input, needed, amount);
     metric = Metric(input);
   }
   input->set_report(report);
