@@ -292,11 +292,13 @@ public:
   }
 
   /*!
-  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one.
+  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one; or changes the lengths
+  of its edges (Eq. 8 of the course), if it stays in one of its faces where it sees all others about it, the metric is a
+  `Euclidean_metric` and there is no correspondence that had to follow.
   \param v the vertex
   \param h a halfedge of the face of the new place
   \param weights see `insert_vertex()`
-  \return the new vertex, or why nothing has changed
+  \return the new vertex, which may be the old one, or why nothing has changed
   */
   Insertion
   reposition_vertex(vertex_descriptor v, halfedge_descriptor h,
