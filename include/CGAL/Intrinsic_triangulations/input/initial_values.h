@@ -261,6 +261,13 @@ std::vector<FT> quadruple_areas(const Input_metric& m) {
   return result;
 }
 
+#if defined(CGAL_INTRINSIC_TRIANGULATIONS_COMPILED) &&                                             \
+    !defined(CGAL_INTRINSIC_TRIANGULATIONS_BUILDS_LIBRARY)
+extern template Interval_nt<false> quadruple_area(const Input_metric&, std::uint32_t);
+extern template std::vector<double> quadruple_areas(const Input_metric&);
+extern template std::vector<Interval_nt<false>> quadruple_areas(const Input_metric&);
+#endif
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INITIAL_VALUES_H
