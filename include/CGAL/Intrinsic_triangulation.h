@@ -273,9 +273,8 @@ public:
   }
 
   /*!
-  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one; or changes the lengths
-  of its edges (Eq. 8 of the course), if it stays in one of its faces where it sees all others about it, the metric is a
-  `Euclidean_metric` and there is no correspondence that had to follow.
+  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one; or changes lengths only
+  (Eq. 8), if it stays in its star, the metric is a `Euclidean_metric`, and no correspondence has to follow.
   \param v the vertex
   \param h a halfedge of the face of the new place
   \param weights see `insert_vertex()`
