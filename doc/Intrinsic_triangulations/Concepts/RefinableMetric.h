@@ -40,8 +40,6 @@ places define if it is defined by these.
 \cgalHeading{Complexity}
 
 That of the arithmetic.
-
-The C++20 concept \itc{RefinableMetric} in concepts.h checks the syntax.
 */
 class RefinableMetric {
 public:
