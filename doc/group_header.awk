@@ -76,6 +76,7 @@ BEGIN {
   group["tracing/trace_geodesic.h"]                          = "ref_tracing"
   group["triangulation/"]                                    = "ref_inside"
   group["triangulation/Move_status.h"]                       = "ref_owner"
+  group["triangulation/measures.h"]                                     = "ref_measures"
   group["triangulation/Session.h"]                           = "ref_owner"
   group["triangulation/Surface_point.h"]                     = "ref_owner"
 }

@@ -59,6 +59,12 @@ Begin with \itc{Intrinsic_triangulation}, or with \itc{Corresponding_triangulati
 */
 
 /*!
+\defgroup ref_measures Measures
+\ingroup page_reference
+\brief Of a surface, its vertices and edges: area, curvature, weights.
+*/
+
+/*!
 \defgroup ref_refinement Refinement and optimization
 \ingroup page_reference
 \brief Vertices inserted until faces are good, or where an error is large; moved to an optimal Delaunay triangulation.
