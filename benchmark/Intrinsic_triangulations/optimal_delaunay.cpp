@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -47,13 +48,14 @@ nlohmann::json describe(const Triangulation& t) {
     squares += area * area;
   }
   const IT::Quality q = IT::measure_quality(t);
-  const double vertices = static_cast<double>(num_vertices(t.mesh()));
-  return {{"vertices", num_vertices(t.mesh())},
+  const auto range = vertices(t.mesh()); // not num_vertices(), which counts removed ones
+  const auto number = std::distance(range.begin(), range.end());
+  return {{"vertices", number},
           {"spread_of_areas", std::sqrt(n * squares - sum * sum) / sum},
           {"minimum_angle", q.minimum_angle},
           {"maximum_angle", q.maximum_angle},
           {"mean_aspect_ratio", q.mean_aspect_ratio},
-          {"energy", IT::odt_energy(t) * vertices / (sum * sum)}};
+          {"energy", IT::odt_energy(t) * static_cast<double>(number) / (sum * sum)}};
 }
 
 // Does what `work` does and tells the result.
