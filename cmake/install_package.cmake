@@ -1,4 +1,4 @@
-# Installs the headers and what `find_package(Intrinsic_triangulations)` needs.
+# Installs the headers, the library and what `find_package(Intrinsic_triangulations)` needs.
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -6,8 +6,11 @@ include(GNUInstallDirs)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Intrinsic_triangulations")
 set(package_component Intrinsic_triangulations_Development)
 
-install(TARGETS Intrinsic_triangulations
+set_target_properties(Intrinsic_triangulations_header_only PROPERTIES EXPORT_NAME header_only)
+install(TARGETS Intrinsic_triangulations Intrinsic_triangulations_header_only
   EXPORT Intrinsic_triangulations_targets
+  ARCHIVE
+    DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${package_component}
   FILE_SET HEADERS
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
   FILE_SET included_texts
@@ -27,8 +30,7 @@ configure_package_config_file(
   NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(
   "${PROJECT_BINARY_DIR}/Intrinsic_triangulationsConfigVersion.cmake"
-  COMPATIBILITY SameMinorVersion # until 1.0 every minor version may change the interface
-  ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion) # until 1.0 every minor version may change the interface
 install(FILES
   "${PROJECT_BINARY_DIR}/Intrinsic_triangulationsConfig.cmake"
   "${PROJECT_BINARY_DIR}/Intrinsic_triangulationsConfigVersion.cmake"

@@ -1,19 +1,13 @@
-# What takes long to compile, compiled once for all programs of this project.
+# What tests and examples share.
 #
-#   exact_instances          exact predicates; programs that include exact_instances.h first link it
-#   triangulation_instances  the usual triangulations and algorithms on them; the same
-#   shared_settings          the options of tests and examples, which share a precompiled header,
-#   shared_precompiled       the target that has it
+#   read_polygon_mesh_instance  CGAL's reader for the mesh type that most of them read
+#   shared_settings             their options; they share a precompiled header,
+#   shared_precompiled          the target that has it
 
-add_library(exact_instances STATIC EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/cmake/exact_instances.cpp")
-target_link_libraries(exact_instances PUBLIC Intrinsic_triangulations)
-target_link_libraries(exact_instances PRIVATE Intrinsic_triangulations_warnings)
-set(exact_instances_header "${PROJECT_SOURCE_DIR}/cmake/exact_instances.h")
-
-add_library(triangulation_instances STATIC EXCLUDE_FROM_ALL
-  "${PROJECT_SOURCE_DIR}/cmake/triangulation_instances.cpp")
-target_link_libraries(triangulation_instances PUBLIC exact_instances)
-target_link_libraries(triangulation_instances PRIVATE Intrinsic_triangulations_warnings)
+add_library(read_polygon_mesh_instance STATIC EXCLUDE_FROM_ALL
+  "${PROJECT_SOURCE_DIR}/cmake/read_polygon_mesh_instance.cpp")
+target_link_libraries(read_polygon_mesh_instance PUBLIC CGAL::CGAL)
+target_compile_features(read_polygon_mesh_instance PUBLIC cxx_std_20)
 
 add_library(shared_settings INTERFACE)
 target_link_libraries(shared_settings INTERFACE
@@ -40,9 +34,9 @@ if(INTRINSIC_TRIANGULATIONS_BUILD_TESTS)
   endif()
 endif()
 if(NOT INTRINSIC_TRIANGULATIONS_TEST_PROGRAM_PER_FILE) # else foreign ones only, which do not change
-  target_link_libraries(shared_settings INTERFACE triangulation_instances)
+  target_link_libraries(shared_settings INTERFACE read_polygon_mesh_instance)
   target_precompile_headers(shared_precompiled PRIVATE
-    "${PROJECT_SOURCE_DIR}/cmake/triangulation_instances.h"
+    "${PROJECT_SOURCE_DIR}/cmake/read_polygon_mesh_instance.h"
     <CGAL/Intrinsic_triangulations.h>)
 endif()
 target_precompile_headers(shared_precompiled PRIVATE

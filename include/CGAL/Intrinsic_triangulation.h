@@ -59,18 +59,13 @@ template <MutableDeltaComplex Mesh_ = Gluing_map,
           class Correspondence_ = No_correspondence>
 class Intrinsic_triangulation {
 public:
-  /// Connectivity.
-  using Mesh = Mesh_;
-  /// Arithmetic.
-  using Traits = Traits_;
-  /// Observer of the moves.
-  using Correspondence = Correspondence_;
+  using Mesh = Mesh_;                     ///< Connectivity.
+  using Traits = Traits_;                 ///< Arithmetic.
+  using Correspondence = Correspondence_; ///< Observer of the moves.
   /// Whether the input keeps its surface for the correspondence.
   static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
-  /// Number type of stored values.
-  using FT = typename Traits::FT;
-  /// Stores the values and decides.
-  using Metric = typename Traits::Metric;
+  using FT = typename Traits::FT;         ///< Number type of stored values.
+  using Metric = typename Traits::Metric; ///< Stores the values and decides.
   /// Vertex of the mesh.
   using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
   /// Halfedge of the mesh.
@@ -86,10 +81,8 @@ public:
   using Session = Move_session<Intrinsic_triangulation>;
   /// What became of an insertion: a `Move_status` and the new vertex.
   struct Insertion {
-    /// `done`, or why nothing was inserted.
-    Move_status status;
-    /// The new vertex.
-    vertex_descriptor vertex = boost::graph_traits<Mesh>::null_vertex();
+    Move_status status; ///< `done`, or why nothing was inserted.
+    vertex_descriptor vertex = boost::graph_traits<Mesh>::null_vertex(); ///< The new vertex.
   };
 
   /*!
@@ -101,8 +94,7 @@ public:
   \throws Invalid_input
   \complexity linear
   */
-  explicit Intrinsic_triangulation(Intrinsic_input input)
-      : Intrinsic_triangulation(internal::prepare<Metric>(std::move(input), has_correspondence)) {}
+  explicit Intrinsic_triangulation(Intrinsic_input input);
 
   /*!
   \brief builds the triangulation of a mesh in space.
@@ -124,13 +116,7 @@ public:
   \param input what it was built from; vertices that it has not are inserted ones
   \pre there is no correspondence, or `map` is the connectivity of `input`
   */
-  Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input)
-      : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
-        metric_(std::move(metric)), rows_(rows_of_mesh()) {
-    static_assert(IntrinsicCorrespondence<Correspondence, Intrinsic_triangulation>);
-    correspondence_.start(*this);
-    places_.attach(*this, metric_);
-  }
+  Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input);
 
   /*!
   \brief restores a triangulation, vertices of which may have been inserted, from its parts.
@@ -141,12 +127,7 @@ public:
   \pre there is no correspondence, or it derives from `Integer_coordinates`
   */
   Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
-                          const Integer_coordinates& coordinates)
-      : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
-        metric_(std::move(metric)), rows_(rows_of_mesh()) {
-    if constexpr (has_correspondence) correspondence_.restore(*this, coordinates);
-    places_.restore(*this, metric_, coordinates);
-  }
+                          const Integer_coordinates& coordinates);
 
   /// copies everything but the input, which is shared; elements keep their numbers.
   Intrinsic_triangulation(const Intrinsic_triangulation& other)
@@ -335,6 +316,34 @@ private:
   internal::Vertex_rows rows_;
 };
 
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Intrinsic_input input)
+    : Intrinsic_triangulation(internal::prepare<Metric>(std::move(input), has_correspondence)) {}
+
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
+                                                          std::shared_ptr<const Input> input)
+    : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
+      metric_(std::move(metric)), rows_(rows_of_mesh()) {
+  static_assert(IntrinsicCorrespondence<Correspondence, Intrinsic_triangulation>);
+  correspondence_.start(*this);
+  places_.attach(*this, metric_);
+}
+
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
+                                                          std::shared_ptr<const Input> input,
+                                                          const Integer_coordinates& coordinates)
+    : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
+      metric_(std::move(metric)), rows_(rows_of_mesh()) {
+  if constexpr (has_correspondence) correspondence_.restore(*this, coordinates);
+  places_.restore(*this, metric_, coordinates);
+}
+
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/compiled_triangulations.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATION_H

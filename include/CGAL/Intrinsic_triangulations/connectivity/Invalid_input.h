@@ -25,10 +25,7 @@ public:
       : std::runtime_error(message), kind_(kind), index_(index) {}
 
   /// constructs the error with a message that starts with the element at fault: "face 7" and what is said of it.
-  static Invalid_input about(Element_kind kind, std::size_t index, const std::string& what) {
-    constexpr const char* names[] = {"element ", "vertex ", "halfedge ", "edge ", "face "};
-    return Invalid_input(kind, index, names[static_cast<int>(kind)] + std::to_string(index) + what);
-  }
+  static Invalid_input about(Element_kind kind, std::size_t index, const std::string& what);
 
   /// returns the kind of the element at fault.
   Element_kind kind() const { return kind_; }
@@ -42,5 +39,9 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_INVALID_INPUT_H

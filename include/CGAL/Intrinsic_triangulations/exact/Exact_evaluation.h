@@ -4,32 +4,17 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_EVALUATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_EVALUATION_H
 
-#include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
-#include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
-#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
-#include <CGAL/Intrinsic_triangulations/exact/escalation.h>
-#include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
-#include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
-#include <CGAL/Gmpfi.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <map>
-#include <optional>
-#include <span>
-#include <type_traits>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -48,6 +33,21 @@ Their values are remembered, so that every flip is evaluated once, as a rule.
 */
 class Exact_evaluation {
 public:
+  /// remembers nothing.
+  Exact_evaluation() = default;
+  /// remembers nothing.
+  Exact_evaluation(const Exact_evaluation&) {}
+  /// takes the memory of another one.
+  Exact_evaluation(Exact_evaluation&&) = default;
+  /// forgets everything.
+  Exact_evaluation& operator=(const Exact_evaluation&) {
+    memory_ = nullptr;
+    return *this;
+  }
+  /// takes the memory of another one.
+  Exact_evaluation& operator=(Exact_evaluation&&) = default;
+  ~Exact_evaluation() = default;
+
   /// A slot of a version of a face.
   using Side = Face_side;
 
@@ -62,18 +62,13 @@ public:
   template <class Expression>
   Sign sign(const Input_metric& input, const Unfolded_diamond& diamond,
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-            Predicate_statistics& statistics) {
-    better = diamond.values<Interval_nt<false>>(doubles_.of(input));
-    if (const auto s = internal::counted(CGAL::sign(expression(better)), 53, statistics)) return *s;
-    return sign_beyond_doubles(input, diamond, expression, better, statistics);
-  }
+            Predicate_statistics& statistics);
 
   /*!
   \brief returns the sign of an expression in the values of a diamond that is unfolded, which doubles have left open.
 
   Parameters are as above.
   */
-  // not inline: see `extern template`
   template <class Expression>
   Sign sign(const Input_metric& input, const Unfolded_diamond& diamond,
             const Expression& expression, Predicate_statistics& statistics);
@@ -89,24 +84,7 @@ public:
   template <class Expression>
   Sign sign(const Input_metric& input, const std::vector<Unfolded_diamond>& faces,
             const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
-            Predicate_statistics& statistics) {
-    better = face_values<Interval_nt<false>>(doubles_.of(input), faces);
-    const auto value_of = [&expression](const auto& values) {
-      return expression(std::span(values.data(), values.size()));
-    };
-    if (const auto s = internal::counted(CGAL::sign(value_of(better)), 53, statistics)) return *s;
-    const auto in_balls = [&](auto& memory) {
-      using FT = typename std::decay_t<decltype(memory)>::Number;
-      return internal::sign_in_balls(
-          FT::bits, [&] { return face_values<FT>(memory.of(input), faces); }, value_of, better,
-          statistics);
-    };
-    if (const auto s = in_balls(short_balls_).first) return *s;
-    if (const auto s = in_balls(long_balls_).first) return *s;
-    return internal::escalated_sign(
-        first_bits, [&] { return face_values<Gmpfi>(intervals().faces.of(input), faces); }, false,
-        [&] { return is_zero_.of_faces(input, faces, expression); }, value_of, better, statistics);
-  }
+            Predicate_statistics& statistics);
 
   /*!
   \brief encloses the values of faces that are unfolded.
@@ -115,13 +93,7 @@ public:
   \param bits 53, 106, 256, or any more
   */
   std::vector<Face_values<Interval_nt<false>>>
-  enclosures(const Input_metric& input, const std::vector<Unfolded_diamond>& faces, unsigned bits) {
-    using Result = std::vector<Face_values<Interval_nt<false>>>;
-    return at_precision<Result>(bits, [&](auto& memory) {
-      using FT = typename std::decay_t<decltype(memory)>::Number;
-      return face_values<FT>(memory.of(input), faces);
-    });
-  }
+  enclosures(const Input_metric& input, const std::vector<Unfolded_diamond>& faces, unsigned bits);
 
   /*!
   \brief encloses an expression in the values of a diamond that is unfolded.
@@ -130,20 +102,12 @@ public:
   */
   template <class Expression>
   Interval_nt<false> enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
-                               const Expression& expression, unsigned bits) {
-    return at_precision<Interval_nt<false>>(bits, [&](auto& memory) {
-      using FT = typename std::decay_t<decltype(memory)>::Number;
-      return expression(diamond.values<FT>(memory.of(input)));
-    });
-  }
+                               const Expression& expression, unsigned bits);
 
   /// encloses an expression in the values of a diamond between two sides; see the other `enclosure()`.
   template <class Expression>
   Interval_nt<false> enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                               Side right, const Expression& expression, unsigned bits) {
-    const Gmpfi_precision precision(std::max(bits, history_bits));
-    return internal::interval(expression(values(input, history, left, right)));
-  }
+                               Side right, const Expression& expression, unsigned bits);
 
   /*!
   \brief returns the sign of an expression in the values of the diamond between two sides.
@@ -156,175 +120,31 @@ public:
   template <class Expression>
   Sign sign(const Input_metric& input, const Flip_history& history, Side left, Side right,
             const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-            Predicate_statistics& statistics) {
-    return internal::escalated_sign(
-        history_bits, [&] { return values(input, history, left, right); }, true,
-        [&] { return History_zero_test(input, history, left, right)(expression); }, expression,
-        better, statistics);
-  }
+            Predicate_statistics& statistics);
 
   /// returns the sign of an expression in the values of faces, each from a side on; see above.
   template <class Expression>
   Sign sign(const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides,
             const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
-            Predicate_statistics& statistics) {
-    return internal::escalated_sign(
-        history_bits, [&] { return values(input, history, sides); }, false,
-        [&] { return History_zero_test(input, history, sides).for_faces(expression); },
-        [&](const auto& values) { return expression(std::span(values.data(), values.size())); },
-        better, statistics);
-  }
+            Predicate_statistics& statistics);
 
   /// computes intervals that contain the values of faces, each from a side on, in 512 bits at least.
   std::vector<Face_values<Interval_nt<false>>> enclosures(const Input_metric& input,
                                                           const Flip_history& history,
                                                           const std::vector<Side>& sides,
-                                                          unsigned bits) {
-    const Gmpfi_precision precision(std::max(bits, history_bits));
-    return internal::intervals(values(input, history, sides));
-  }
+                                                          unsigned bits);
 
 private:
-  // Not inline: see `extern template`.
-  template <class Expression>
-  Sign sign_beyond_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
-                           const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-                           Predicate_statistics& statistics);
+  struct Memory;
+  Memory& memory(); // made when it is first asked for
 
-  static constexpr unsigned first_bits = 512, history_bits = 512;
-  // up to which a test for zero takes less time than 256 bits
-  static constexpr std::size_t few_triangles = 12;
-  // entries that are kept between calls, up to a kilobyte each
-  static constexpr std::size_t maximal_memory = 50000;
-
-  // intervals of one precision
-  struct Intervals {
-    Input_face_intervals<Gmpfi> faces;
-    History_values<Gmpfi> moves; // faces made next have them as ancestors
-  };
-
-  // whether an expression is proven to be zero in integers of fixed size, which takes a microsecond
-  template <class Expression>
-  static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
-                              const Expression&) {
-    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
-      return Integer_faces::is_in_space(input) && is_cocircular_strip(input, diamond);
-    else
-      return false;
-  }
-
-  // whether an expression is proven to be zero by symmetry
-  template <class Expression>
-  static bool is_mirrored_tie(const Input_metric& input, const Unfolded_diamond& diamond,
-                              const Expression&) {
-    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
-      return is_mirrored_strip(input, diamond);
-    else
-      return false;
-  }
-
-  // among inserted vertices; others have been tried in integers of fixed size
-  template <class Expression>
-  static std::optional<Sign>
-  sign_in_plane(const Input_metric& input, const Unfolded_diamond& diamond,
-                const Expression& expression, Predicate_statistics& statistics) {
-    if constexpr (PolynomialExpression<Expression>)
-      if (degree_of(expression).is_linear_in_areas() && diamond.has_inserted_corners() &&
-          Integer_faces::is_in_space(input))
-        return coplanar_diamond_sign(input, diamond, expression, statistics);
-    return std::nullopt;
-  }
-
-  // computes with a memory of input faces in a type of so many bits
-  template <class Result, class Compute>
-  Result at_precision(unsigned bits, const Compute& compute) {
-    if (bits <= 53) return internal::intervals(compute(doubles_));
-    if (bits <= 106) return internal::intervals(internal::to_nearest(compute, short_balls_));
-    if (bits <= 256) return internal::intervals(internal::to_nearest(compute, long_balls_));
-    const Gmpfi_precision precision(bits);
-    return internal::intervals(compute(intervals().faces));
-  }
-
-  Intervals& intervals() { return intervals_[Gmpfi::get_default_precision()]; }
-
-  Diamond_values<Gmpfi> values(const Input_metric& input, const Unfolded_diamond& diamond) {
-    return diamond.values<Gmpfi>(intervals().faces.of(input));
-  }
-
-  Diamond_values<Gmpfi> values(const Input_metric& input, const Flip_history& history, Side left,
-                               Side right) {
-    const auto faces = values(input, history, {left, right});
-    return diamond_values(faces[0], faces[1]);
-  }
-
-  // each face is the one on the left of its diamond
-  template <class FT, class Values>
-  static std::vector<Face_values<FT>> face_values(const Values& input,
-                                                  const std::vector<Unfolded_diamond>& faces) {
-    std::vector<Face_values<FT>> result;
-    for (const Unfolded_diamond& f : faces) {
-      const Diamond_values<FT> v = f.values<FT>(input);
-      result.push_back({{v.ij, v.jk, v.ki}, v.area_f});
-    }
-    return result;
-  }
-
-  std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,
-                                         const std::vector<Side>& sides) {
-    auto& [faces, moves] = intervals();
-    if (moves.size() > maximal_memory) moves = {};
-    const auto face = faces.of(input);
-    return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
-  }
-
-  Diamond_zero_test is_zero_;
-  Input_face_intervals<Interval_nt<false>> doubles_;
-  Input_face_intervals<Ball<Double_double>> short_balls_;
-  Input_face_intervals<Ball<Mpfr_256>> long_balls_;
-  std::map<Gmpfi::Precision_type, Intervals> intervals_;
+  std::shared_ptr<Memory> memory_; // of this object only
 };
 
-template <class Expression>
-Sign Exact_evaluation::sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                            const Expression& expression, Predicate_statistics& statistics) {
-  Diamond_values<Interval_nt<false>> better;
-  return sign_beyond_doubles(input, diamond, expression, better, statistics);
-}
-
-template <class Expression>
-Sign Exact_evaluation::sign_beyond_doubles(const Input_metric& input,
-                                           const Unfolded_diamond& diamond,
-                                           const Expression& expression,
-                                           Diamond_values<Interval_nt<false>>& better,
-                                           Predicate_statistics& statistics) {
-  if (is_tie_of_strip(input, diamond, expression)) {
-    ++statistics.certified_zero;
-    return ZERO;
-  }
-  if (const auto flat = sign_in_plane(input, diamond, expression, statistics)) return *flat;
-  const auto in_balls = [&](auto& faces) {
-    using FT = typename std::decay_t<decltype(faces)>::Number;
-    return internal::sign_in_balls(
-        FT::bits, [&] { return diamond.values<FT>(faces.of(input)); }, expression, better,
-        statistics);
-  };
-  const auto [sign, seems_zero] = in_balls(short_balls_);
-  if (sign) return *sign;
-  const auto is_zero = [&] { return is_zero_(input, diamond, expression); };
-  std::optional<Zero_answer> answer;
-  if (seems_zero && is_mirrored_tie(input, diamond, expression)) answer = Zero_answer::zero;
-  if (seems_zero && !answer && diamond.triangles.size() <= few_triangles) answer = is_zero();
-  if (answer == Zero_answer::zero) {
-    ++statistics.certified_zero;
-    return ZERO;
-  }
-  if (const auto s = in_balls(long_balls_).first) return *s;
-  return internal::escalated_sign(
-      first_bits, [&] { return values(input, diamond); },
-      internal::tests_zero_first(diamond.triangles.size()),
-      [&] { return answer ? *answer : is_zero(); }, expression, better, statistics);
-}
-
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_EVALUATION_H

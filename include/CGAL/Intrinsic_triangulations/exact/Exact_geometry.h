@@ -49,14 +49,7 @@ public:
   Exact_geometry() = default;
 
   /// takes the input, before the first flip. \pre no face of the input has the edge of its halfedge twice
-  explicit Exact_geometry(const std::shared_ptr<const Input>& input)
-      : input_(input, &input->metric()) {
-    std::vector<Face_versions::Version> versions;
-    versions.reserve(input_->number_of_faces());
-    for (std::uint32_t f = 0; f < input_->number_of_faces(); ++f)
-      versions.push_back({f, input->halfedge_of_face(f) / 2});
-    versions_ = {Flip_history(input_->number_of_faces()), std::move(versions)};
-  }
+  explicit Exact_geometry(const std::shared_ptr<const Input>& input);
 
   /// returns the input, which defines all values.
   const Input_metric& input() const { return *input_; }
@@ -73,10 +66,7 @@ public:
   void unfold_by(Input_unfolder& unfolder) { unfolder_.pointer = &unfolder; }
   /// defines values by the input that is unfolded from now on, not by the history of flips, which is forgotten.
   /// \pre someone unfolds the input, whatever is asked for
-  void forget_flips() {
-    versions_ = {};
-    is_defined_by_places_ = true;
-  }
+  void forget_flips();
   /// tells whether values are defined by places of vertices on the input.
   bool is_defined_by_places() const { return is_defined_by_places_; }
 
@@ -109,11 +99,7 @@ public:
   }
 
   /// returns intervals that contain the values of faces, computed in so many bits; 53: doubles.
-  std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face> faces,
-                                          unsigned bits) const {
-    if (const auto u = unfolded(faces)) return evaluation_.enclosures(*input_, *u, bits);
-    return evaluation_.enclosures(*input_, versions_.history(), versions_.sides(faces), bits);
-  }
+  std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face> faces, unsigned bits) const;
 
   /*!
   \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
@@ -148,30 +134,13 @@ private:
     }
   };
 
-  Input_unfolder* unfolder() const {
-    if (is_defined_by_places_ && unfolder_.pointer == nullptr)
-      throw std::logic_error(
-          "a metric of a refined triangulation decides only as long as it is in it");
-    return unfolder_.pointer;
-  }
+  Input_unfolder* unfolder() const;
 
   // the input under a diamond, if that is known
-  const Unfolded_diamond* unfolded(const Diamond& d) const {
-    Input_unfolder* const u = unfolder();
-    return u != nullptr ? u->diamond(d) : nullptr;
-  }
+  const Unfolded_diamond* unfolded(const Diamond& d) const;
 
   // the input under faces, if that is known of all
-  std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const {
-    std::vector<Unfolded_diamond> result;
-    for (const Indexed_face& f : faces) {
-      Input_unfolder* const u = unfolder();
-      const Unfolded_diamond* const face = u != nullptr ? u->face(f) : nullptr;
-      if (face == nullptr) return std::nullopt;
-      result.push_back(*face);
-    }
-    return result;
-  }
+  std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const;
 
   // in integers of fixed size, if two faces of the input are known to be there
   template <class Expression>
@@ -207,5 +176,9 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/exact/Exact_geometry_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_GEOMETRY_H

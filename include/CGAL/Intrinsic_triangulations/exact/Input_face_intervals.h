@@ -4,13 +4,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_FACE_INTERVALS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_FACE_INTERVALS_H
 
-#include <CGAL/Intrinsic_triangulations/exact/escalation.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
-#include <CGAL/Gmpfi.h>
-#include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 
 #include <array>
@@ -21,7 +17,20 @@
 #include <utility>
 #include <vector>
 
+namespace CGAL {
+class Gmpfi;
+}
+
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// More bits leave enough of them where a thin face loses some; rational numbers, which take ten times as
+// long, do the rest. See `Input_face_intervals_impl.h`.
+template <class FT>
+std::pair<std::array<FT, 3>, FT> wide_face(const Input_metric& input, std::uint32_t f);
+
+} // namespace internal
 
 /*!
 \brief encloses the squared lengths and the quadruple areas of input faces, and remembers them.
@@ -67,7 +76,7 @@ private:
 
   static Face face(const Input_metric& input, std::uint32_t f) {
     if constexpr (std::is_same_v<FT, Gmpfi>)
-      return wide_face(input, f);
+      return internal::wide_face<FT>(input, f);
     else if constexpr (std::is_same_v<FT, Interval_nt<false>>)
       return {lengths(input, f), quadruple_area<FT>(input, f)};
     else
@@ -79,18 +88,6 @@ private:
   static std::array<FT, 3> lengths(const Input_metric& input, std::uint32_t f) {
     return {input.squared_length<FT>(f, 0), input.squared_length<FT>(f, 1),
             input.squared_length<FT>(f, 2)};
-  }
-
-  // More bits leave enough of them where a thin face loses some; rational numbers, which take ten times as
-  // long, do the rest.
-  static Face wide_face(const Input_metric& input, std::uint32_t f) {
-    const Gmpfi::Precision_type bits = Gmpfi::get_default_precision();
-    const Gmpfi_precision wide(static_cast<unsigned>(2 * bits + 64));
-    const std::array<FT, 3> l = lengths(input, f);
-    const FT p = l[0] + l[2] - l[1];
-    FT d = FT(4) * l[0] * l[2] - p * p;
-    if (!(d.inf() > 0)) d = FT(input.squared_quadruple_area<Gmpq>(f));
-    return {{FT(l[0], bits), FT(l[1], bits), FT(l[2], bits)}, FT(d.sqrt(), bits)};
   }
 
   std::vector<Page> pages_;

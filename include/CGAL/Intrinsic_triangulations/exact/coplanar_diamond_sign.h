@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_H
 
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
@@ -13,123 +12,12 @@
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/Mpzf.h>
-#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-template <class FT>
-using Space_vector = std::array<FT, 3>;
-
-template <class FT>
-Space_vector<FT> difference(const Space_vector<FT>& a, const Space_vector<FT>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-template <class FT>
-Space_vector<FT> space_cross(const Space_vector<FT>& a, const Space_vector<FT>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <class FT>
-FT space_dot(const Space_vector<FT>& a, const Space_vector<FT>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-// The plane of an input face in space.
-template <class FT>
-class Input_plane {
-public:
-  using Vector = Space_vector<FT>;
-
-  Input_plane(const Input_metric& input, std::uint32_t face)
-      : input_(input), normal_(normal_of(face)) {}
-
-  // times a positive number
-  const Vector& normal() const { return normal_; }
-  Vector point(std::uint32_t name) const {
-    const Input_metric::Point& p = input_.points()[name];
-    return {FT(p[0]), FT(p[1]), FT(p[2])};
-  }
-  // Whether another face lies in the plane, in the same orientation; two of its corners do, but for the one in a given
-  // slot.
-  Uncertain<bool> contains(std::uint32_t face, std::uint32_t slot) const {
-    const Input_metric::Sides& s = input_.sides(face);
-    const Vector side = difference(point(s[slot]), point(s[(slot + 1) % 3]));
-    const Uncertain<bool> is_in_plane = space_dot(normal_, side) == FT(0);
-    if (!possibly(is_in_plane)) return false;
-    return is_in_plane & (space_dot(normal_, normal_of(face)) > FT(0));
-  }
-
-private:
-  Vector normal_of(std::uint32_t face) const {
-    const auto [i, j, k] = input_.sides(face);
-    const Vector a = point(i);
-    return space_cross(difference(point(j), a), difference(point(k), a));
-  }
-
-  const Input_metric& input_;
-  Vector normal_;
-};
-
-// A diamond as it lies in space.
-template <class FT>
-class Diamond_in_space {
-public:
-  using Vector = Space_vector<FT>;
-
-  Diamond_in_space(const Input_metric& input, const Flat_diamond& d)
-      : plane_(input, d.face), i_(position(d.corners[0])), j_(position(d.corners[1])),
-        k_(position(d.corners[2])), m_(position(d.corners[3])) {}
-
-  // areas in units of the length of a normal, exactly
-  Diamond_values<FT> scaled_values() const {
-    const auto area = [this](const Vector& a, const Vector& b) {
-      return FT(2) * space_dot(plane_.normal(), space_cross(a, b));
-    };
-    return values(area);
-  }
-  // areas by square roots. \pre they are not negative
-  Diamond_values<FT> values() const {
-    return values([](const Vector& a, const Vector& b) {
-      const Vector n = space_cross(a, b);
-      return FT(2) * CGAL::sqrt(CGAL::square(n[0]) + CGAL::square(n[1]) + CGAL::square(n[2]));
-    });
-  }
-
-private:
-  template <class Area>
-  Diamond_values<FT> values(const Area& area) const {
-    const Vector ij = difference(j_, i_), jk = difference(k_, j_), ki = difference(i_, k_),
-                 im = difference(m_, i_), mj = difference(j_, m_);
-    const auto length = [](const Vector& v) {
-      return CGAL::square(v[0]) + CGAL::square(v[1]) + CGAL::square(v[2]);
-    };
-    return {length(ij), length(jk), length(ki), length(im), length(mj), area(ki, ij), area(ij, mj)};
-  }
-
-  Vector position(const Flat_diamond::Corner& c) const {
-    if (c.weights[0] == 1) return plane_.point(c.points[0]);
-    Vector sum{FT(0), FT(0), FT(0)};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector p = plane_.point(c.points[k]);
-      for (std::size_t x = 0; x < 3; ++x) sum[x] = sum[x] + FT(c.weights[k]) * p[x];
-    }
-    return sum;
-  }
-
-  Input_plane<FT> plane_;
-  Vector i_, j_, k_, m_;
-};
-
-} // namespace internal
 
 /*!
 \brief tells whether an input face lies in the plane of another one in space, in the same orientation, exactly.
@@ -138,18 +26,11 @@ private:
 \param g another face, of which the corners but the one in slot `slot` lie in the plane of `f`
 \param slot the slot of that corner
 */
-inline bool are_coplanar(const Input_metric& input, std::uint32_t f, std::uint32_t g,
-                         std::uint32_t slot) {
-  const Uncertain<bool> s = internal::Input_plane<Interval_nt<false>>(input, f).contains(g, slot);
-  return is_certain(s) ? get_certain(s)
-                       : get_certain(internal::Input_plane<Mpzf>(input, f).contains(g, slot));
-}
+bool are_coplanar(const Input_metric& input, std::uint32_t f, std::uint32_t g, std::uint32_t slot);
 
 /// returns intervals that contain the values of a diamond that lies in one plane in space.
-inline Diamond_values<Interval_nt<false>> flat_diamond_values(const Input_metric& input,
-                                                              const Flat_diamond& diamond) {
-  return internal::Diamond_in_space<Interval_nt<false>>(input, diamond).values();
-}
+Diamond_values<Interval_nt<false>> flat_diamond_values(const Input_metric& input,
+                                                       const Flat_diamond& diamond);
 
 /*!
 \brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
@@ -163,16 +44,7 @@ no field is extended.
 */
 template <PolynomialExpression Expression>
 Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
-                       const Expression& expression, Predicate_statistics& statistics) {
-  using Interval = Interval_nt<false>;
-  const Uncertain<Sign> s =
-      CGAL::sign(expression(internal::Diamond_in_space<Interval>(input, diamond).scaled_values()));
-  if (const std::optional<Sign> certain = internal::counted(s, 53, statistics)) return *certain;
-  const Sign exact =
-      CGAL::sign(expression(internal::Diamond_in_space<Mpzf>(input, diamond).scaled_values()));
-  ++(exact == ZERO ? statistics.certified_zero : statistics.integer);
-  return exact;
-}
+                       const Expression& expression, Predicate_statistics& statistics);
 
 /*!
 \brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
@@ -185,20 +57,12 @@ Inserted vertices in flat parts of a surface are tied often.
 template <PolynomialExpression Expression>
 std::optional<Sign>
 coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Expression& expression, Predicate_statistics& statistics) {
-  const std::uint32_t first = diamond.triangles.front().face;
-  for (const Unfolded_diamond::Triangle& t : diamond.triangles)
-    if (&t != &diamond.triangles.front() && !are_coplanar(input, first, t.face, (t.entry + 2) % 3))
-      return std::nullopt;
-  Flat_diamond flat{first, {}};
-  for (std::size_t c = 0; c < 4; ++c) {
-    const auto& [triangle, slot, weights] = diamond.corners[c];
-    const Input_metric::Sides& s = input.sides(diamond.triangles[triangle].face);
-    flat.corners[c] = {{s[slot], s[(slot + 1) % 3], s[(slot + 2) % 3]}, weights};
-  }
-  return flat_diamond_sign(input, flat, expression, statistics);
-}
+                      const Expression& expression, Predicate_statistics& statistics);
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_H

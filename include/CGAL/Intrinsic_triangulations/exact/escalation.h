@@ -91,13 +91,6 @@ inline std::optional<Sign> counted(const Uncertain<Sign>& s, unsigned bits,
   return get_certain(s);
 }
 
-// Calls a function with rounding to the nearest.
-template <class Function, class... Arguments>
-auto to_nearest(const Function& f, Arguments&... arguments) {
-  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  return f(arguments...);
-}
-
 /*
 Returns the sign of an expression in values that `values()` computes in balls with so many bits, if it is certain, and whether the
 value seems to be zero. `better` is set to intervals that contain the values.

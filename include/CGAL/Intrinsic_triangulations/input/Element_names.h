@@ -49,24 +49,10 @@ public:
   const std::vector<std::uint32_t>& users() const { return user_; }
 
   /// returns the names of elements that have been renumbered: those of what `renumbered` calls `user`.
-  Element_names after(const Element_names& renumbered) const {
-    if (is_identity() || renumbered.is_identity()) return is_identity() ? renumbered : *this;
-    std::vector<std::uint32_t> users;
-    users.reserve(renumbered.user_.size());
-    for (const std::uint32_t i : renumbered.user_) users.push_back(user(i));
-    return Element_names(std::move(users));
-  }
+  Element_names after(const Element_names& renumbered) const;
 
 private:
-  static std::vector<std::uint32_t> inverse_of(const std::vector<std::uint32_t>& user) {
-    std::vector<std::uint32_t> result;
-    for (std::uint32_t i = 0; i < user.size(); ++i) {
-      if (user[i] == Gluing::none) continue;
-      if (user[i] >= result.size()) result.resize(user[i] + std::size_t{1}, Gluing::none);
-      result[user[i]] = i;
-    }
-    return result;
-  }
+  static std::vector<std::uint32_t> inverse_of(const std::vector<std::uint32_t>& user);
 
   std::vector<std::uint32_t> user_;
   std::vector<std::uint32_t> here_;
@@ -90,5 +76,9 @@ struct Input_names {
 };
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/input/Element_names_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_ELEMENT_NAMES_H

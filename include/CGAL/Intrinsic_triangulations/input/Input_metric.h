@@ -79,6 +79,8 @@ public:
   std::uint32_t number_of_faces() const { return static_cast<std::uint32_t>(sides_.size()); }
   /// tells whether the metric comes from points in space.
   bool is_embedded() const { return squared_lengths_.empty(); }
+  /// tells whether it is that of the points, without mollification.
+  bool is_in_space() const { return is_embedded() && delta_ == 0; }
   /// returns s, where coordinates are scaled by 2^s and squared lengths by 4^s.
   int scale_exponent() const { return scale_exponent_; }
   /// returns what is added to every squared length, in scaled units.

@@ -12,8 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/mollification.h>
-#include <CGAL/Intrinsic_triangulations/input/renumbering.h>
-#include <CGAL/Intrinsic_triangulations/input/scaling.h>
 #include <CGAL/Intrinsic_triangulations/input/triangulate_face_graph.h>
 
 #include <array>
@@ -90,12 +88,7 @@ struct Intrinsic_input {
   Edges are found by their end vertices, see `gluing_from_triangles()`.
   \throws Invalid_input naming faces that do not fit together, or a vertex that does not exist
   */
-  explicit Intrinsic_input(const Triangle_soup& soup, Mollification m = Mollification::automatic)
-      : mesh(Gluing_map::from_valid(
-            gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles))),
-        points(soup.points), mollification(m), triangulated_polygons(soup.triangulated_polygons) {
-    names.polygon_of_triangle = soup.polygon_of_triangle;
-  }
+  explicit Intrinsic_input(const Triangle_soup& soup, Mollification m = Mollification::automatic);
 
   /*!
   \brief takes a mesh in space through BGL.
@@ -132,77 +125,19 @@ struct Prepared_input {
   Metric metric;
 };
 
-// Makes every triangle inequality strict; the input's metric is changed.
-inline Mollification_report mollify(Input& input, Mollification kind) {
-  Input_metric metric = input.metric();
-  double added = default_squared_length_delta();
-  if (kind == Mollification::lengths)
-    metric = mollify_lengths(input.mesh(), metric, 1e-5, added);
-  else
-    metric.set_delta(added);
-  const int s = metric.scale_exponent() * (kind == Mollification::lengths ? 1 : 2);
-  input.set_metric(std::move(metric));
-  return {kind, std::ldexp(added, -s)};
-}
-
 // One point per vertex, or one squared length per edge: numbers of elements are indices without a check.
-inline void check_sizes(const Intrinsic_input& in) {
-  const bool embedded = in.squared_lengths.empty();
-  const std::size_t needed = embedded ? in.mesh.number_of_vertices() : in.mesh.number_of_edges();
-  const std::size_t given = embedded ? in.points.size() : in.squared_lengths.size();
-  if (given != needed)
-    throw Invalid_input(Element_kind::none, 0,
-                        "there are " + std::to_string(given) +
-                            (embedded ? " points for " : " squared lengths for ") +
-                            std::to_string(needed) +
-                            (embedded ? " vertices; give one per vertex"
-                                      : " edges; give one per edge of the gluing map"));
-}
+void check_sizes(const Intrinsic_input& in);
 
-// Makes each face start at a side that is not glued to another side of the same face, so that its
-// edge names that side alone: exact metrics tell sides by their edges.
-inline void start_at_single_sides(Gluing_map& mesh) {
-  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto [h, n, l] = mesh.sides({f});
-    if (n == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, l);
-    if (l == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, n);
-  }
-}
+// Makes every triangle inequality strict; the input's metric is changed.
+Mollification_report mollify(Input& input, Mollification kind);
 
-inline void check_faces(const Gluing_map& mesh) {
-  if (mesh.number_of_faces() == 0)
-    throw Invalid_input(Element_kind::none, 0, "the mesh has no faces; give at least one");
-  if (!mesh.is_oriented())
-    throw Invalid_input(Element_kind::none, 0,
-                        "the gluing does not respect the orientation of the faces; orient them, or "
-                        "take the orientation double cover of a nonorientable surface");
-}
-
-// The input in scaled units and in an order that is fast.
-inline std::shared_ptr<Input> scaled_and_ordered(Intrinsic_input&& in, Input_report& report) {
-  const bool embedded = in.squared_lengths.empty();
-  const int scale =
-      embedded ? scale_points(in.mesh, in.points) : scale_squared_lengths(in.squared_lengths);
-  Input_names names = std::move(in.names);
-  if (embedded && in.may_renumber && is_badly_ordered(in.mesh)) {
-    const Input_names order = renumber(in.mesh, in.points);
-    names = {order.vertices, names.edges.after(order.edges), order.faces,
-             std::move(names.polygon_of_triangle)};
-    report.renumbered = true;
-  }
-  start_at_single_sides(in.mesh);
-  Input_metric metric =
-      embedded ? Input_metric::from_points(in.mesh, std::move(in.points), scale)
-               : Input_metric::from_squared_lengths(in.mesh, std::move(in.squared_lengths), scale);
-  return std::make_shared<Input>(std::move(in.mesh), std::move(metric), std::move(names));
-}
+// The input in scaled units and in an order that is fast; throws if it has no faces, or they do not fit.
+std::shared_ptr<Input> scaled_and_ordered(Intrinsic_input&& in, Input_report& report);
 
 // \tparam Metric a model of `IntrinsicMetric`
 // \param keep_surface whether the input keeps its surface, for a correspondence
 template <class Metric>
 Prepared_input<Metric> prepare(Intrinsic_input&& in, bool keep_surface) {
-  check_faces(in.mesh);
-  check_sizes(in);
   Input_report report;
   report.triangulated_polygons = in.triangulated_polygons;
   const Mollification asked = in.mollification;
@@ -225,5 +160,9 @@ Prepared_input<Metric> prepare(Intrinsic_input&& in, bool keep_surface) {
 } // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_H

@@ -27,7 +27,7 @@ namespace internal {
 // Glues the triangles of polygons: along diagonals within a polygon, along sides as the mesh has it.
 class Polygon_gluing {
 public:
-  using Triangle = Polygon_triangulator<>::Triangle;
+  using Triangle = Polygon_triangulator::Triangle;
 
   // `corners` and `sides` are the numbers of the vertices and of the halfedges that start there
   void add(const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& sides,
@@ -129,8 +129,8 @@ Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
   std::uint32_t n = 0;
   for (const typename Traits::vertex_descriptor v : vertices(mesh)) vertex[number.vertex(v)] = n++;
   internal::Polygon_gluing gluing;
-  internal::Polygon_triangulator<> triangulator;
-  std::vector<internal::Polygon_triangulator<>::Triangle> triangles;
+  internal::Polygon_triangulator triangulator;
+  std::vector<internal::Polygon_triangulator::Triangle> triangles;
   std::vector<std::uint32_t> corners, sides, polygon_of_triangle;
   std::size_t f = 0;
   polygons = 0;
@@ -144,7 +144,9 @@ Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
     triangles.assign(1, {0, 1, 2});
     if (corners.size() > 3) {
       ++polygons;
-      triangulator.load(corners.size(), [&](std::size_t i) { return points[corners[i]]; });
+      std::vector<std::array<double, 3>> polygon;
+      for (const std::uint32_t v : corners) polygon.push_back(points[v]);
+      triangulator.load(std::move(polygon));
       if (!triangulator.triangulate(triangles))
         fail(" is a polygon that cannot be triangulated; split it into triangles");
     }

@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 
 #include <CGAL/Interval_nt.h>
@@ -30,10 +29,32 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// complete where signs of any expression are defined
+template <class Expression>
+struct Sign_computation;
+
+// whether its sign is decided here, or by what is compiled already
+template <class Expression>
+inline constexpr bool has_exact_sign =
+    std::is_same_v<Expression, Delaunay_expression> ||
+    std::is_same_v<Expression, Convexity_at_source_expression> ||
+    std::is_same_v<Expression, Convexity_at_target_expression> ||
+    std::is_same_v<Expression, Left_area_expression> ||
+    std::is_same_v<Expression, Small_angle_expression> ||
+    std::is_same_v<Expression, Large_circumradius_expression> ||
+    std::is_same_v<Expression, Long_side_expression> || requires {
+  sizeof(Sign_computation<Expression>);
+};
+
+} // namespace internal
 
 /*!
 \brief stores the metric as intervals that contain the exact values, and decides exactly.
@@ -95,6 +116,7 @@ public:
   template <class Expression>
   Sign sign(const Diamond& d, const Expression& expression) const {
     static_assert(DiamondExpression<Expression>);
+    check_can_decide<Expression>();
     const std::optional<Sign> s = certain_sign(expression(enclosure(d)));
     return s ? *s : exact_sign(d, expression);
   }
@@ -108,6 +130,7 @@ public:
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     static_assert(FaceExpression<Expression>);
+    check_can_decide<Expression>();
     std::vector<Face_values<FT>> values;
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
     const std::optional<Sign> s =
@@ -120,17 +143,7 @@ public:
   value, except for areas of thin faces, which get as accurate as 4096 bits allow.
   \complexity constant per face if they are narrow, else linear in the number of input triangles under it
   */
-  void sharpen(std::span<const Indexed_face> faces) const {
-    std::vector<Indexed_face> wide;
-    std::copy_if(faces.begin(), faces.end(), std::back_inserter(wide),
-                 [this](const Indexed_face& f) { return !is_narrow(f); });
-    for (const unsigned bits : {53U, 106U, 256U, 1024U, 2048U, 4096U}) {
-      if (wide.empty()) return;
-      statistics().sharpenings[bits] += wide.size();
-      refine(wide, geometry_.enclosures(wide, bits));
-      std::erase_if(wide, [this](const Indexed_face& f) { return is_narrow(f); });
-    }
-  }
+  void sharpen(std::span<const Indexed_face> faces) const;
 
   /*!
   \brief computes a flip and changes nothing.
@@ -227,28 +240,20 @@ public:
   Zero exactly where the sum of the angles is pi, else of the right sign and with a relative error below 1e-12.
   \pre both faces have an area
   */
-  double cotangent_weight(const Diamond& d) const {
-    const Sign s = sign(d, Delaunay_expression());
-    if (s == ZERO) return 0;
-    if (has_accurate_weight(d)) {
-      const double weight =
-          cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
-      return s == POSITIVE ? std::max(weight, 0.0) : std::min(weight, 0.0);
-    }
-    sharpen(std::array<Indexed_face, 2>{{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}});
-    const FT value = geometry_.nonzero_value(d, Delaunay_expression());
-    return CGAL::to_double(value) / approximate_quadruple_area(d.f) /
-           (2 * approximate_quadruple_area(d.g));
-  }
+  double cotangent_weight(const Diamond& d) const;
 
   using Enclosed_values::cotangent_weight;
 
 private:
-  static Enclosed_values enclose(const Input& input) {
-    const Scope scope;
-    return {Intrinsic_triangulations::squared_lengths<FT>(input.metric(), input.mesh()),
-            Intrinsic_triangulations::quadruple_areas<FT>(input.metric())};
+  template <class Expression>
+  static constexpr void check_can_decide() {
+    static_assert(
+        internal::has_exact_sign<Expression>,
+        "include CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h to decide the "
+        "signs of expressions of your own");
   }
+
+  static Enclosed_values enclose(const Input& input);
 
   static Vertex_move_values<double> approximations(const Vertex_move_values<FT>& values) {
     Vertex_move_values<double> result{};
@@ -260,12 +265,9 @@ private:
   }
 
   // whether stored values tell (q_f a_g + q_g a_f) / (2 a_f a_g)
-  bool has_accurate_weight(const Diamond& d) const {
-    const Diamond_values<FT> v = enclosure(d);
-    return is_accurate(Delaunay_expression()(v)) && is_accurate(v.area_f) && is_accurate(v.area_g);
-  }
+  bool has_accurate_weight(const Diamond& d) const;
 
-  // Not inline: what the filter cannot decide is rare, and takes long to compile; see `extern template`.
+  // what the filter cannot decide is rare, and takes long to compile
   template <class Expression>
   Sign exact_sign(const Diamond& d, const Expression& expression) const;
   template <class Expression>
@@ -274,25 +276,6 @@ private:
 
   Exact_geometry geometry_;
 };
-
-template <class Expression>
-Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expression) const {
-  ++statistics().filter_failures;
-  Diamond_values<FT> better = enclosure(d);
-  const Sign s = geometry_.sign(d, expression, better);
-  refine(d, better);
-  return s;
-}
-
-template <class Expression>
-Sign Exact_euclidean_metric::exact_sign(std::span<const Indexed_face> faces,
-                                        std::vector<Face_values<FT>>& values,
-                                        const Expression& expression) const {
-  ++statistics().filter_failures;
-  const Sign s = geometry_.sign(faces, expression, values);
-  refine(faces, values);
-  return s;
-}
 
 /*!
 \brief lets an intrinsic triangulation decide every predicate exactly.
@@ -306,5 +289,9 @@ struct Exact_euclidean_traits {
 };
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H

@@ -4,76 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_H
 
-#include <CGAL/Intrinsic_triangulations/IO/soup/Soup_builder.h>
-#include <CGAL/Intrinsic_triangulations/IO/soup/scan_OBJ.h>
-#include <CGAL/Intrinsic_triangulations/IO/soup/scan_OFF.h>
-#include <CGAL/Intrinsic_triangulations/IO/soup/scan_PLY.h>
-#include <CGAL/Intrinsic_triangulations/IO/soup/scan_STL.h>
-#include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
-#include <CGAL/IO/GOCAD.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <istream>
-#include <new>
 #include <string>
-#include <string_view>
-#include <system_error>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// Scans a triangulated surface of GOCAD by CGAL's reader, which has no bound on lines: they are looked at before.
-inline void scan_GOCAD(std::istream& in, Soup_builder& out) {
-  Buffered_input lines(in);
-  for (std::string_view line; lines.next_line(line);) continue;
-  in.clear();
-  in.seekg(0);
-  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-  std::vector<std::array<std::int32_t, 3>> triangles;
-  const bool good = CGAL::IO::read_GOCAD(in, points, triangles);
-  out.reserve(points.size(), triangles.size());
-  for (const auto& p : points) out.add_vertex(p.x(), p.y(), p.z());
-  std::vector<std::int64_t> face;
-  for (const auto& t : triangles) {
-    face.assign(t.begin(), t.end());
-    out.add_face(face);
-  }
-  if (!good)
-    out.fail("the file cannot be read as a GOCAD surface beyond vertex " +
-             std::to_string(points.size()) + " and face " + std::to_string(triangles.size()) +
-             "; get a complete copy if it is truncated, or correct what follows them");
-}
-
-inline void scan_mesh_file(const std::string& filename, std::uintmax_t size, Soup_builder& out) {
-  std::ifstream in(filename, std::ios::binary);
-  if (!in) out.fail("the file cannot be opened; check its permissions");
-  const std::string extension =
-      plain_extension(std::filesystem::path(filename).extension().string());
-  if (extension == "off")
-    OFF_scanner(in, size, out).run();
-  else if (extension == "obj")
-    OBJ_scanner(in, out).run();
-  else if (extension == "ply")
-    PLY_scanner(in, size, out).run();
-  else if (extension == "stl")
-    STL_scanner(in, size, out).run();
-  else if (extension == "ts")
-    scan_GOCAD(in, out);
-  else
-    out.fail("the extension \"" + shown(extension) +
-             "\" is not supported; convert the mesh to .off, .obj, .ply, .stl or .ts");
-}
-
-} // namespace internal
 
 /*!
 \brief reads a polygon mesh from a file as a soup of triangles.
@@ -101,31 +36,12 @@ vertices that another edge joins is avoided by another triangulation of the poly
 \complexity linear for text and binary alike, \f$n\log n\f$ for STL and in the number of diagonals;
   memory follows the size of the file, never a count in it
 */
-inline Triangle_soup read_triangle_soup(const std::string& filename) {
-  internal::Soup_builder out(filename);
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(filename, error);
-  if (!std::filesystem::exists(status)) out.fail("the file does not exist; check the name");
-  if (std::filesystem::is_directory(status))
-    out.fail("this is a directory; name a mesh file in it");
-  const bool regular = std::filesystem::is_regular_file(status);
-  const std::uintmax_t size = regular ? std::filesystem::file_size(filename, error) : 0;
-  if (error)
-    out.fail("the file cannot be examined (" + error.message() + "); check its permissions");
-  if (regular && size == 0) out.fail("the file is empty; get a complete copy");
-  try {
-    internal::scan_mesh_file(filename, size, out);
-    return out.finish();
-  } catch (const internal::Buffered_input::Line_too_long& found) {
-    out.line = found.line;
-    out.fail(found.message);
-  } catch (const std::bad_alloc&) {
-    out.line = 0;
-    out.fail(
-        "there is not enough memory to read the mesh; use a machine with more, or a smaller mesh");
-  }
-}
+Triangle_soup read_triangle_soup(const std::string& filename);
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_H

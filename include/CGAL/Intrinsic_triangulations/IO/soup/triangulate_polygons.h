@@ -71,8 +71,10 @@ private:
   }
 
   void load(std::size_t i) {
-    triangulator_.load(polygons_.sides(i),
-                       [&](std::size_t k) { return soup_.points[polygons_.corner(i, k)]; });
+    std::vector<std::array<double, 3>> polygon;
+    for (std::size_t k = 0; k < polygons_.sides(i); ++k)
+      polygon.push_back(soup_.points[polygons_.corner(i, k)]);
+    triangulator_.load(std::move(polygon));
   }
 
   void write(std::size_t i) {
@@ -170,8 +172,8 @@ private:
   const Polygons& polygons_;
   Triangle_soup& soup_;
   Fail fail_;
-  Polygon_triangulator<> triangulator_;
-  std::vector<Polygon_triangulator<>::Triangle> triangles_;
+  Polygon_triangulator triangulator_;
+  std::vector<Polygon_triangulator::Triangle> triangles_;
   std::vector<Diagonal> diagonals_;
   std::vector<std::uint32_t> first_diagonal_;
   std::vector<char> in_conflict_;

@@ -4,22 +4,17 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_H
 
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_PLY.h>
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_VTP.h>
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_mesh.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_input.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
-#include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <ostream>
+#include <iosfwd>
+#include <optional>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -57,6 +52,28 @@ inline void label_with_polygons(Common_subdivision& s,
   for (Common_subdivision::Vertex& v : s.vertices) rename(v.input_face);
 }
 
+namespace internal {
+
+// What formats differ in, where the user says it.
+struct Subdivision_format {
+  std::optional<bool> is_binary, has_lines;
+};
+
+void write_subdivision(std::ostream& out, std::string_view extension, const Subdivision_output& o,
+                       const Subdivision_format& format);
+void write_subdivision(const std::filesystem::path& path, const Subdivision_output& o,
+                       const Subdivision_format& format);
+
+template <NamedParameters NP>
+Subdivision_format subdivision_format(const NP& np) {
+  using namespace tags;
+  expect_names<use_binary_mode, lines>(np);
+  return {value_or<use_binary_mode>(np, std::optional<bool>()),
+          value_or<lines>(np, std::optional<bool>())};
+}
+
+} // namespace internal
+
 /*!
 \brief writes a common subdivision in the format of a file extension.
 
@@ -85,31 +102,8 @@ void write_common_subdivision(std::ostream& out, std::string_view extension,
                               std::span<const std::array<double, 3>> points,
                               std::span<const Vertex_field> fields = {},
                               const NP& np = parameters::default_values()) {
-  using namespace internal::tags;
-  internal::expect_names<use_binary_mode, lines>(np);
-  const std::string format = internal::plain_extension(extension);
-  const internal::Subdivision_output o{s, points, fields};
-  internal::check_output(o);
-  internal::Output_buffer buffer(out);
-  if (format == "ply" && internal::value_or<use_binary_mode>(np, true))
-    internal::PLY_subdivision_writer<true>(buffer, o).run();
-  else if (format == "ply")
-    internal::PLY_subdivision_writer<false>(buffer, o).run();
-  else if (format == "obj")
-    internal::write_OBJ(buffer, o, internal::value_or<lines>(np, false));
-  else if (format == "off")
-    internal::write_OFF(buffer, o);
-  else if (format == "stl")
-    internal::write_STL(buffer, o);
-  else if (format == "vtp")
-    internal::VTP_subdivision_writer(buffer, o, internal::value_or<lines>(np, true)).run();
-  else
-    throw Invalid_input(Element_kind::none, 0,
-                        "the extension \"" + format +
-                            "\" is not supported; write the common subdivision to .ply, .obj, "
-                            ".off, .stl or .vtp");
-  if (!buffer.flush())
-    throw std::runtime_error("the common subdivision cannot be written completely");
+  internal::write_subdivision(out, extension, {s, points, fields},
+                              internal::subdivision_format(np));
 }
 
 /*!
@@ -126,18 +120,13 @@ void write_common_subdivision(const std::filesystem::path& path, const Common_su
                               std::span<const std::array<double, 3>> points,
                               std::span<const Vertex_field> fields = {},
                               const NP& np = parameters::default_values()) {
-  Replacing_file file(path);
-  try {
-    write_common_subdivision(file.stream(), path.extension().string(), s, points, fields, np);
-  } catch (const Invalid_input& e) {
-    throw Invalid_input(e.kind(), e.index(), path.string() + ": " + e.what());
-  } catch (const std::runtime_error&) {
-    throw std::runtime_error(path.string() +
-                             ": the file cannot be written completely; is the disk full?");
-  }
-  file.commit();
+  internal::write_subdivision(path, {s, points, fields}, internal::subdivision_format(np));
 }
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_H

@@ -7,8 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_input.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 
 #include <cstddef>
 #include <cstdint>

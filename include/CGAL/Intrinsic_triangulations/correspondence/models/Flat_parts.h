@@ -44,11 +44,7 @@ public:
   std::size_t number_of_searches() const { return number_of_searches_; }
 
   // follows a flip; two faces that are not flat hardly make flat ones
-  void flip(std::uint32_t f, std::uint32_t g) {
-    if (known(f) == known(g)) return;
-    change(f);
-    change(g);
-  }
+  void flip(std::uint32_t f, std::uint32_t g);
   // follows any other change of a face
   void change(std::uint32_t face) {
     if (face < part_.size()) part_[face] = unknown;
@@ -62,32 +58,9 @@ private:
   }
 
   std::uint32_t part_of(const Input& input,
-                        const std::vector<Unfolded_diamond::Triangle>& triangles) {
-    const std::uint32_t first = triangles.front().face;
-    if (part_of_input_[first] == unknown) find_part(input, first);
-    const bool is_flat = std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
-      return part_of_input_[t.face] == part_of_input_[first];
-    });
-    return is_flat ? part_of_input_[first] : none;
-  }
+                        const std::vector<Unfolded_diamond::Triangle>& triangles);
 
-  void find_part(const Input& input, std::uint32_t name) {
-    std::vector<std::uint32_t> stack{name};
-    part_of_input_[name] = name;
-    while (!stack.empty()) {
-      const std::uint32_t f = stack.back();
-      stack.pop_back();
-      std::uint32_t h = input.halfedge_of_face(f);
-      for (unsigned k = 0; k < 3; ++k, h = input.next(h)) {
-        const std::uint32_t g = input.face(h ^ 1U);
-        if (g == Gluing::none || part_of_input_[g] != unknown) continue;
-        const std::uint32_t slot = (input_side(input, h ^ 1U).slot + 2) % 3;
-        if (!are_coplanar(input.metric(), name, g, slot)) continue;
-        part_of_input_[g] = name;
-        stack.push_back(g);
-      }
-    }
-  }
+  void find_part(const Input& input, std::uint32_t name);
 
   std::vector<std::uint32_t> part_of_input_; // of each face of the input
   std::vector<std::uint32_t> part_;          // of each intrinsic face
@@ -95,5 +68,9 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_FLAT_PARTS_H

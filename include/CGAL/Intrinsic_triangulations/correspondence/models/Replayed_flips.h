@@ -28,44 +28,13 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Replayed_flips {
 public:
   // undoes the flips of a history
-  Replayed_flips(Gluing_map mesh, const Exact_euclidean_metric& metric)
-      : mesh_(std::move(mesh)), number_(mesh_) {
-    const Flip_history& history = metric.versions().history();
-    const std::uint32_t faces = mesh_.number_of_faces();
-    std::vector<Made> made(faces + 2 * std::size_t{history.number_of_flips()});
-    for (std::uint32_t f = 0; f < faces; ++f) {
-      const auto& [version, edge] = metric.versions().version(f);
-      made[version] = {f, edge};
-    }
-    for (std::uint32_t n = history.number_of_flips(); n-- > 0;) {
-      const std::uint32_t version = history.left_version(n);
-      const Made left = made[version], right = made[version + 1];
-      const Gluing_map::Halfedge h = halfedge(left);
-      flipped_.push_back(h.index);
-      for (unsigned k = 0; k < 3; ++k) CGAL::Euler::flip_edge(h, mesh_); // the fourth power is 1
-      made[history.left_parent(n).face] = parent(history.left_parent(n), left.face, h);
-      made[history.right_parent(n).face] =
-          parent(history.right_parent(n), right.face, Gluing_map::Halfedge{h.index ^ 1U});
-    }
-    for (std::uint32_t f = 0; f < faces; ++f) // slot 0 of an input face is its first side
-      mesh_.set_halfedge(Gluing_map::Face{made[f].face}, halfedge(made[f]));
-    choose_halfedges_of_vertices();
-  }
+  Replayed_flips(Gluing_map mesh, const Exact_euclidean_metric& metric);
 
   // the connectivity before them
   const Gluing_map& mesh() const { return mesh_; }
 
   // makes them again, and lets coordinates follow; whether these stay in bounds
-  bool replay(Integer_coordinates& coordinates) {
-    for (; !flipped_.empty(); flipped_.pop_back()) {
-      const Gluing_map::Halfedge h{flipped_.back()};
-      const Flip move = flip_record(h, mesh_, number_);
-      if (!coordinates.before(*this, move)) return false;
-      CGAL::Euler::flip_edge(h, mesh_);
-      coordinates.after(*this, move);
-    }
-    return true;
-  }
+  bool replay(Integer_coordinates& coordinates);
 
 private:
   // a face, and the edge in slot 0
@@ -73,24 +42,13 @@ private:
     std::uint32_t face, edge;
   };
 
-  Gluing_map::Halfedge halfedge(const Made& m) const {
-    const Gluing_map::Halfedge h{2 * m.edge};
-    return mesh_.face(h).index == m.face ? h : Gluing_map::Halfedge{2 * m.edge + 1};
-  }
+  Gluing_map::Halfedge halfedge(const Made& m) const;
 
   // whatever flips did
-  void choose_halfedges_of_vertices() {
-    for (std::uint32_t f = 0; f < mesh_.number_of_faces(); ++f)
-      for (const Gluing_map::Halfedge h : mesh_.sides({f})) mesh_.set_halfedge(mesh_.target(h), h);
-    for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h)
-      if (mesh_.face({h}).index == Gluing::none) mesh_.set_halfedge(mesh_.target({h}), {h});
-  }
+  void choose_halfedges_of_vertices();
 
   // of the side that is halfedge h
-  Made parent(const Flip_history::Side& side, std::uint32_t face, Gluing_map::Halfedge h) const {
-    for (std::uint32_t slot = side.slot; slot % 3 != 0; ++slot) h = mesh_.next(h);
-    return {face, h.index / 2};
-  }
+  Made parent(const Flip_history::Side& side, std::uint32_t face, Gluing_map::Halfedge h) const;
 
   Gluing_map mesh_;
   Mesh_adaptor<Gluing_map> number_;
@@ -98,5 +56,9 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Replayed_flips_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_REPLAYED_FLIPS_H

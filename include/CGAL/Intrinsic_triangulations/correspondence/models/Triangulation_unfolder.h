@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
@@ -36,7 +35,7 @@ public:
   Triangulation_unfolder(const Triangulation& t, const Places& places) : t_(t), places_(places) {}
 
   std::optional<Flat_diamond> flat_diamond(const Diamond& d) override {
-    if (!Integer_faces::is_in_space(t_.input().metric()) ||
+    if (!t_.input().metric().is_in_space() ||
         !can_unfold(std::array{d.ij, d.jk, d.ki, d.im, d.mj}, d.f == d.g))
       return std::nullopt;
     const std::uint32_t ij = halfedge(d.f, d.ij, d.jk), p = part(d, ij);

@@ -30,17 +30,13 @@ class Vertex_places {
 public:
   Vertex_places() = default;
   // the copy must be attached to its triangulation
-  Vertex_places(const Vertex_places& other)
-      : own_(other.own_ ? std::make_unique<Integer_coordinates>(*other.own_) : nullptr),
-        state_(other.state_), define_metric_(other.define_metric_) {}
-  Vertex_places(Vertex_places&&) = default;
-  Vertex_places& operator=(Vertex_places&&) = default;
+  Vertex_places(const Vertex_places& other);
+  Vertex_places(Vertex_places&& other) noexcept;
+  Vertex_places& operator=(Vertex_places&& other) noexcept;
+  ~Vertex_places();
 
   // to be called when the triangulation is complete, and when it has got another address; `metric` is its metric
-  void attach(const Triangulation& t, Exact_euclidean_metric& metric) {
-    unfolder_ = std::make_unique<Unfolder>(t, *this);
-    metric.unfold_by(*unfolder_);
-  }
+  void attach(const Triangulation& t, Exact_euclidean_metric& metric);
 
   // takes the coordinates of a triangulation that is restored, which its correspondence has too if it can
   void restore(const Triangulation& t, Exact_euclidean_metric& metric,
@@ -104,23 +100,10 @@ private:
            t.input().is_defined_by_metric();
   }
 
-  void start(const Triangulation& t) const {
-    state_ = State::shared;
-    if (is_shared(t)) return;
-    Replayed_flips flips(numbered_copy(t.mesh(), t.numbers()), t.metric());
-    own_ = std::make_unique<Integer_coordinates>();
-    own_->start(Started{surface_of(t, flips.mesh())});
-    state_ = flips.replay(*own_) ? State::own : State::impossible;
-    if (state_ == State::impossible) own_.reset();
-  }
+  void start(const Triangulation& t) const;
 
   // the input of a triangulation, with connectivity, lengths and areas
-  static std::shared_ptr<const Input> surface_of(const Triangulation& t, const Gluing_map& mesh) {
-    if (t.input().has_surface() && t.input().is_defined_by_metric()) return t.shared_input();
-    auto input = std::make_shared<Input>(mesh, t.input().metric(), t.input().names());
-    input->keep_values(Exact_euclidean_metric(input));
-    return input;
-  }
+  static std::shared_ptr<const Input> surface_of(const Triangulation& t, const Gluing_map& mesh);
 
   // mutable: a cache of what the history tells, until they define the metric
   mutable std::unique_ptr<Integer_coordinates> own_;
@@ -128,6 +111,46 @@ private:
   bool define_metric_ = false;
   std::unique_ptr<Unfolder> unfolder_;
 };
+
+template <class Triangulation>
+Vertex_places<Triangulation>::Vertex_places(const Vertex_places& other)
+    : own_(other.own_ ? std::make_unique<Integer_coordinates>(*other.own_) : nullptr),
+      state_(other.state_), define_metric_(other.define_metric_) {}
+
+template <class Triangulation>
+Vertex_places<Triangulation>::Vertex_places(Vertex_places&&) noexcept = default;
+
+template <class Triangulation>
+auto Vertex_places<Triangulation>::operator=(Vertex_places&&) noexcept -> Vertex_places& = default;
+
+template <class Triangulation>
+Vertex_places<Triangulation>::~Vertex_places() = default;
+
+template <class Triangulation>
+void Vertex_places<Triangulation>::attach(const Triangulation& t, Exact_euclidean_metric& metric) {
+  unfolder_ = std::make_unique<Unfolder>(t, *this);
+  metric.unfold_by(*unfolder_);
+}
+
+template <class Triangulation>
+void Vertex_places<Triangulation>::start(const Triangulation& t) const {
+  state_ = State::shared;
+  if (is_shared(t)) return;
+  Replayed_flips flips(numbered_copy(t.mesh(), t.numbers()), t.metric());
+  own_ = std::make_unique<Integer_coordinates>();
+  own_->start(Started{surface_of(t, flips.mesh())});
+  state_ = flips.replay(*own_) ? State::own : State::impossible;
+  if (state_ == State::impossible) own_.reset();
+}
+
+template <class Triangulation>
+std::shared_ptr<const Input> Vertex_places<Triangulation>::surface_of(const Triangulation& t,
+                                                                      const Gluing_map& mesh) {
+  if (t.input().has_surface() && t.input().is_defined_by_metric()) return t.shared_input();
+  auto input = std::make_shared<Input>(mesh, t.input().metric(), t.input().names());
+  input->keep_values(Exact_euclidean_metric(input));
+  return input;
+}
 
 // Other metrics are defined by moves.
 template <class Triangulation>

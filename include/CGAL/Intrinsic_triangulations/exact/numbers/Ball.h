@@ -5,23 +5,17 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_BALL_H
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_256.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
-
-#include <boost/multiprecision/mpfr.hpp>
 
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/// A number of 256 bits that needs no memory elsewhere.
-using Mpfr_256 = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<77, boost::multiprecision::allocate_stack>,
-    boost::multiprecision::et_off>;
 
 /*!
 \brief encloses a real number by a center and a radius, with fixed precision: at a tenth of the price of `Gmpfi` of as
@@ -71,7 +65,7 @@ public:
   friend Ball sqrt(const Ball& x) {
     if (!(rounded(x.center_) > 0))
       return {Center(0), std::sqrt(x.size() + x.radius_) * (1 + slack)};
-    const Center s = root(x.center_);
+    const Center s = sqrt(x.center_);
     return {s, x.radius_ / (rounded(s) * (1 - slack))};
   }
 
@@ -108,16 +102,24 @@ private:
         radius_((radius + std::abs(rounded(c)) * (is_short ? 0x1p-102 : 0x1p-254)) * (1 + slack) +
                 0x1p-1060) {}
 
-  static Double_double root(const Double_double& x) { return sqrt(x); }
-  static Mpfr_256 root(const Mpfr_256& x) { return boost::multiprecision::sqrt(x); }
-  static double rounded(const Double_double& x) { return x.to_double(); }
-  static double rounded(const Mpfr_256& x) { return mpfr_get_d(x.backend().data(), MPFR_RNDN); }
+  static double rounded(const Center& x) { return x.to_double(); }
 
   double size() const { return std::abs(rounded(center_)) * (1 + slack); }
 
   Center center_{0};
   double radius_ = 0;
 };
+
+namespace internal {
+
+// Calls a function with rounding to the nearest.
+template <class Function, class... Arguments>
+auto to_nearest(const Function& f, Arguments&... arguments) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  return f(arguments...);
+}
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -46,17 +46,12 @@ public:
   const Integer_face& operator()(const Input_metric& input, std::uint32_t f) {
     const auto found = faces_.find(f);
     if (found != faces_.end()) return found->second;
-    return faces_.emplace(f, is_in_space(input) ? from_points(input, f) : from_lengths(input, f))
+    return faces_.emplace(f, input.is_in_space() ? from_points(input, f) : from_lengths(input, f))
         .first->second;
   }
 
   /// returns the number of faces that are remembered.
   std::size_t size() const { return faces_.size(); }
-
-  /// tells whether the metric is that of triangles in space, without mollification.
-  static bool is_in_space(const Input_metric& input) {
-    return input.is_embedded() && input.delta() == 0;
-  }
 
   /// tells whether two faces in space, glued along a side, lie flat: in one plane, not folded over.
   static bool are_flat(const Integer_face& f, const Integer_face& g) {

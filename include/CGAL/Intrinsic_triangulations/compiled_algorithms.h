@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED_ALGORITHMS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_COMPILED_ALGORITHMS_H
+
+/*!
+\file
+What most programs do with the usual triangulations, which the library has compiled; see `compilation.h`.
+*/
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE
+#define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE extern template
+#endif
+
+#define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(...)                                     \
+  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Flip_to_delaunay_result flip_to_delaunay(       \
+      __VA_ARGS__&, const parameters::Parameters<>&);                                              \
+  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE bool is_delaunay(const __VA_ARGS__&);           \
+  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Delaunay_report<Gluing_map::Edge>               \
+  check_delaunay(const __VA_ARGS__&);                                                              \
+  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE class internal::Delaunay_refiner<               \
+      __VA_ARGS__, Refinement_visitor>;                                                            \
+  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Refinement_result<Gluing_map::Face>             \
+  delaunay_refine(__VA_ARGS__&, const parameters::Parameters<>&)
+
+namespace CGAL::Intrinsic_triangulations {
+
+CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(
+    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, No_correspondence>);
+CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(
+    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>);
+CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(
+    Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, No_correspondence>);
+CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(
+    Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>);
+
+CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Common_subdivision common_subdivision(
+    const Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>&);
+CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Common_subdivision common_subdivision(
+    const Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>&);
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_COMPILED_ALGORITHMS_H

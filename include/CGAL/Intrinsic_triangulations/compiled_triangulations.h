@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED_TRIANGULATIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_COMPILED_TRIANGULATIONS_H
+
+/*!
+\file
+The usual triangulations, which the library has compiled; see `compilation.h`.
+*/
+
+#include <CGAL/Intrinsic_triangulation.h>
+
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE extern template
+#endif
+
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES(...)                                 \
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class __VA_ARGS__;                          \
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class Predicate_session<__VA_ARGS__>;       \
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class Move_session<__VA_ARGS__>;            \
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Mover<__VA_ARGS__>
+
+namespace CGAL::Intrinsic_triangulations {
+
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES(
+    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, No_correspondence>);
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES(
+    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>);
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES(
+    Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, No_correspondence>);
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES(
+    Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>);
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Vertex_places<
+    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, No_correspondence>>;
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Vertex_places<
+    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>>;
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_COMPILED_TRIANGULATIONS_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_FLAT_PARTS_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_FLAT_PARTS_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_layout.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
+#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Flat_parts::flip(std::uint32_t f, std::uint32_t g) {
+  if (known(f) == known(g)) return;
+  change(f);
+  change(g);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::uint32_t
+Flat_parts::part_of(const Input& input, const std::vector<Unfolded_diamond::Triangle>& triangles) {
+  const std::uint32_t first = triangles.front().face;
+  if (part_of_input_[first] == unknown) find_part(input, first);
+  const bool is_flat = std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+    return part_of_input_[t.face] == part_of_input_[first];
+  });
+  return is_flat ? part_of_input_[first] : none;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Flat_parts::find_part(const Input& input,
+                                                                std::uint32_t name) {
+  std::vector<std::uint32_t> stack{name};
+  part_of_input_[name] = name;
+  while (!stack.empty()) {
+    const std::uint32_t f = stack.back();
+    stack.pop_back();
+    std::uint32_t h = input.halfedge_of_face(f);
+    for (unsigned k = 0; k < 3; ++k, h = input.next(h)) {
+      const std::uint32_t g = input.face(h ^ 1U);
+      if (g == Gluing::none || part_of_input_[g] != unknown) continue;
+      const std::uint32_t slot = (input_side(input, h ^ 1U).slot + 2) % 3;
+      if (!are_coplanar(input.metric(), name, g, slot)) continue;
+      part_of_input_[g] = name;
+      stack.push_back(g);
+    }
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_FLAT_PARTS_IMPL_H

@@ -1,0 +1,275 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_EVALUATION_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_EVALUATION_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/escalation.h>
+#include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <CGAL/Gmpfi.h>
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+// what an evaluation keeps between calls, and what it does with it
+struct Exact_evaluation::Memory {
+  static constexpr unsigned first_bits = 512, history_bits = 512;
+  // up to which a test for zero takes less time than 256 bits
+  static constexpr std::size_t few_triangles = 12;
+  // entries that are kept between calls, up to a kilobyte each
+  static constexpr std::size_t maximal_memory = 50000;
+
+  // intervals of one precision
+  struct Intervals {
+    Input_face_intervals<Gmpfi> faces;
+    History_values<Gmpfi> moves; // faces made next have them as ancestors
+  };
+
+  // whether an expression is proven to be zero in integers of fixed size, which takes a microsecond
+  template <class Expression>
+  static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
+                              const Expression&) {
+    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
+      return input.is_in_space() && is_cocircular_strip(input, diamond);
+    else
+      return false;
+  }
+
+  // whether an expression is proven to be zero by symmetry
+  template <class Expression>
+  static bool is_mirrored_tie(const Input_metric& input, const Unfolded_diamond& diamond,
+                              const Expression&) {
+    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
+      return is_mirrored_strip(input, diamond);
+    else
+      return false;
+  }
+
+  // among inserted vertices; others have been tried in integers of fixed size
+  template <class Expression>
+  static std::optional<Sign>
+  sign_in_plane(const Input_metric& input, const Unfolded_diamond& diamond,
+                const Expression& expression, Predicate_statistics& statistics) {
+    if constexpr (PolynomialExpression<Expression>)
+      if (degree_of(expression).is_linear_in_areas() && diamond.has_inserted_corners() &&
+          input.is_in_space())
+        return coplanar_diamond_sign(input, diamond, expression, statistics);
+    return std::nullopt;
+  }
+
+  // computes with a memory of input faces in a type of so many bits
+  template <class Result, class Compute>
+  Result at_precision(unsigned bits, const Compute& compute) {
+    if (bits <= 53) return internal::intervals(compute(doubles));
+    if (bits <= 106) return internal::intervals(internal::to_nearest(compute, short_balls));
+    if (bits <= 256) return internal::intervals(internal::to_nearest(compute, long_balls));
+    const Gmpfi_precision precision(bits);
+    return internal::intervals(compute(intervals().faces));
+  }
+
+  Intervals& intervals() { return by_precision[Gmpfi::get_default_precision()]; }
+
+  Diamond_values<Gmpfi> values(const Input_metric& input, const Unfolded_diamond& diamond) {
+    return diamond.values<Gmpfi>(intervals().faces.of(input));
+  }
+
+  Diamond_values<Gmpfi> values(const Input_metric& input, const Flip_history& history, Side left,
+                               Side right) {
+    const auto faces = values(input, history, {left, right});
+    return diamond_values(faces[0], faces[1]);
+  }
+
+  // each face is the one on the left of its diamond
+  template <class FT, class Values>
+  static std::vector<Face_values<FT>> face_values(const Values& input,
+                                                  const std::vector<Unfolded_diamond>& faces) {
+    std::vector<Face_values<FT>> result;
+    for (const Unfolded_diamond& f : faces) {
+      const Diamond_values<FT> v = f.values<FT>(input);
+      result.push_back({{v.ij, v.jk, v.ki}, v.area_f});
+    }
+    return result;
+  }
+
+  std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,
+                                         const std::vector<Side>& sides) {
+    auto& [faces, moves] = intervals();
+    if (moves.size() > maximal_memory) moves = {};
+    const auto face = faces.of(input);
+    return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
+  }
+
+  Diamond_zero_test is_zero;
+  Input_face_intervals<Interval_nt<false>> doubles;
+  Input_face_intervals<Ball<Double_double>> short_balls;
+  Input_face_intervals<Ball<Mpfr_256>> long_balls;
+  std::map<Gmpfi::Precision_type, Intervals> by_precision;
+
+  // of an expression in the values of a diamond, which doubles have left open
+  template <class Expression>
+  Sign sign_beyond_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
+                           const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                           Predicate_statistics& statistics) {
+    if (is_tie_of_strip(input, diamond, expression)) {
+      ++statistics.certified_zero;
+      return ZERO;
+    }
+    if (const auto flat = sign_in_plane(input, diamond, expression, statistics)) return *flat;
+    const auto in_balls = [&](auto& faces) {
+      using FT = typename std::decay_t<decltype(faces)>::Number;
+      return internal::sign_in_balls(
+          FT::bits, [&] { return diamond.values<FT>(faces.of(input)); }, expression, better,
+          statistics);
+    };
+    const auto [sign, seems_zero] = in_balls(short_balls);
+    if (sign) return *sign;
+    const auto zero_answer = [&] { return is_zero(input, diamond, expression); };
+    std::optional<Zero_answer> answer;
+    if (seems_zero && is_mirrored_tie(input, diamond, expression)) answer = Zero_answer::zero;
+    if (seems_zero && !answer && diamond.triangles.size() <= few_triangles) answer = zero_answer();
+    if (answer == Zero_answer::zero) {
+      ++statistics.certified_zero;
+      return ZERO;
+    }
+    if (const auto s = in_balls(long_balls).first) return *s;
+    return internal::escalated_sign(
+        first_bits, [&] { return values(input, diamond); },
+        internal::tests_zero_first(diamond.triangles.size()),
+        [&] { return answer ? *answer : zero_answer(); }, expression, better, statistics);
+  }
+};
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Memory& Exact_evaluation::memory() {
+  if (memory_ == nullptr) memory_ = std::make_shared<Memory>();
+  return *memory_;
+}
+
+template <class Expression>
+Sign Exact_evaluation::sign(const Input_metric& input, const Unfolded_diamond& diamond,
+                            const Expression& expression, Predicate_statistics& statistics) {
+  Diamond_values<Interval_nt<false>> better;
+  return memory().sign_beyond_doubles(input, diamond, expression, better, statistics);
+}
+
+template <class Expression>
+Sign Exact_evaluation::sign(const Input_metric& input, const Unfolded_diamond& diamond,
+                            const Expression& expression,
+                            Diamond_values<Interval_nt<false>>& better,
+                            Predicate_statistics& statistics) {
+  better = diamond.values<Interval_nt<false>>(memory().doubles.of(input));
+  if (const auto s = internal::counted(CGAL::sign(expression(better)), 53, statistics)) return *s;
+  return memory().sign_beyond_doubles(input, diamond, expression, better, statistics);
+}
+
+template <class Expression>
+Sign Exact_evaluation::sign(const Input_metric& input, const std::vector<Unfolded_diamond>& faces,
+                            const Expression& expression,
+                            std::vector<Face_values<Interval_nt<false>>>& better,
+                            Predicate_statistics& statistics) {
+  better = Memory::face_values<Interval_nt<false>>(memory().doubles.of(input), faces);
+  const auto value_of = [&expression](const auto& values) {
+    return expression(std::span(values.data(), values.size()));
+  };
+  if (const auto s = internal::counted(CGAL::sign(value_of(better)), 53, statistics)) return *s;
+  const auto in_balls = [&](auto& numbers) {
+    using FT = typename std::decay_t<decltype(numbers)>::Number;
+    return internal::sign_in_balls(
+        FT::bits, [&] { return Memory::face_values<FT>(numbers.of(input), faces); }, value_of,
+        better, statistics);
+  };
+  if (const auto s = in_balls(memory().short_balls).first) return *s;
+  if (const auto s = in_balls(memory().long_balls).first) return *s;
+  return internal::escalated_sign(
+      Memory::first_bits,
+      [&] { return Memory::face_values<Gmpfi>(memory().intervals().faces.of(input), faces); },
+      false, [&] { return memory().is_zero.of_faces(input, faces, expression); }, value_of, better,
+      statistics);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Face_values<Interval_nt<false>>>
+Exact_evaluation::enclosures(const Input_metric& input, const std::vector<Unfolded_diamond>& faces,
+                             unsigned bits) {
+  using Result = std::vector<Face_values<Interval_nt<false>>>;
+  return memory().at_precision<Result>(bits, [&](auto& numbers) {
+    using FT = typename std::decay_t<decltype(numbers)>::Number;
+    return Memory::face_values<FT>(numbers.of(input), faces);
+  });
+}
+
+template <class Expression>
+Interval_nt<false> Exact_evaluation::enclosure(const Input_metric& input,
+                                               const Unfolded_diamond& diamond,
+                                               const Expression& expression, unsigned bits) {
+  return memory().at_precision<Interval_nt<false>>(bits, [&](auto& numbers) {
+    using FT = typename std::decay_t<decltype(numbers)>::Number;
+    return expression(diamond.values<FT>(numbers.of(input)));
+  });
+}
+
+template <class Expression>
+Interval_nt<false> Exact_evaluation::enclosure(const Input_metric& input,
+                                               const Flip_history& history, Side left, Side right,
+                                               const Expression& expression, unsigned bits) {
+  const Gmpfi_precision precision(std::max(bits, Memory::history_bits));
+  return internal::interval(expression(memory().values(input, history, left, right)));
+}
+
+template <class Expression>
+Sign Exact_evaluation::sign(const Input_metric& input, const Flip_history& history, Side left,
+                            Side right, const Expression& expression,
+                            Diamond_values<Interval_nt<false>>& better,
+                            Predicate_statistics& statistics) {
+  return internal::escalated_sign(
+      Memory::history_bits, [&] { return memory().values(input, history, left, right); }, true,
+      [&] { return History_zero_test(input, history, left, right)(expression); }, expression,
+      better, statistics);
+}
+
+template <class Expression>
+Sign Exact_evaluation::sign(const Input_metric& input, const Flip_history& history,
+                            const std::vector<Side>& sides, const Expression& expression,
+                            std::vector<Face_values<Interval_nt<false>>>& better,
+                            Predicate_statistics& statistics) {
+  return internal::escalated_sign(
+      Memory::history_bits, [&] { return memory().values(input, history, sides); }, false,
+      [&] { return History_zero_test(input, history, sides).for_faces(expression); },
+      [&](const auto& values) { return expression(std::span(values.data(), values.size())); },
+      better, statistics);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Face_values<Interval_nt<false>>>
+Exact_evaluation::enclosures(const Input_metric& input, const Flip_history& history,
+                             const std::vector<Side>& sides, unsigned bits) {
+  const Gmpfi_precision precision(std::max(bits, Memory::history_bits));
+  return internal::intervals(memory().values(input, history, sides));
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_EVALUATION_IMPL_H

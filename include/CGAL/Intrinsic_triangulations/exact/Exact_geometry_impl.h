@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_GEOMETRY_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_GEOMETRY_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Face_versions.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Exact_geometry(const std::shared_ptr<const Input>& input)
+    : input_(input, &input->metric()) {
+  std::vector<Face_versions::Version> versions;
+  versions.reserve(input_->number_of_faces());
+  for (std::uint32_t f = 0; f < input_->number_of_faces(); ++f)
+    versions.push_back({f, input->halfedge_of_face(f) / 2});
+  versions_ = {Flip_history(input_->number_of_faces()), std::move(versions)};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Exact_geometry::forget_flips() {
+  versions_ = {};
+  is_defined_by_places_ = true;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Face_values<Exact_geometry::FT>>
+Exact_geometry::enclosures(std::span<const Indexed_face> faces, unsigned bits) const {
+  if (const auto u = unfolded(faces)) return evaluation_.enclosures(*input_, *u, bits);
+  return evaluation_.enclosures(*input_, versions_.history(), versions_.sides(faces), bits);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Input_unfolder* Exact_geometry::unfolder() const {
+  if (is_defined_by_places_ && unfolder_.pointer == nullptr)
+    throw std::logic_error(
+        "a metric of a refined triangulation decides only as long as it is in it");
+  return unfolder_.pointer;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE const Unfolded_diamond*
+Exact_geometry::unfolded(const Diamond& d) const {
+  Input_unfolder* const u = unfolder();
+  return u != nullptr ? u->diamond(d) : nullptr;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<std::vector<Unfolded_diamond>>
+Exact_geometry::unfolded(std::span<const Indexed_face> faces) const {
+  std::vector<Unfolded_diamond> result;
+  for (const Indexed_face& f : faces) {
+    Input_unfolder* const u = unfolder();
+    const Unfolded_diamond* const face = u != nullptr ? u->face(f) : nullptr;
+    if (face == nullptr) return std::nullopt;
+    result.push_back(*face);
+  }
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_GEOMETRY_IMPL_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/input/Element_names.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/input/mollification.h>
+#include <CGAL/Intrinsic_triangulations/input/renumbering.h>
+#include <CGAL/Intrinsic_triangulations/input/scaling.h>
+#include <CGAL/Intrinsic_triangulations/input/triangulate_face_graph.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input::Intrinsic_input(const Triangle_soup& soup,
+                                                                      Mollification m)
+    : mesh(Gluing_map::from_valid(
+          gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles))),
+      points(soup.points), mollification(m), triangulated_polygons(soup.triangulated_polygons) {
+  names.polygon_of_triangle = soup.polygon_of_triangle;
+}
+
+namespace internal {
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(Input& input,
+                                                                  Mollification kind) {
+  Input_metric metric = input.metric();
+  double added = default_squared_length_delta();
+  if (kind == Mollification::lengths)
+    metric = mollify_lengths(input.mesh(), metric, 1e-5, added);
+  else
+    metric.set_delta(added);
+  const int s = metric.scale_exponent() * (kind == Mollification::lengths ? 1 : 2);
+  input.set_metric(std::move(metric));
+  return {kind, std::ldexp(added, -s)};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void check_sizes(const Intrinsic_input& in) {
+  const bool embedded = in.squared_lengths.empty();
+  const std::size_t needed = embedded ? in.mesh.number_of_vertices() : in.mesh.number_of_edges();
+  const std::size_t given = embedded ? in.points.size() : in.squared_lengths.size();
+  if (given != needed)
+    throw Invalid_input(Element_kind::none, 0,
+                        "there are " + std::to_string(given) +
+                            (embedded ? " points for " : " squared lengths for ") +
+                            std::to_string(needed) +
+                            (embedded ? " vertices; give one per vertex"
+                                      : " edges; give one per edge of the gluing map"));
+}
+
+// Makes each face start at a side that is not glued to another side of the same face, so that its
+// edge names that side alone: exact metrics tell sides by their edges.
+inline void start_at_single_sides(Gluing_map& mesh) {
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto [h, n, l] = mesh.sides({f});
+    if (n == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, l);
+    if (l == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, n);
+  }
+}
+
+inline void check_faces(const Gluing_map& mesh) {
+  if (mesh.number_of_faces() == 0)
+    throw Invalid_input(Element_kind::none, 0, "the mesh has no faces; give at least one");
+  if (!mesh.is_oriented())
+    throw Invalid_input(Element_kind::none, 0,
+                        "the gluing does not respect the orientation of the faces; orient them, or "
+                        "take the orientation double cover of a nonorientable surface");
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::shared_ptr<Input>
+scaled_and_ordered(Intrinsic_input&& in, Input_report& report) {
+  check_faces(in.mesh);
+  check_sizes(in);
+  const bool embedded = in.squared_lengths.empty();
+  const int scale =
+      embedded ? scale_points(in.mesh, in.points) : scale_squared_lengths(in.squared_lengths);
+  Input_names names = std::move(in.names);
+  if (embedded && in.may_renumber && is_badly_ordered(in.mesh)) {
+    const Input_names order = renumber(in.mesh, in.points);
+    names = {order.vertices, names.edges.after(order.edges), order.faces,
+             std::move(names.polygon_of_triangle)};
+    report.renumbered = true;
+  }
+  start_at_single_sides(in.mesh);
+  Input_metric metric =
+      embedded ? Input_metric::from_points(in.mesh, std::move(in.points), scale)
+               : Input_metric::from_squared_lengths(in.mesh, std::move(in.squared_lengths), scale);
+  return std::make_shared<Input>(std::move(in.mesh), std::move(metric), std::move(names));
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_IMPL_H

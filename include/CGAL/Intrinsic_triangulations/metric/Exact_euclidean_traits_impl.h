@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign_impl.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+template <class Expression>
+struct Sign_computation {};
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces) const {
+  std::vector<Indexed_face> wide;
+  std::copy_if(faces.begin(), faces.end(), std::back_inserter(wide),
+               [this](const Indexed_face& f) { return !is_narrow(f); });
+  for (const unsigned bits : {53U, 106U, 256U, 1024U, 2048U, 4096U}) {
+    if (wide.empty()) return;
+    statistics().sharpenings[bits] += wide.size();
+    refine(wide, geometry_.enclosures(wide, bits));
+    std::erase_if(wide, [this](const Indexed_face& f) { return is_narrow(f); });
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE double
+Exact_euclidean_metric::cotangent_weight(const Diamond& d) const {
+  const Sign s = sign(d, Delaunay_expression());
+  if (s == ZERO) return 0;
+  if (has_accurate_weight(d)) {
+    const double weight =
+        cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
+    return s == POSITIVE ? std::max(weight, 0.0) : std::min(weight, 0.0);
+  }
+  sharpen(std::array<Indexed_face, 2>{{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}});
+  const FT value = geometry_.nonzero_value(d, Delaunay_expression());
+  return CGAL::to_double(value) / approximate_quadruple_area(d.f) /
+         (2 * approximate_quadruple_area(d.g));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Enclosed_values
+Exact_euclidean_metric::enclose(const Input& input) {
+  const Scope scope;
+  return {Intrinsic_triangulations::squared_lengths<FT>(input.metric(), input.mesh()),
+          Intrinsic_triangulations::quadruple_areas<FT>(input.metric())};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
+Exact_euclidean_metric::has_accurate_weight(const Diamond& d) const {
+  const Diamond_values<FT> v = enclosure(d);
+  return is_accurate(Delaunay_expression()(v)) && is_accurate(v.area_f) && is_accurate(v.area_g);
+}
+
+template <class Expression>
+Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expression) const {
+  ++statistics().filter_failures;
+  Diamond_values<FT> better = enclosure(d);
+  const Sign s = geometry_.sign(d, expression, better);
+  refine(d, better);
+  return s;
+}
+
+template <class Expression>
+Sign Exact_euclidean_metric::exact_sign(std::span<const Indexed_face> faces,
+                                        std::vector<Face_values<FT>>& values,
+                                        const Expression& expression) const {
+  ++statistics().filter_failures;
+  const Sign s = geometry_.sign(faces, expression, values);
+  refine(faces, values);
+  return s;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_IMPL_H

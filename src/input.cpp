@@ -1,0 +1,14 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What reads and prepares inputs, and writes files.
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup_impl.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map_impl.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input_impl.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans_impl.h>
+#include <CGAL/Intrinsic_triangulations/input/Element_names_impl.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>
+#include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator_impl.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality_impl.h>
