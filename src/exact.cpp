@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign_impl.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/input/initial_values_impl.h>
+#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
 
 #include <CGAL/Interval_nt.h>

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_geometry.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
 
 #include <gtest/gtest.h>
 

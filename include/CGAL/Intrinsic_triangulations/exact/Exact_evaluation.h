@@ -15,9 +15,39 @@
 #include <CGAL/enum.h>
 
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// complete where signs of any expression are defined
+template <class Expression>
+struct Sign_computation;
+
+// whether its sign is decided here, or by what is compiled already
+template <class Expression>
+inline constexpr bool has_exact_sign =
+    std::is_same_v<Expression, Delaunay_expression> ||
+    std::is_same_v<Expression, Convexity_at_source_expression> ||
+    std::is_same_v<Expression, Convexity_at_target_expression> ||
+    std::is_same_v<Expression, Left_area_expression> ||
+    std::is_same_v<Expression, Small_angle_expression> ||
+    std::is_same_v<Expression, Large_circumradius_expression> ||
+    std::is_same_v<Expression, Long_side_expression> || requires {
+  sizeof(Sign_computation<Expression>);
+};
+
+template <class Expression>
+constexpr void check_has_exact_sign() {
+  static_assert(
+      has_exact_sign<Expression>,
+      "include CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h to decide the "
+      "signs of expressions of your own");
+}
+
+} // namespace internal
 
 /*!
 \brief decides signs that floating point intervals leave open, of expressions of any degree.

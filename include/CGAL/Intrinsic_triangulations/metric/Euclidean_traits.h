@@ -64,11 +64,7 @@ public:
       : scale_exponent_(input->scale_exponent()),
         squared_length_(
             Intrinsic_triangulations::squared_lengths<FT>(input->metric(), input->mesh())),
-        quadruple_area_(Intrinsic_triangulations::quadruple_areas<FT>(input->metric())) {
-    static_assert(internal::has_quadruple_areas<FT>,
-                  "include CGAL/Intrinsic_triangulations/input/initial_values_impl.h for metrics "
-                  "of other number types than double");
-  }
+        quadruple_area_(Intrinsic_triangulations::quadruple_areas<FT>(input->metric())) {}
 
   /// restores a metric from its stored values.
   Euclidean_metric(int scale_exponent, std::vector<FT> squared_lengths,

@@ -29,32 +29,10 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// complete where signs of any expression are defined
-template <class Expression>
-struct Sign_computation;
-
-// whether its sign is decided here, or by what is compiled already
-template <class Expression>
-inline constexpr bool has_exact_sign =
-    std::is_same_v<Expression, Delaunay_expression> ||
-    std::is_same_v<Expression, Convexity_at_source_expression> ||
-    std::is_same_v<Expression, Convexity_at_target_expression> ||
-    std::is_same_v<Expression, Left_area_expression> ||
-    std::is_same_v<Expression, Small_angle_expression> ||
-    std::is_same_v<Expression, Large_circumradius_expression> ||
-    std::is_same_v<Expression, Long_side_expression> || requires {
-  sizeof(Sign_computation<Expression>);
-};
-
-} // namespace internal
 
 /*!
 \brief stores the metric as intervals that contain the exact values, and decides exactly.
@@ -116,7 +94,7 @@ public:
   template <class Expression>
   Sign sign(const Diamond& d, const Expression& expression) const {
     static_assert(DiamondExpression<Expression>);
-    check_can_decide<Expression>();
+    internal::check_has_exact_sign<Expression>();
     const std::optional<Sign> s = certain_sign(expression(enclosure(d)));
     return s ? *s : exact_sign(d, expression);
   }
@@ -130,7 +108,7 @@ public:
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     static_assert(FaceExpression<Expression>);
-    check_can_decide<Expression>();
+    internal::check_has_exact_sign<Expression>();
     std::vector<Face_values<FT>> values;
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
     const std::optional<Sign> s =
@@ -245,14 +223,6 @@ public:
   using Enclosed_values::cotangent_weight;
 
 private:
-  template <class Expression>
-  static constexpr void check_can_decide() {
-    static_assert(
-        internal::has_exact_sign<Expression>,
-        "include CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h to decide the "
-        "signs of expressions of your own");
-  }
-
   static Enclosed_values enclose(const Input& input);
 
   static Vertex_move_values<double> approximations(const Vertex_move_values<FT>& values) {

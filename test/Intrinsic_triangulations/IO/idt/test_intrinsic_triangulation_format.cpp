@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Triangulation_unfolder.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 

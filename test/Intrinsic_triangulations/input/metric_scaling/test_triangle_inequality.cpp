@@ -3,6 +3,8 @@
 
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 
+#include <CGAL/Gmpq.h>
+
 #include "gallery.h"
 #include "slivers.h"
 

@@ -89,6 +89,7 @@ public:
   template <class View, DiamondExpression Expression>
   Sign sign(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
             const Expression& expression, Predicate_statistics& statistics) {
+    internal::check_has_exact_sign<Expression>();
     const Rebuilt d = rebuild(view, coordinates, h);
     const std::optional<Sign> s = certain_sign(expression(d.values));
     return s ? *s : exact_sign(view, coordinates, h, d, expression, statistics);

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a program compiles that links the library: no polygon triangulation, no arithmetic beyond rationals, and
+none of the algorithms that the library has. Seconds depend on the machine; these do not."""
+
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FLAGS = ["-std=c++20", "-frounding-math", "-DCGAL_USE_MPFI=1", "-DCGAL_USE_GMP=1", "-DCGAL_USE_MPFR=1",
+         f"-I{ROOT / 'include'}"]
+COMPILED = "-DCGAL_INTRINSIC_TRIANGULATIONS_COMPILED=1"
+HEAVY = re.compile(r"(CGAL/(Triangulation_2|Constrained_\w+|Filtered_kernel|Lazy_\w+|Mpzf)\.h"
+                   r"|boost/multiprecision/\w+\.hpp)$")
+PROGRAM = """
+#include <CGAL/Intrinsic_triangulations.h>
+namespace IT = CGAL::Intrinsic_triangulations;
+int main() {
+  IT::Corresponding_triangulation t(IT::read_triangle_soup("mesh.off"));
+  IT::flip_to_delaunay(t);
+  IT::delaunay_refine(t);
+  return IT::common_subdivision(t).number_of_faces() > 0;
+}
+"""
+compiler = os.environ.get("CXX", "g++")
+
+
+def run(arguments, source):
+    return subprocess.run([compiler, *FLAGS, *arguments, "-x", "c++", "-"], input=source, text=True,
+                          capture_output=True, check=True)
+
+
+def headers_of(arguments):
+    """Returns the headers that a program with the umbrella header includes."""
+    return run([*arguments, "-M"], "#include <CGAL/Intrinsic_triangulations.h>\n").stdout.replace("\\\n", " ").split()
+
+
+class LightHeaders(unittest.TestCase):
+    def test_with_the_library_nothing_heavy_is_included(self):
+        self.assertEqual([h for h in headers_of([COMPILED])
+                          if HEAVY.search(h) or re.search(r"/Intrinsic_\w+/.*_impl\.h$", h)], [])
+
+    def test_without_it_all_is(self):
+        found = headers_of([])
+        self.assertTrue(any(HEAVY.search(h) for h in found))
+        self.assertTrue(any(h.endswith("/Exact_evaluation_impl.h") for h in found))
+
+    def test_the_library_has_what_most_programs_do(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "program.o"
+            run([COMPILED, "-O1", "-c", "-o", str(out)], PROGRAM)
+            symbols = subprocess.run(["nm", "-C", str(out)], text=True, capture_output=True, check=True).stdout
+        defined = [line for line in symbols.splitlines() if re.search(r" [TtWV] ", line)]
+        for name in ("flip_to_delaunay", "delaunay_refine", "common_subdivision", "read_triangle_soup",
+                     "Delaunay_refiner<", "Mover<", "Exact_evaluation::", "Integer_coordinates::before"):
+            self.assertEqual([line for line in defined if name in line and "~" not in line], [], name)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--compiler", default=compiler)
+    arguments, rest = parser.parse_known_args()
+    compiler = arguments.compiler
+    unittest.main(argv=[__file__, *rest])
