@@ -35,7 +35,9 @@ BEGIN {
   group["correspondence/models/No_correspondence.h"]         = "ref_correspondence"
   group["correspondence/models/Signposts.h"]                 = "ref_correspondence"
   group["correspondence/queries/common_subdivision.h"]       = "ref_subdivision"
+  group["correspondence/queries/Vertex_frames.h"]            = "ref_inside_correspondence"
   group["correspondence/queries/tangent.h"]                  = "ref_tracing"
+  group["correspondence/queries/tangent_field.h"]            = "ref_tracing"
   group["correspondence/queries/trace_geodesic.h"]           = "ref_tracing"
   group["correspondence/queries/vector_field.h"]             = "ref_tracing"
   group["correspondence/subdivision/"]                       = "ref_subdivision"
@@ -70,15 +72,16 @@ BEGIN {
   group["retriangulation/refinement/Delaunay_refiner.h"]     = "ref_inside"
   group["retriangulation/refinement/Face_queue.h"]           = "ref_inside"
   group["retriangulation/refinement/Refinement_test.h"]      = "ref_inside"
+  group["retriangulation/refinement/Removable_vertices.h"]   = "ref_inside"
   group["retriangulation/refinement/dijkstra_ball.h"]        = "ref_inside"
   group["retriangulation/refinement/locate_circumcenter.h"]  = "ref_inside"
   group["tracing/"]                                          = "ref_inside_correspondence"
   group["tracing/trace_geodesic.h"]                          = "ref_tracing"
   group["triangulation/"]                                    = "ref_inside"
   group["triangulation/Move_status.h"]                       = "ref_owner"
-  group["triangulation/measures.h"]                                     = "ref_measures"
   group["triangulation/Session.h"]                           = "ref_owner"
   group["triangulation/Surface_point.h"]                     = "ref_owner"
+  group["triangulation/measures.h"]                          = "ref_measures"
 }
 
 function group_of(path,    prefix, best) {
