@@ -129,7 +129,13 @@ What is in the files: \ref page_file_format, \ref page_output_formats, \ref page
 /*!
 \defgroup ref_inside_correspondence Inside correspondences
 \ingroup page_reference
-\brief Curves as integers, directions at vertices, geodesics step by step.
+\brief Curves as integers, their crossings, both triangulations by numbers.
+*/
+
+/*!
+\defgroup ref_inside_tracing Inside geodesics
+\ingroup page_reference
+\brief Directions at vertices, geodesics step by step.
 */
 
 /*!
