@@ -20,6 +20,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/Interval_nt.h>
@@ -171,6 +172,14 @@ public:
   explicit Integer_only_triangulation(Intrinsic_input input)
       : Integer_only_triangulation(
             internal::prepare<Exact_euclidean_metric>(std::move(input), true)) {}
+
+  /// builds the triangulation of a mesh in space; see above.
+  /// \tparam FaceGraph a model of `FaceListGraph` with a point map of its own, or `Triangle_soup`
+  template <internal::Surface_in_space FaceGraph>
+  explicit Integer_only_triangulation(const FaceGraph& mesh,
+                                      Mollification mollification = Mollification::automatic)
+      : Integer_only_triangulation(Intrinsic_input(mesh, mollification)) {}
+  CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_INPUT(Integer_only_triangulation)
 
   /*!
   \brief takes connectivity, coordinates and input of a triangulation in any arithmetic, and leaves its metric

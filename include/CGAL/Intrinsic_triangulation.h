@@ -20,6 +20,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Session.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_rows.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 
@@ -103,11 +104,11 @@ public:
   \complexity linear
   */
   template <class FaceGraph>
-    requires(!std::is_same_v<FaceGraph, Intrinsic_input> &&
-             !std::is_same_v<FaceGraph, Intrinsic_triangulation>)
+    requires internal::Surface_in_space<FaceGraph>
   explicit Intrinsic_triangulation(const FaceGraph& mesh,
                                    Mollification mollification = Mollification::automatic)
       : Intrinsic_triangulation(Intrinsic_input(mesh, mollification)) {}
+  CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_INPUT(Intrinsic_triangulation)
 
   /*!
   \brief restores a triangulation from its parts, as they were written to a file.

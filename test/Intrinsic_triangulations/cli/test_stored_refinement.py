@@ -40,7 +40,7 @@ class Surface:
 
 
 class Stored:
-    """The sections of a file of version 3 with an input of points, or none."""
+    """The sections of a file of version 4 with an input of points, or none."""
 
     def __init__(self, path):
         with open(path, encoding="ascii") as file:

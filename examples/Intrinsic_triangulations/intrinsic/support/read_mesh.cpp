@@ -29,23 +29,18 @@ Input_facts facts_of(const IT::Gluing_map& mesh) {
 
 Mesh_file read_mesh(const std::string& path, IT::Mollification mollification) {
   IT::Triangle_soup soup = IT::read_triangle_soup(path);
+  const bool has_polygons = soup.triangulated_polygons > 0;
   try {
-    IT::Gluing gluing =
-        IT::gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
-    const std::size_t polygons = soup.input_faces, triangulated = soup.triangulated_polygons;
-    std::vector<Point> points = std::move(soup.points);
-    std::vector<std::uint32_t> polygon_of_triangle = std::move(soup.polygon_of_triangle);
-    soup = {}; // from here on peak memory counts
-    IT::Gluing_map mesh(gluing);
-    gluing = {};
-    Input_facts facts = facts_of(mesh);
+    const std::size_t polygons = soup.input_faces;
+    IT::Intrinsic_input input(std::move(soup), mollification);
+    Input_facts facts = facts_of(input.mesh);
     facts.polygons = polygons;
-    facts.triangulated_polygons = triangulated;
-    return {IT::Intrinsic_input(std::move(mesh), std::move(points), mollification), facts,
-            std::move(polygon_of_triangle)};
+    facts.triangulated_polygons = input.triangulated_polygons;
+    std::vector<std::uint32_t> polygon_of_triangle = std::move(input.names.polygon_of_triangle);
+    return {std::move(input), facts, std::move(polygon_of_triangle)};
   } catch (const IT::Invalid_input& e) {
     const char* const note =
-        soup.triangulated_polygons == 0 ? "" : " (faces are numbered after triangulating polygons)";
+        !has_polygons ? "" : " (faces are numbered after triangulating polygons)";
     throw IT::Invalid_input(e.kind(), e.index(), path + ": " + e.what() + note);
   }
 }

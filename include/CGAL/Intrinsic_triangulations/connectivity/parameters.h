@@ -5,6 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <functional>
 #include <type_traits>
@@ -147,6 +150,18 @@ auto object_or(const NamedParameters& np, const Default& otherwise) {
       return cgal_parameter(np, Tag());
   } else
     return otherwise;
+}
+
+// The map of constrained edges that was given, or one without any.
+template <class Edge, class NamedParameters>
+auto constrained_map(const NamedParameters& np) {
+  const auto map =
+      object_or<tags::edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
+  using Key = typename boost::property_traits<std::remove_const_t<decltype(map)>>::key_type;
+  static_assert(std::is_convertible_v<Edge, Key>,
+                "edge_is_constrained_map() takes a map from edges of the triangulation: "
+                "constrained_input_edges(t, mesh, map) makes one of a map from edges of your mesh");
+  return map;
 }
 
 // A value that was given under a name, or the default, which has the type that is wanted.

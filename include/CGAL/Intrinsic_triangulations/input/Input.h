@@ -46,6 +46,8 @@ struct Input_report {
   bool renumbered = false;
   /// Number of polygonal faces that were triangulated; faces of the report are numbered after that.
   std::size_t triangulated_polygons = 0;
+  /// Number of faces of the user that were turned around, since they disagreed with their neighbours.
+  std::size_t reversed_faces = 0;
 };
 
 /*!

@@ -62,6 +62,8 @@ struct Intrinsic_input {
   bool may_renumber = true;
   /// Number of polygonal faces that were triangulated, for the report.
   std::size_t triangulated_polygons = 0;
+  /// Number of faces that were turned around to orient the surface, for the report.
+  std::size_t reversed_faces = 0;
   /// What the user calls the elements of `mesh`: faces and edges of polygons that were triangulated.
   Input_names names;
 
@@ -85,10 +87,11 @@ struct Intrinsic_input {
   /*!
   \brief takes points and triples of their numbers, from a file or from arrays.
 
-  Edges are found by their end vertices, see `gluing_from_triangles()`.
+  Edges are found by their end vertices, see `gluing_from_triangles()`; faces that disagree with their neighbours in
+  orientation are turned around, and counted.
   \throws Invalid_input naming faces that do not fit together, or a vertex that does not exist
   */
-  explicit Intrinsic_input(const Triangle_soup& soup, Mollification m = Mollification::automatic);
+  explicit Intrinsic_input(Triangle_soup soup, Mollification m = Mollification::automatic);
 
   /*!
   \brief takes a mesh in space through BGL.
@@ -140,6 +143,7 @@ template <class Metric>
 Prepared_input<Metric> prepare(Intrinsic_input&& in, bool keep_surface) {
   Input_report report;
   report.triangulated_polygons = in.triangulated_polygons;
+  report.reversed_faces = in.reversed_faces;
   const Mollification asked = in.mollification;
   const std::shared_ptr<Input> input = scaled_and_ordered(std::move(in), report);
   Metric metric(input);

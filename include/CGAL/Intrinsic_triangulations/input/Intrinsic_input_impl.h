@@ -29,12 +29,30 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input::Intrinsic_input(const Triangle_soup& soup,
-                                                                      Mollification m)
-    : mesh(Gluing_map::from_valid(
-          gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles))),
-      points(soup.points), mollification(m), triangulated_polygons(soup.triangulated_polygons) {
-  names.polygon_of_triangle = soup.polygon_of_triangle;
+namespace internal {
+
+// the number of the user's faces of which triangles were reversed, all or none
+inline std::size_t number_of_reversed(const std::vector<char>& triangles,
+                                      const std::vector<std::uint32_t>& polygon_of_triangle) {
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (triangles[t] != 0 && (polygon_of_triangle.empty() || t == 0 ||
+                              polygon_of_triangle[t] != polygon_of_triangle[t - 1]))
+      ++count;
+  return count;
+}
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Intrinsic_input::Intrinsic_input(Triangle_soup soup, Mollification m)
+    : points(std::move(soup.points)), mollification(m),
+      triangulated_polygons(soup.triangulated_polygons) {
+  std::vector<char> reversed;
+  mesh = Gluing_map::from_valid(oriented_gluing_from_triangles(
+      static_cast<std::uint32_t>(points.size()), soup.triangles, reversed));
+  reversed_faces = internal::number_of_reversed(reversed, soup.polygon_of_triangle);
+  names.polygon_of_triangle = std::move(soup.polygon_of_triangle);
 }
 
 namespace internal {

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -107,6 +108,10 @@ Eigen::SparseMatrix<double> cotangent_laplacian(const Triangulation& t) {
   }
   return l;
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(cotangent_laplacian)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

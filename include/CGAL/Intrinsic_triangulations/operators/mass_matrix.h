@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -87,6 +88,11 @@ Eigen::SparseMatrix<double> galerkin_mass_matrix(const Triangulation& t) {
   }
   return symmetric_matrix(entries, diagonal);
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(lumped_mass_matrix)
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(galerkin_mass_matrix)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

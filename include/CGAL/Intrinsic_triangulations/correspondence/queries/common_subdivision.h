@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/extract_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -31,6 +32,10 @@ Common_subdivision common_subdivision(const Triangulation& t) {
     return internal::extract_subdivision(
         t, integer_coordinates(t, c)); // found by argument-dependent lookup
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(common_subdivision)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

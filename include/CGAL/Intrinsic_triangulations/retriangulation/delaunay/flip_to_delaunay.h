@@ -7,9 +7,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <CGAL/boost/graph/properties.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -118,7 +118,7 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
   using Edge = typename Triangulation::edge_descriptor;
   internal::expect_names<edge_is_constrained_map, visitor, maximum_number>(np);
   const auto constrained =
-      internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
+      internal::constrained_map<Edge>(np);
   auto stored_visitor = internal::object_or<visitor>(np, Flip_to_delaunay_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
   const std::uint64_t cap = internal::value_or<maximum_number>(
@@ -144,6 +144,10 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t,
                                          const NP& np = parameters::default_values()) {
   return flip_to_delaunay(t, edges(t.mesh()), np);
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(flip_to_delaunay, IntrinsicTriangulation)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

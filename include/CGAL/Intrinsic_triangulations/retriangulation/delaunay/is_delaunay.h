@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_IS_DELAUNAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_IS_DELAUNAY_H
 
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/enum.h>
@@ -67,6 +68,11 @@ bool is_delaunay(const Triangulation& t) {
     if (!session.is_locally_delaunay(halfedge(e, t.mesh()))) return false;
   return true;
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(is_delaunay)
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(check_delaunay)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

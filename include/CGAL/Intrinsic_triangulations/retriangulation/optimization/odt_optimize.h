@@ -9,8 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
-#include <CGAL/boost/graph/properties.h>
 
 #include <cstdint>
 #include <type_traits>
@@ -51,7 +51,7 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
   internal::expect_names<maximum_edge_length, number_of_iterations, maximum_insertions, convergence,
                          edge_is_constrained_map, visitor>(np);
   const auto constrained =
-      internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
+      internal::constrained_map<Edge>(np);
   auto stored_visitor = internal::object_or<visitor>(np, Odt_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
   const internal::Surface_check<Triangulation> check(t);
@@ -63,6 +63,10 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
                               [&](std::uint32_t e) { return optimizer.is_constrained_edge(e); });
   return result;
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(odt_optimize, RefinableTriangulation)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -10,8 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Marked_faces.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
-#include <CGAL/boost/graph/properties.h>
 
 #include <cmath>
 #include <cstddef>
@@ -128,7 +128,7 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
   const auto most_rounds = internal::value_or<maximum_rounds>(np, std::size_t{100});
   if (!(error_wanted >= 0)) throw std::invalid_argument("the tolerance must not be negative");
   const auto constrained =
-      internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
+      internal::constrained_map<Edge>(np);
   auto stored_visitor = internal::object_or<visitor>(np, Adaptive_refinement_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
   Adaptive_refinement_result result;
@@ -164,6 +164,10 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
   }
   return result;
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(adaptive_refine)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -9,8 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
-#include <CGAL/boost/graph/properties.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -75,7 +75,7 @@ delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
                          maximum_insertions, internal::tags::order, conforming,
                          edge_is_constrained_map, visitor>(np);
   const auto constrained =
-      internal::object_or<edge_is_constrained_map>(np, Static_boolean_property_map<Edge, false>());
+      internal::constrained_map<Edge>(np);
   auto stored_visitor = internal::object_or<visitor>(np, Refinement_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
   const internal::Surface_check<Triangulation> check(t);
@@ -87,6 +87,10 @@ delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
       t, constrained, [&](std::uint32_t e) { return refiner.segments().is_constrained(e); });
   return result;
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(delaunay_refine, RefinableTriangulation)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

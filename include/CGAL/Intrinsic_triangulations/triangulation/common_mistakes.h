@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_COMMON_MISTAKES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_COMMON_MISTAKES_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <type_traits>
+
+/*!
+\file
+Overloads for calls that are wrong in a way that is common. They are declared and not defined: the compiler refuses the call
+where the user wrote it, and says in one line what to do, where a constraint would list what all candidates lack.
+*/
+
+/// declares a function that must not be called, and why.
+#define CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(text) [[gnu::error(text)]]
+
+/// refuses a mesh in place of a triangulation.
+#define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(function)                                        \
+  template <internal::Mesh_without_metric Mesh, class... Options>                                  \
+  CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
+      #function "() takes an intrinsic triangulation, not a mesh: build one of the mesh, "         \
+                "Corresponding_triangulation t(mesh), and pass t")                                 \
+  internal::Refused_call                                                                           \
+  function(const Mesh&, const Options&...);
+
+/// refuses, of a function that changes a triangulation, a mesh, a const triangulation and an option without name.
+#define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(function, Concept)                           \
+  CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(function)                                              \
+  template <Concept Triangulation, NamedParameters... NP>                                          \
+  CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
+      #function "() changes the triangulation, which is const here: pass one that is not, or a "   \
+                "copy of it")                                                                      \
+  internal::Refused_call                                                                           \
+  function(const Triangulation&, const NP&...);                                                    \
+  template <Concept Triangulation, class Number>                                                   \
+    requires std::is_arithmetic_v<Number> CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                   \
+        #function "() takes options by name: for a number, such as " #function                     \
+                  "(t, parameters::maximum_number(1000)); its page lists the names")               \
+  internal::Refused_call function(const Triangulation&, Number);
+
+/// refuses, of a constructor from a mesh in space, what is none.
+#define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_INPUT(Class)                                          \
+  template <internal::Not_a_surface<Class> Other>                                                  \
+  CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
+      "this is no mesh of which BGL knows the vertices and faces: for one of OpenMesh include "    \
+      "CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h; read a file by "    \
+      "read_triangle_soup(name)")                                                                  \
+  explicit Class(const Other&, Mollification = Mollification::automatic);
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// what refused calls return
+struct Refused_call {};
+
+template <class Mesh>
+concept Mesh_without_metric = Has_mesh_elements<Mesh> && !requires(const Mesh& m) {
+  m.metric();
+};
+
+// what triangulations are built from, but for an `Intrinsic_input`
+template <class Surface>
+concept Surface_in_space = std::is_same_v<Surface, Triangle_soup> || Mesh_without_metric<Surface>;
+
+template <class Other, class Triangulation>
+concept Not_a_surface = !Surface_in_space<Other> && !std::is_base_of_v<Triangulation, Other> &&
+                        !std::is_base_of_v<Intrinsic_input, Other>;
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_COMMON_MISTAKES_H

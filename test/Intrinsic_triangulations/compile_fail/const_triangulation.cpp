@@ -1,0 +1,18 @@
+// expect at once: const here: pass one that is not
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Algorithms change the triangulation.
+
+#include <CGAL/Intrinsic_triangulations.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+int main() {
+  const IT::Corresponding_triangulation t{Mesh()};
+  IT::flip_to_delaunay(t);
+}
