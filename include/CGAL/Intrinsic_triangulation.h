@@ -274,11 +274,12 @@ public:
   }
 
   /*!
-  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one.
+  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one; or changes lengths only
+  (Eq. 8), if it stays in its star, the metric is a `Euclidean_metric`, and no correspondence has to follow.
   \param v the vertex
   \param h a halfedge of the face of the new place
   \param weights see `insert_vertex()`
-  \return the new vertex, or why nothing has changed
+  \return the new vertex, which may be the old one, or why nothing has changed
   */
   Insertion
   reposition_vertex(vertex_descriptor v, halfedge_descriptor h,

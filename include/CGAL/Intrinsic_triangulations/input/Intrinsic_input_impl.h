@@ -23,6 +23,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,12 +59,17 @@ Intrinsic_input::Intrinsic_input(Triangle_soup soup, Mollification m)
 
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(Input& input,
-                                                                  Mollification kind) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(Input& input, Mollification kind,
+                                                                  std::optional<double> amount) {
   Input_metric metric = input.metric();
-  double added = default_squared_length_delta();
+  if (amount) { // in scaled units
+    const std::vector<double> lengths = edge_lengths(input.mesh(), metric);
+    *amount *=
+        std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
+  }
+  double added = amount ? *amount * *amount : default_squared_length_delta();
   if (kind == Mollification::lengths)
-    metric = mollify_lengths(input.mesh(), metric, 1e-5, added);
+    metric = mollify_lengths(input.mesh(), metric, amount.value_or(1e-5), added);
   else
     metric.set_delta(added);
   const int s = metric.scale_exponent() * (kind == Mollification::lengths ? 1 : 2);
@@ -102,8 +109,16 @@ inline void check_faces(const Gluing_map& mesh) {
                         "take the orientation double cover of a nonorientable surface");
 }
 
+inline void check_mollification_amount(const std::optional<double>& amount) {
+  if (amount && !(*amount > 0 && *amount <= 1))
+    throw Invalid_input(Element_kind::none, 0,
+                        "the amount of mollification is " + std::to_string(*amount) +
+                            "; it is a part of the mean edge, above 0 and at most 1");
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::shared_ptr<Input>
 scaled_and_ordered(Intrinsic_input&& in, Input_report& report) {
+  check_mollification_amount(in.mollification_amount);
   check_faces(in.mesh);
   check_sizes(in);
   const bool embedded = in.squared_lengths.empty();
