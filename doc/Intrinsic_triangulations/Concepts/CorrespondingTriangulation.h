@@ -30,8 +30,6 @@ What the correspondence says is true of the mesh and the metric as they are.
 \cgalHeading{Complexity}
 
 Constant time for everything but `Metric::sign`.
-
-The C++20 concept \itc{CorrespondingTriangulation} in CorrespondingTriangulation.h checks the syntax.
 */
 class CorrespondingTriangulation {
 public:

@@ -32,8 +32,6 @@ Those of \ref ::IntrinsicMetric on values. Rows of different vertices differ and
 \cgalHeading{Complexity}
 
 Constant time for everything.
-
-The C++20 concept \itc{MeasuredTriangulation} in MeasuredTriangulation.h checks the syntax.
 */
 class MeasuredTriangulation {
 public:

@@ -30,8 +30,6 @@ Halfedges `2e` and `2e + 1` are the sides of edge `e`. Values are those of \ref 
 \cgalHeading{Complexity}
 
 Constant time for everything.
-
-The C++20 concept \itc{NumberedTriangulation} in NumberedTriangulation.h checks the syntax.
 */
 class NumberedTriangulation {
 public:

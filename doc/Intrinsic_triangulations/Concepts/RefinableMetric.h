@@ -41,8 +41,6 @@ places define if it is defined by these.
 \cgalHeading{Complexity}
 
 That of the arithmetic.
-
-The C++20 concept \itc{RefinableMetric} in concepts.h checks the syntax.
 */
 class RefinableMetric {
 public:
