@@ -76,10 +76,8 @@ public:
   /// Face of the mesh.
   using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
 
-  /// Decides many predicates in one floating point environment.
-  using Const_session = Predicate_session<Intrinsic_triangulation>;
-  /// Decides many predicates and makes many moves in one floating point environment.
-  using Session = Move_session<Intrinsic_triangulation>;
+  using Const_session = Predicate_session<Intrinsic_triangulation>; ///< decides many predicates
+  using Session = Move_session<Intrinsic_triangulation>;            ///< makes many moves, too
   /// What became of an insertion: a `Move_status` and the new vertex.
   struct Insertion {
     Move_status status; ///< `done`, or why nothing was inserted.
