@@ -5,6 +5,7 @@
 // three statements. Usage: common_subdivision [MESH.off [OUT.vtp]]
 
 #include <CGAL/Intrinsic_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 

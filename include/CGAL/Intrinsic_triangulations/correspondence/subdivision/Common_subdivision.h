@@ -69,9 +69,9 @@ struct Common_subdivision {
     std::uint32_t intrinsic = none;                                ///< its row there
     Subdivision_vertex_kind kind = Subdivision_vertex_kind::input; ///< input or inserted
     std::uint32_t input_face = none; ///< a face of the input that contains it
-    std::uint32_t input_halfedge =
-        none; ///< of an inserted vertex: of that face, where `on_input` starts from
-    Weighted_vertices on_input; ///< its location on the input
+    Weighted_vertices on_input;      ///< its location on the input
+    /// Of an inserted vertex: the halfedge of `input_face` from which `on_input` is given.
+    std::uint32_t input_halfedge = none;
   };
 
   /// The crossing of an edge of the input with an edge of the intrinsic triangulation.
