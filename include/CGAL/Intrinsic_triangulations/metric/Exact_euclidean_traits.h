@@ -21,7 +21,6 @@
 #include <CGAL/Interval_nt.h>
 
 #include <boost/config.hpp>
-#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -111,13 +110,15 @@ public:
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     static_assert(FaceExpression<Expression>);
     internal::check_has_exact_sign<Expression>();
-    boost::container::small_vector<Face_values<FT>, 2> values;
+    using Values = std::span<const Face_values<FT>>;
+    if (faces.size() == 1) { // nearly always, and most of them end here
+      const Face_values<FT> value = enclosure(faces.front());
+      if (const auto s = certain_sign(expression(Values(&value, 1)))) return *s;
+    }
+    std::vector<Face_values<FT>> values;
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
-    const std::optional<Sign> s =
-        certain_sign(expression(std::span<const Face_values<FT>>(values.data(), values.size())));
-    if (s) return *s;
-    std::vector<Face_values<FT>> better(values.begin(), values.end());
-    return exact_sign(faces, better, expression);
+    const std::optional<Sign> s = certain_sign(expression(Values(values)));
+    return s ? *s : exact_sign(faces, values, expression);
   }
 
   /*!
