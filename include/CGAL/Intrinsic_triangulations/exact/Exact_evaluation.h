@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
@@ -225,19 +224,6 @@ private:
       return false;
   }
 
-  // among inserted vertices; others have been tried in integers of fixed size
-  template <class Expression>
-  static std::optional<Sign>
-  sign_in_plane(const Input_metric& input, const Unfolded_diamond& diamond,
-                const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-                Predicate_statistics& statistics) {
-    if constexpr (PolynomialExpression<Expression>)
-      if (degree_of(expression).is_linear_in_areas() && diamond.has_inserted_corners() &&
-          Integer_faces::is_in_space(input))
-        return coplanar_diamond_sign(input, diamond, expression, better, statistics);
-    return std::nullopt;
-  }
-
   // computes with a memory of input faces in a type of so many bits
   template <class Result, class Compute>
   Result at_precision(unsigned bits, const Compute& compute) {
@@ -304,7 +290,6 @@ Sign Exact_evaluation::sign_beyond_doubles(const Input_metric& input,
     ++statistics.certified_zero;
     return ZERO;
   }
-  if (const auto flat = sign_in_plane(input, diamond, expression, better, statistics)) return *flat;
   const auto in_balls = [&](auto& faces) {
     using FT = typename std::decay_t<decltype(faces)>::Number;
     return internal::sign_in_balls(

@@ -181,30 +181,15 @@ Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
   return exact;
 }
 
-/*!
-\brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
-
-Inserted vertices in flat parts of a surface are tied often.
-\param input, expression, better, statistics see `flat_diamond_sign()`
-\param diamond the diamond
-\return the sign; nothing if the diamond is not in one plane
-*/
-template <PolynomialExpression Expression>
-std::optional<Sign>
-coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-                      Predicate_statistics& statistics) {
-  const std::uint32_t first = diamond.triangles.front().face;
-  for (const Unfolded_diamond::Triangle& t : diamond.triangles)
-    if (&t != &diamond.triangles.front() && !are_coplanar(input, first, t.face, (t.entry + 2) % 3))
-      return std::nullopt;
-  Flat_diamond flat{first, {}};
+/// returns a diamond of which all triangles lie in one plane in space.
+inline Flat_diamond flat_diamond(const Input_metric& input, const Unfolded_diamond& diamond) {
+  Flat_diamond flat{diamond.triangles.front().face, {}};
   for (std::size_t c = 0; c < 4; ++c) {
     const auto& [triangle, slot, weights] = diamond.corners[c];
     const Input_metric::Sides& s = input.sides(diamond.triangles[triangle].face);
     flat.corners[c] = {{s[slot], s[(slot + 1) % 3], s[(slot + 2) % 3]}, weights};
   }
-  return flat_diamond_sign(input, flat, expression, better, statistics);
+  return flat;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -40,6 +40,16 @@ public:
     }
     return part_[f] == part_[g] ? part_[f] : none;
   }
+  // the part in which all triangles are
+  std::uint32_t part_of(const Input& input,
+                        const std::vector<Unfolded_diamond::Triangle>& triangles) {
+    const std::uint32_t first = triangles.front().face;
+    if (part_of_input_[first] == unknown) find_part(input, first);
+    const bool is_flat = std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+      return part_of_input_[t.face] == part_of_input_[first];
+    });
+    return is_flat ? part_of_input_[first] : none;
+  }
   // how many diamonds have been unfolded for that
   std::size_t number_of_searches() const { return number_of_searches_; }
 
@@ -59,16 +69,6 @@ private:
 
   std::uint32_t known(std::uint32_t face) const {
     return face < part_.size() ? part_[face] : unknown;
-  }
-
-  std::uint32_t part_of(const Input& input,
-                        const std::vector<Unfolded_diamond::Triangle>& triangles) {
-    const std::uint32_t first = triangles.front().face;
-    if (part_of_input_[first] == unknown) find_part(input, first);
-    const bool is_flat = std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
-      return part_of_input_[t.face] == part_of_input_[first];
-    });
-    return is_flat ? part_of_input_[first] : none;
   }
 
   void find_part(const Input& input, std::uint32_t name) {
