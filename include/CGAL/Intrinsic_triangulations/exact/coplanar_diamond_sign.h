@@ -96,8 +96,6 @@ public:
     };
     return values(area);
   }
-  // the square of that unit
-  FT squared_unit() const { return space_dot(plane_.normal(), plane_.normal()); }
   // areas by square roots. \pre they are not negative
   Diamond_values<FT> values() const {
     return values([](const Vector& a, const Vector& b) {
@@ -145,16 +143,6 @@ inline bool are_coplanar(const Input_metric& input, std::uint32_t f, std::uint32
   const Uncertain<bool> s = internal::Input_plane<Interval_nt<false>>(input, f).contains(g, slot);
   return is_certain(s) ? get_certain(s)
                        : get_certain(internal::Input_plane<Mpzf>(input, f).contains(g, slot));
-}
-
-/// encloses an expression that is linear in the areas, in the values of a diamond that lies in one plane in space.
-template <PolynomialExpression Expression>
-Interval_nt<false> flat_diamond_value(const Input_metric& input, const Flat_diamond& diamond,
-                                      const Expression& expression) {
-  using Interval = Interval_nt<false>;
-  const internal::Diamond_in_space<Mpzf> d(input, diamond);
-  return Interval(CGAL::to_interval(expression(d.scaled_values()))) /
-         CGAL::sqrt(Interval(CGAL::to_interval(d.squared_unit())));
 }
 
 /*!
