@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
@@ -73,19 +72,6 @@ struct Exact_evaluation::Memory {
       return false;
   }
 
-  // among inserted vertices; others have been tried in integers of fixed size
-  template <class Expression>
-  static std::optional<Sign>
-  sign_in_plane(const Input_metric& input, const Unfolded_diamond& diamond,
-                const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-                Predicate_statistics& statistics) {
-    if constexpr (PolynomialExpression<Expression>)
-      if (degree_of(expression).is_linear_in_areas() && diamond.has_inserted_corners() &&
-          input.is_in_space())
-        return coplanar_diamond_sign(input, diamond, expression, better, statistics);
-    return std::nullopt;
-  }
-
   // computes with a memory of input faces in a type of so many bits
   template <class Result, class Compute>
   Result at_precision(unsigned bits, const Compute& compute) {
@@ -144,8 +130,6 @@ struct Exact_evaluation::Memory {
       ++statistics.certified_zero;
       return ZERO;
     }
-    if (const auto flat = sign_in_plane(input, diamond, expression, better, statistics))
-      return *flat;
     const auto in_balls = [&](auto& faces) {
       using FT = typename std::decay_t<decltype(faces)>::Number;
       return internal::sign_in_balls(

@@ -103,18 +103,13 @@ public:
 
   /*!
   \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
-  \param d the diamond
-  \param expression a polynomial that is linear in the areas, see `Expression_degree`
   \pre the value is not zero
   \complexity that of the precision that it takes
+  \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before, and weights are
+  to have the same digits after a triangulation is read from a file.
   */
-  template <PolynomialExpression Expression>
+  template <class Expression>
   FT nonzero_value(const Diamond& d, const Expression& expression) const {
-    if (unfolder() != nullptr)
-      if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d)) {
-        ++statistics_.sharpenings[53];
-        return flat_diamond_value(*input_, *flat, expression);
-      }
     FT value;
     for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
       ++statistics_.sharpenings[bits];

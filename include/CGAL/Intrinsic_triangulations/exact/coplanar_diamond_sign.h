@@ -15,7 +15,6 @@
 #include <CGAL/enum.h>
 
 #include <cstdint>
-#include <optional>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -27,11 +26,6 @@ namespace CGAL::Intrinsic_triangulations {
 \param slot the slot of that corner
 */
 bool are_coplanar(const Input_metric& input, std::uint32_t f, std::uint32_t g, std::uint32_t slot);
-
-/// encloses an expression that is linear in the areas, in the values of a diamond that lies in one plane in space.
-template <PolynomialExpression Expression>
-Interval_nt<false> flat_diamond_value(const Input_metric& input, const Flat_diamond& diamond,
-                                      const Expression& expression);
 
 /*!
 \brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
@@ -49,19 +43,8 @@ Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
                        const Expression& expression, Diamond_values<Interval_nt<false>>& better,
                        Predicate_statistics& statistics);
 
-/*!
-\brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
-
-Inserted vertices in flat parts of a surface are tied often.
-\param input, expression, better, statistics see `flat_diamond_sign()`
-\param diamond the diamond
-\return the sign; nothing if the diamond is not in one plane
-*/
-template <PolynomialExpression Expression>
-std::optional<Sign>
-coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-                      Predicate_statistics& statistics);
+/// returns a diamond of which all triangles lie in one plane in space.
+Flat_diamond flat_diamond(const Input_metric& input, const Unfolded_diamond& diamond);
 
 } // namespace CGAL::Intrinsic_triangulations
 

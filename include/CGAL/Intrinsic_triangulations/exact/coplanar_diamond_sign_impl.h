@@ -98,8 +98,6 @@ public:
     };
     return values(area);
   }
-  // the square of that unit
-  FT squared_unit() const { return space_dot(plane_.normal(), plane_.normal()); }
   // areas by square roots. \pre they are not negative
   Diamond_values<FT> values() const {
     return values([](const Vector& a, const Vector& b) {
@@ -143,15 +141,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool are_coplanar(const Input_metric& input
 }
 
 template <PolynomialExpression Expression>
-Interval_nt<false> flat_diamond_value(const Input_metric& input, const Flat_diamond& diamond,
-                                      const Expression& expression) {
-  using Interval = Interval_nt<false>;
-  const internal::Diamond_in_space<Mpzf> d(input, diamond);
-  return Interval(CGAL::to_interval(expression(d.scaled_values()))) /
-         CGAL::sqrt(Interval(CGAL::to_interval(d.squared_unit())));
-}
-
-template <PolynomialExpression Expression>
 Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
                        const Expression& expression, Diamond_values<Interval_nt<false>>& better,
                        Predicate_statistics& statistics) {
@@ -164,22 +153,15 @@ Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
   return exact;
 }
 
-template <PolynomialExpression Expression>
-std::optional<Sign>
-coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-                      Predicate_statistics& statistics) {
-  const std::uint32_t first = diamond.triangles.front().face;
-  for (const Unfolded_diamond::Triangle& t : diamond.triangles)
-    if (&t != &diamond.triangles.front() && !are_coplanar(input, first, t.face, (t.entry + 2) % 3))
-      return std::nullopt;
-  Flat_diamond flat{first, {}};
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Flat_diamond flat_diamond(const Input_metric& input,
+                                                               const Unfolded_diamond& diamond) {
+  Flat_diamond flat{diamond.triangles.front().face, {}};
   for (std::size_t c = 0; c < 4; ++c) {
     const auto& [triangle, slot, weights] = diamond.corners[c];
     const Input_metric::Sides& s = input.sides(diamond.triangles[triangle].face);
     flat.corners[c] = {{s[slot], s[(slot + 1) % 3], s[(slot + 2) % 3]}, weights};
   }
-  return flat_diamond_sign(input, flat, expression, better, statistics);
+  return flat;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

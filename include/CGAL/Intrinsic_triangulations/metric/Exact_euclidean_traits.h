@@ -165,7 +165,10 @@ public:
   /// see `Exact_geometry::unfold_by()`
   void unfold_by(Input_unfolder& unfolder) { geometry_.unfold_by(unfolder); }
   /// see `Exact_geometry::forget_flips()`
-  void forget_flips() { geometry_.forget_flips(); }
+  void forget_flips() {
+    geometry_.forget_flips();
+    signs_ = {}; // found in other ways, which leave other intervals
+  }
   /// tells whether values are defined by places of vertices on the input.
   bool is_defined_by_places() const { return geometry_.is_defined_by_places(); }
 

@@ -6,9 +6,11 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
@@ -155,7 +157,20 @@ private:
   Sign exact_sign(const Unfolded_diamond& d, const Expression& expression,
                   Predicate_statistics& statistics) {
     ++statistics.filter_failures;
+    if constexpr (PolynomialExpression<Expression>)
+      if (degree_of(expression).is_linear_in_areas() && d.has_inserted_corners() && is_flat(d)) {
+        Diamond_values<FT> values;
+        return flat_diamond_sign(input_->metric(), flat_diamond(input_->metric(), d), expression,
+                                 values, statistics);
+      }
     return evaluation_.sign(input_->metric(), d, expression, statistics);
+  }
+
+  // inserted vertices in flat parts of a surface are tied often
+  bool is_flat(const Unfolded_diamond& d) {
+    if (!input_->metric().is_in_space()) return false;
+    if (!parts_) parts_.emplace(*input_);
+    return parts_->part_of(*input_, d.triangles) != internal::Flat_parts::none;
   }
 
   // the values of a face of the input
@@ -220,6 +235,7 @@ private:
   std::shared_ptr<const Input> input_;
   std::vector<Input_face> faces_;
   Diamond_unfolder unfolder_;
+  std::optional<internal::Flat_parts> parts_;
   Exact_evaluation evaluation_;
 };
 
