@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Replayed_flips_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_geometry_impl.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign_impl.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>

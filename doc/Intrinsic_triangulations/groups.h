@@ -149,7 +149,7 @@ What is in the files: \ref page_file_format, \ref page_output_formats, \ref page
 | who decides and encloses, for a metric | \itc{Exact_geometry} |
 | two input faces, in integers of fixed size | \itf{input_diamond_sign} |
 | the input triangles under a diamond or a face | \itc{Unfolded_diamond}, found by an \itc{Input_unfolder} or along the \itc{Flip_history} |
-| diamonds in one plane | \itf{flat_diamond_sign}, \itf{coplanar_diamond_sign} |
+| diamonds in one plane | \itf{flat_diamond_sign}, \itf{flat_diamond_sign} |
 | is it zero? | \itc{Diamond_zero_test}, \itc{Field_zero_test}, \itc{History_zero_test} |
 | if not, in more and more bits | \itc{Exact_evaluation} |
 */

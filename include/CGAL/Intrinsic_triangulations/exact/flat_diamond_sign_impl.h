@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
@@ -166,4 +166,4 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Flat_diamond flat_diamond(const Input_metri
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_IMPL_H
