@@ -192,7 +192,8 @@ TEST(Archetypes, refinable_triangulation_is_enough_for_what_moves_vertices) {
   EXPECT_EQ(IT::flip_to_delaunay(t).flips, 0U);
   EXPECT_TRUE(IT::is_delaunay(t));
   Surface_mesh cells;
-  EXPECT_EQ(IT::delaunay_tessellation(t, cells).number_of_cells, num_faces(cells));
+  const IT::Delaunay_tessellation tessellation = IT::delaunay_tessellation(t, cells);
+  EXPECT_EQ(tessellation.number_of_cells, num_faces(cells));
 }
 
 TEST(Archetypes, numbered_triangulation_is_enough_for_places_and_transfer) {

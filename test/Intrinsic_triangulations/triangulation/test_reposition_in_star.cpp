@@ -128,6 +128,8 @@ std::size_t move_at_random(Plane<T>& plane, unsigned seed, double tolerance, int
       EXPECT_EQ(num_vertices(t.mesh()), before);
       ++same;
     }
+    // a removal takes angles for straight that are so to seven digits
+    if (n.vertex != v && tolerance > 0) tolerance = 1e-7;
     v = n.vertex;
     plane.expect_values(tolerance);
   }
@@ -142,9 +144,9 @@ TEST(Reposition_in_star, gives_the_lengths_and_areas_of_the_plane_exactly_in_rat
 TEST(Reposition_in_star, gives_the_lengths_and_areas_of_the_plane_in_doubles) {
   // rounding adds up over moves, and more of it on slivers
   for (const auto& [m, tolerance] :
-       {std::pair{meshes::grid(3, 3), 1e-11},
-        std::pair{meshes::scaled(meshes::sheared_grid(4, 4, 1), 1e6), 1e-11},
-        std::pair{meshes::random_planar(40, 1000, 3), 1e-7}}) {
+       {std::pair{meshes::grid(3, 3), 1e-10},
+        std::pair{meshes::scaled(meshes::sheared_grid(4, 4, 1), 1e6), 1e-10},
+        std::pair{meshes::random_planar(40, 1000, 3), 1e-8}}) {
     Plane<Triangulation<double>> plane(m);
     EXPECT_GT(move_at_random(plane, 2, tolerance, 200), 50U);
   }
