@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "read_mesh.h"
+#include "progress.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
@@ -18,34 +19,39 @@ Input_facts facts_of(const IT::Gluing_map& mesh) {
   for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
     if (mesh.face({h}).index == IT::Gluing::none) ++facts.boundary_edges;
   facts.components = IT::connected_components(mesh).count;
-  facts.genus = IT::genus(mesh);
   facts.boundary_loops = IT::boundary_loops(mesh).size();
-  for (const std::uint32_t umbrellas : IT::umbrellas(mesh)) {
-    facts.isolated_vertices += umbrellas == 0 ? 1 : 0;
-    facts.nonmanifold_vertices += umbrellas > 1 ? 1 : 0;
+  std::size_t umbrellas = 0;
+  for (const std::uint32_t n : IT::umbrellas(mesh)) {
+    umbrellas += n;
+    facts.isolated_vertices += n == 0 ? 1 : 0;
+    facts.nonmanifold_vertices += n > 1 ? 1 : 0;
   }
+  // as IT::genus() does, which would count all of this again
+  if (IT::is_orientable(mesh))
+    facts.genus = (2 * facts.components + facts.edges - umbrellas - facts.faces -
+                   facts.boundary_loops) /
+                  2;
   return facts;
 }
 
 Mesh_file read_mesh(const std::string& path, IT::Mollification mollification) {
+  Stopwatch watch;
   IT::Triangle_soup soup = IT::read_triangle_soup(path);
+  const double seconds = watch.lap();
+  const std::size_t polygons = soup.input_faces, triangulated = soup.triangulated_polygons;
   try {
     IT::Gluing gluing =
         IT::gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
-    const std::size_t polygons = soup.input_faces, triangulated = soup.triangulated_polygons;
     std::vector<Point> points = std::move(soup.points);
     std::vector<std::uint32_t> polygon_of_triangle = std::move(soup.polygon_of_triangle);
     soup = {}; // from here on peak memory counts
-    IT::Gluing_map mesh(gluing);
+    IT::Gluing_map mesh = IT::Gluing_map::from_valid(gluing);
     gluing = {};
-    Input_facts facts = facts_of(mesh);
-    facts.polygons = polygons;
-    facts.triangulated_polygons = triangulated;
-    return {IT::Intrinsic_input(std::move(mesh), std::move(points), mollification), facts,
-            std::move(polygon_of_triangle)};
+    return {IT::Intrinsic_input(std::move(mesh), std::move(points), mollification),
+            std::move(polygon_of_triangle), polygons, triangulated, seconds};
   } catch (const IT::Invalid_input& e) {
     const char* const note =
-        soup.triangulated_polygons == 0 ? "" : " (faces are numbered after triangulating polygons)";
+        triangulated == 0 ? "" : " (faces are numbered after triangulating polygons)";
     throw IT::Invalid_input(e.kind(), e.index(), path + ": " + e.what() + note);
   }
 }
