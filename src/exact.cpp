@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Replayed_flips_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_geometry_impl.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign_impl.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
@@ -22,6 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 #define DIAMOND_EXPRESSION(E)                                                                      \
   template Sign Exact_euclidean_metric::exact_sign(const Diamond&, const E&) const;                \
+  template Sign flat_diamond_sign(const Input_metric&, const Flat_diamond&, const E&,              \
+                                  Diamond_values<Interval_nt<false>>&, Predicate_statistics&);     \
   template Sign Exact_evaluation::sign(const Input_metric&, const Unfolded_diamond&, const E&,     \
                                        Predicate_statistics&)
 

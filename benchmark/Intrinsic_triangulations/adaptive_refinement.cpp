@@ -37,8 +37,11 @@ using namespace IT::benchmark;
 
 namespace {
 
-using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
-                                                  IT::Integer_coordinates>;
+template <class Traits>
+using Triangulation_with =
+    IT::Intrinsic_triangulation<IT::Gluing_map, Traits, IT::Integer_coordinates>;
+using Double = Triangulation_with<IT::Euclidean_traits<double>>;
+using Exact = Triangulation_with<IT::Exact_euclidean_traits>;
 using Vector = Eigen::VectorXd;
 
 constexpr std::uint32_t source = 0;
@@ -52,10 +55,12 @@ struct Problem {
   double area;
   std::vector<double> tolerances; // relative to the norm of the solution
 
+  template <class Triangulation>
   Vector solve(Triangulation& t) const {
     return time > 0 ? IT::short_time_heat_kernel(t, source, time)
                     : IT::harmonic_green_function(t, source);
   }
+  template <class Triangulation>
   std::vector<double> estimate(const Triangulation& t, const Vector& u) const {
     const IT::Reaction_diffusion equation{time > 0 ? time : 1, time > 0 ? 1.0 : 0};
     const Vector f = Vector::Constant(u.size(), time > 0 ? 0 : -1 / area);
@@ -65,7 +70,7 @@ struct Problem {
 
 /// The Green's function, and the heat kernel after the time of the heat method: the mean edge squared.
 std::vector<Problem> problems(const Surface_mesh& mesh) {
-  const Triangulation t(mesh);
+  const Double t(mesh);
   double area = 0, length = 0;
   for (const auto f : faces(t.mesh())) area += t.area(f);
   for (const auto e : edges(t.mesh())) length += std::sqrt(t.squared_length(e));
@@ -85,25 +90,30 @@ private:
   std::clock_t start_ = std::clock();
 };
 
+template <class Triangulation>
 struct Solution {
   Triangulation t;
   Vector u;
   double milliseconds = 0; // all of it: building, refining, solving
 };
 
-double norm(const Solution& s) { return std::sqrt(s.u.dot(IT::galerkin_mass_matrix(s.t) * s.u)); }
+double norm(const Solution<Double>& s) {
+  return std::sqrt(s.u.dot(IT::galerkin_mass_matrix(s.t) * s.u));
+}
 
-Solution on_input(const Surface_mesh& mesh, const Problem& p) {
+template <class Triangulation>
+Solution<Triangulation> on_input(const Surface_mesh& mesh, const Problem& p) {
   const Processor_watch watch;
-  Solution s{Triangulation(mesh), {}};
+  Solution<Triangulation> s{Triangulation(mesh), {}};
   s.u = p.solve(s.t);
   s.milliseconds = watch.milliseconds();
   return s;
 }
 
-Solution adaptive(const Surface_mesh& mesh, const Problem& p, double tolerance) {
+template <class Triangulation>
+Solution<Triangulation> adaptive(const Surface_mesh& mesh, const Problem& p, double tolerance) {
   const Processor_watch watch;
-  Solution s{Triangulation(mesh), {}};
+  Solution<Triangulation> s{Triangulation(mesh), {}};
   const auto result = IT::adaptive_refine(
       s.t,
       [&](Triangulation& t) {
@@ -117,9 +127,10 @@ Solution adaptive(const Surface_mesh& mesh, const Problem& p, double tolerance) 
   return s;
 }
 
-Solution uniform(const Surface_mesh& mesh, const Problem& p, double radius) {
+template <class Triangulation>
+Solution<Triangulation> uniform(const Surface_mesh& mesh, const Problem& p, double radius) {
   const Processor_watch watch;
-  Solution s{Triangulation(mesh), {}};
+  Solution<Triangulation> s{Triangulation(mesh), {}};
   IT::delaunay_refine(s.t,
                       IT::parameters::minimum_angle(minimum_angle).maximum_circumradius(radius));
   s.u = p.solve(s.t);
@@ -135,8 +146,8 @@ struct Sample {
   double value, area;
 };
 
-double value(const Solution& s, const IT::Surface_point& p) {
-  const IT::Intrinsic_view<Triangulation> view(s.t);
+double value(const Solution<Double>& s, const IT::Surface_point& p) {
+  const IT::Intrinsic_view<Double> view(s.t);
   const auto at = [&](std::uint32_t h) {
     return s.u[s.t.input_vertex(s.t.numbers().vertex_at(view.source(h)))];
   };
@@ -144,7 +155,7 @@ double value(const Solution& s, const IT::Surface_point& p) {
   return p.weights[0] * at(p.halfedge) + p.weights[1] * at(n) + p.weights[2] * at(view.next(n));
 }
 
-std::vector<Sample> samples(Solution& s) {
+std::vector<Sample> samples(Solution<Double>& s) {
   std::vector<Sample> result;
   for (const auto f : faces(s.t.mesh())) {
     const std::uint32_t h = s.t.numbers().halfedge(halfedge(f, s.t.mesh()));
@@ -155,7 +166,7 @@ std::vector<Sample> samples(Solution& s) {
   return result;
 }
 
-double error(const Solution& s, const std::vector<Sample>& samples) {
+double error(const Solution<Double>& s, const std::vector<Sample>& samples) {
   double sum = 0, all = 0;
   for (const Sample& x : samples) {
     const auto p = IT::locate_on_intrinsic(s.t, x.on_input);
@@ -171,20 +182,31 @@ double error(const Solution& s, const std::vector<Sample>& samples) {
 
 struct Row {
   std::size_t vertices;
-  double milliseconds, error;
+  double milliseconds, exact_milliseconds, error;
 };
 
-Row row(const Solution& s, const std::vector<Sample>& samples) {
-  return {num_vertices(s.t.mesh()), s.milliseconds, error(s, samples)};
+/// A row of what `solve` makes with each arithmetic: vertices and error are those with doubles, the time is the
+/// fastest of two.
+template <class Solve>
+Row row(const Solve& solve, const std::vector<Sample>& samples) {
+  const Solution<Double> s = solve.template operator()<Double>();
+  const double again = solve.template operator()<Double>().milliseconds;
+  const double exact = std::min(solve.template operator()<Exact>().milliseconds,
+                                solve.template operator()<Exact>().milliseconds);
+  return {num_vertices(s.t.mesh()), std::min(s.milliseconds, again), exact, error(s, samples)};
 }
 
 nlohmann::json json(const Row& r) {
-  return {{"vertices", r.vertices}, {"milliseconds", r.milliseconds}, {"error", r.error}};
+  return {{"vertices", r.vertices},
+          {"milliseconds", r.milliseconds},
+          {"exact_milliseconds", r.exact_milliseconds},
+          {"error", r.error}};
 }
 
 void print(const char* name, const nlohmann::json& r) {
-  std::fprintf(stderr, "| %s | %zu | %.3f s | %.5f |\n", name, r["vertices"].get<std::size_t>(),
-               r["milliseconds"].get<double>() / 1000, r["error"].get<double>());
+  std::fprintf(stderr, "| %s | %zu | %.3f s | %.3f s | %.5f |\n", name,
+               r["vertices"].get<std::size_t>(), r["milliseconds"].get<double>() / 1000,
+               r["exact_milliseconds"].get<double>() / 1000, r["error"].get<double>());
 }
 
 // refines uniformly, by a factor of about the root of two in vertices, down to an error
@@ -193,7 +215,7 @@ std::vector<Row> uniform_rows(const Surface_mesh& mesh, const Problem& p,
   std::vector<Row> rows;
   double radius = 0.05 * std::sqrt(p.area);
   do {
-    rows.push_back(row(uniform(mesh, p, radius), samples));
+    rows.push_back(row([&]<class T>() { return uniform<T>(mesh, p, radius); }, samples));
     print("uniform", json(rows.back()));
     radius *= std::pow(2, -0.25);
   } while (rows.back().error > least_error && rows.back().vertices < 150000);
@@ -212,21 +234,21 @@ nlohmann::json compare(const Row& adaptive, double estimate, const std::vector<R
 }
 
 nlohmann::json run(const Surface_mesh& mesh, const Problem& p) {
-  const Solution input = on_input(mesh, p);
-  const double size = norm(adaptive(mesh, p, 0.1 * norm(input)));
-  Solution reference = adaptive(mesh, p, p.tolerances.back() / 6 * size);
+  const double size = norm(adaptive<Double>(mesh, p, 0.1 * norm(on_input<Double>(mesh, p))));
+  Solution<Double> reference = adaptive<Double>(mesh, p, p.tolerances.back() / 6 * size);
   const std::vector<Sample> s = samples(reference);
-  nlohmann::json result = {{"problem", p.name},
-                           {"reference_vertices", num_vertices(reference.t.mesh())},
-                           {"input", json(row(input, s))}};
-  std::fprintf(
-      stderr,
-      "\n%s; reference with %zu vertices\n\n| | vertices | time | error |\n|---|---|---|---|\n",
-      p.name.c_str(), num_vertices(reference.t.mesh()));
+  nlohmann::json result = {
+      {"problem", p.name},
+      {"reference_vertices", num_vertices(reference.t.mesh())},
+      {"input", json(row([&]<class T>() { return on_input<T>(mesh, p); }, s))}};
+  std::fprintf(stderr,
+               "\n%s; reference with %zu vertices\n\n| | vertices | double | exact | error |\n"
+               "|---|---|---|---|---|\n",
+               p.name.c_str(), num_vertices(reference.t.mesh()));
   print("input", result["input"]);
   std::vector<Row> rows;
   for (const double x : p.tolerances) {
-    rows.push_back(row(adaptive(mesh, p, x * size), s));
+    rows.push_back(row([&]<class T>() { return adaptive<T>(mesh, p, x * size); }, s));
     print("adaptive", json(rows.back()));
   }
   const std::vector<Row> others = uniform_rows(mesh, p, s, rows.back().error);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What do the correspondences add to building and flipping, and how long does the common subdivision
-// take, in units of CGAL's intrinsic Delaunay triangulation of the heat method?
+// take, with doubles and exactly, in units of CGAL's intrinsic Delaunay triangulation of the heat method?
 // Usage: correspondence_cost [DIRECTORY [REPETITIONS]] > result.json
 
 #include "benchmark_support.h"
@@ -39,11 +39,10 @@ void record(Times& times, const std::string& name, double milliseconds) {
   entry->second = std::min(entry->second, milliseconds);
 }
 
-template <class Correspondence>
-void measure(const Surface_mesh& mesh, Times& times) {
-  using Triangulation =
-      IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>, Correspondence>;
-  const std::string name = Correspondence::name;
+template <class Traits, class Correspondence>
+void measure(const Surface_mesh& mesh, const std::string& arithmetic, Times& times) {
+  using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, Traits, Correspondence>;
+  const std::string name = arithmetic + ' ' + Correspondence::name;
   const Stopwatch whole;
   Triangulation t(mesh);
   const Stopwatch flips;
@@ -57,22 +56,30 @@ void measure(const Surface_mesh& mesh, Times& times) {
   }
 }
 
+template <class Traits>
+void measure_correspondences(const Surface_mesh& mesh, const std::string& arithmetic,
+                             Times& times) {
+  measure<Traits, IT::No_correspondence>(mesh, arithmetic, times);
+  measure<Traits, IT::Integer_coordinates>(mesh, arithmetic, times);
+  measure<Traits, IT::Explicit_crossings>(mesh, arithmetic, times);
+  measure<Traits, IT::Signposts>(mesh, arithmetic, times);
+}
+
 nlohmann::json measure_all(const Surface_mesh& mesh, std::size_t repetitions) {
   Times times;
   for (std::size_t i = 0; i < repetitions; ++i) {
     record(times, "cgal", run_cgal(mesh).milliseconds);
-    measure<IT::No_correspondence>(mesh, times);
-    measure<IT::Integer_coordinates>(mesh, times);
-    measure<IT::Explicit_crossings>(mesh, times);
-    measure<IT::Signposts>(mesh, times);
+    measure_correspondences<IT::Euclidean_traits<double>>(mesh, "double", times);
+    measure_correspondences<IT::Exact_euclidean_traits>(mesh, "exact", times);
   }
   nlohmann::json result = {{"faces", num_faces(mesh)}, {"repetitions", repetitions}};
   for (const auto& [name, time] : times) {
     result["fastest_milliseconds"][name] = time;
     result["ratio_to_cgal"][name] = time / times.at("cgal");
   }
-  result["integer_to_none"] =
-      times.at("integer build and flips") / times.at("none build and flips");
+  for (const std::string arithmetic : {"double", "exact"})
+    result["integer_to_none"][arithmetic] = times.at(arithmetic + " integer build and flips") /
+                                            times.at(arithmetic + " none build and flips");
   return result;
 }
 
@@ -86,8 +93,8 @@ int main(int argc, char** argv) {
     for (const std::string name : {"camel", "armadillo", "refined_elephant"})
       result[name] = measure_all(read_mesh(directory, name), repetitions);
     result["shear_torus"] = measure_all(
-        IT::synthetic::to_surface_mesh<Kernel::Point_3>(IT::synthetic::shear_torus()), 1);
-    result["arma_split200k"] = measure_all(split_armadillo(directory, 200000), 1);
+        IT::synthetic::to_surface_mesh<Kernel::Point_3>(IT::synthetic::shear_torus()), repetitions);
+    result["arma_split200k"] = measure_all(split_armadillo(directory, 200000), repetitions);
     std::cout << result.dump(2) << '\n';
   } catch (const std::exception& e) {
     std::cerr << "correspondence_cost: " << e.what() << '\n';

@@ -230,8 +230,8 @@ def plot_stress(plots, results):
 
 def plot_escalations(plots, results):
     names = [a for a in arithmetics_of(results) if a in CERTIFIED]
-    steps = pandas.DataFrame({a: decided_by(results, a) for a in names}).fillna(0)
-    if not steps.to_numpy().sum() > 0:
+    steps = pandas.DataFrame({a: decided_by(results, a) for a in names})
+    if not (steps > 0).to_numpy().any():
         return ""
     plot, axes = figure("What decided where the filter did not", "step", "predicates")
     set_logarithmic(axes, "y", [1, *(n for n in steps.to_numpy().flat if n >= 1)])
@@ -240,10 +240,10 @@ def plot_escalations(plots, results):
     for i, a in enumerate(names):
         color = "#56B4E9" if a == "exact-integer" else style_of(a)[0]  # without markers or dashes
         places = [k - 0.4 + (i + 0.5) * width for k in range(len(steps))]
-        bars = axes.bar(places, steps[a].where(steps[a] >= 1) - bottom, width, bottom, color=color,
+        heights = steps[a].where(steps[a] >= 1, bottom) - bottom
+        bars = axes.bar(places, heights, width, bottom, color=color,
                         label=a)
-        counts = [grouped(n) if n >= 1 else "" for n in steps[a]]
-        axes.bar_label(bars, counts, fontsize=8, padding=2)
+        axes.bar_label(bars, map(grouped, steps[a]), fontsize=8, padding=2)
     axes.set_xlim(-0.5, len(steps) - 0.5)
     axes.set_xticks(range(len(steps)), steps.index)
     axes.grid(False, axis="x")

@@ -54,7 +54,7 @@ def table(rows, head, shown=30, classes=""):
     def part(some):
         with pandas.option_context("display.max_colwidth", None):
             text = pandas.DataFrame(some, columns=head).to_html(index=False, border=0,
-                                                                justify="unset", na_rep="")
+                                                                justify="unset", na_rep=UNKNOWN)
         text = re.sub("<table [^>]*>", "<table>", text)
         return f'<div class="wide {classes}">{text}</div>\n'.replace(' ">', '">')
     if len(rows) <= shown + 5:  # folding away a few rows hides more than it saves
@@ -211,7 +211,7 @@ def messages(results):
         return ""
     merged = failed.groupby(["mesh", "status", "message"], sort=False)["arithmetic"].agg(list)
     every = arithmetics_of(results)
-    rows = [[mesh, "all" if len(names) == len(every) > 1 else ", ".join(names), status, message]
+    rows = [[mesh, "all" if len(names) == len(every) > 1 else ", ".join(names), status, message or UNKNOWN]
             for (mesh, status, message), names in merged.items()]
     return "<h3>Crashes and refusals</h3>\n" + table(
         rows, ["mesh", "arithmetic", "end", "message"], shown=15, classes="words")

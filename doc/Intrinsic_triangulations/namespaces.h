@@ -8,10 +8,8 @@ namespace CGAL {
 /*!
 \brief Everything in this package: triangulations of a surface that are given by edge lengths alone.
 
-This page lists all names by kind. \ref page_reference lists them by topic, and is the place to start. The nested namespace
-`internal` holds what headers need of each other and may change at any time. Concepts have two pages
-each: their meaning is on that of the class with their name in the global namespace, which doxygen needs, their syntax on that of the
-C++20 concept in this namespace.
+\ref page_reference lists its names by topic. The nested namespace `internal` holds what headers need of each other and may
+change at any time.
 */
 namespace Intrinsic_triangulations {}
 } // namespace CGAL

@@ -76,10 +76,8 @@ public:
   /// Face of the mesh.
   using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
 
-  /// Decides many predicates in one floating point environment.
-  using Const_session = Predicate_session<Intrinsic_triangulation>;
-  /// Decides many predicates and makes many moves in one floating point environment.
-  using Session = Move_session<Intrinsic_triangulation>;
+  using Const_session = Predicate_session<Intrinsic_triangulation>; ///< decides many predicates
+  using Session = Move_session<Intrinsic_triangulation>;            ///< makes many moves, too
   /// What became of an insertion: a `Move_status` and the new vertex.
   struct Insertion {
     Move_status status; ///< `done`, or why nothing was inserted.
@@ -274,11 +272,12 @@ public:
   }
 
   /*!
-  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one.
+  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one; or changes lengths only
+  (Eq. 8), if it stays in its star, the metric is a `Euclidean_metric`, and no correspondence has to follow.
   \param v the vertex
   \param h a halfedge of the face of the new place
   \param weights see `insert_vertex()`
-  \return the new vertex, or why nothing has changed
+  \return the new vertex, which may be the old one, or why nothing has changed
   */
   Insertion
   reposition_vertex(vertex_descriptor v, halfedge_descriptor h,

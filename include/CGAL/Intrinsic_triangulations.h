@@ -27,6 +27,7 @@ What most programs need of the package. To be included besides: operators, which
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
@@ -34,11 +35,13 @@ What most programs need of the package. To be included besides: operators, which
 #include <CGAL/Intrinsic_triangulations/metric/Interval_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Tolerant_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/certify_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_H

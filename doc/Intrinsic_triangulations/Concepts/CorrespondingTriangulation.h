@@ -21,7 +21,7 @@ answer for every correspondence: integer coordinates, explicit crossings, signpo
 | \itf{locate_on_input}, \itf{locate_on_intrinsic}, \itf{tangent_to_input}, \itf{tangent_to_intrinsic} | `correspondence`, `Metric::sign`, `Metric::sharpen`, `Metric::Scope` |
 | \itf{trace_edge}, \itf{trace_input_edge}, \itf{polyline}, \itf{trace_geodesic_on_input} | `correspondence` |
 | \itf{common_subdivision} | `correspondence` |
-| \itf{copy_to_intrinsic}, \itf{vectors_in_space} | also `is_inserted`, `input_vertex` |
+| \itf{copy_to_intrinsic}, \itf{vectors_in_space}, \itf{tangent_field_to_input}, \itf{tangent_field_to_intrinsic} | also `is_inserted`, `input_vertex` |
 
 \cgalHeading{Invariants}
 
@@ -30,8 +30,6 @@ What the correspondence says is true of the mesh and the metric as they are.
 \cgalHeading{Complexity}
 
 Constant time for everything but `Metric::sign`.
-
-The C++20 concept \itc{CorrespondingTriangulation} in CorrespondingTriangulation.h checks the syntax.
 */
 class CorrespondingTriangulation {
 public:

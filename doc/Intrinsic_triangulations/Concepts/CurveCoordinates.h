@@ -45,8 +45,7 @@ All that asks where things are on the other triangulation is written over this c
 
 Constant time for all functions.
 
-The C++20 concept \itc{CurveCoordinates} in CurveCoordinates.h checks the syntax; that the observer of moves is one too, the
-triangulation that owns it checks.
+The C++20 concept does not ask for the observer of moves; the triangulation that owns it does.
 */
 class CurveCoordinates {
 public:

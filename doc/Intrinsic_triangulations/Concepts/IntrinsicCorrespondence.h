@@ -67,8 +67,6 @@ The C++20 concept asks for all five, so that a triangulation can make every move
 \cgalHeading{Complexity}
 
 Free; a move takes as long as its observer. `No_correspondence` is empty and costs nothing.
-
-The C++20 concept \itc{IntrinsicCorrespondence} in concepts.h checks the syntax.
 */
 class IntrinsicCorrespondence {
 public:

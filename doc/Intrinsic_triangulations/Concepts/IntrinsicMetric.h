@@ -57,8 +57,6 @@ The C++20 concept asks for what flips and Laplacians need; \ref ::RefinableMetri
 
 Constructors are linear. Everything else takes constant time, except that an exact
 metric may need time for a decision that depends on how many moves the values went through.
-
-The C++20 concept \itc{IntrinsicMetric} in concepts.h checks the syntax.
 */
 class IntrinsicMetric {
 public:

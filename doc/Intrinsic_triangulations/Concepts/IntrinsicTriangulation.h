@@ -40,8 +40,6 @@ other reasons, can be a model.
 \cgalHeading{Complexity}
 
 Constant time for everything, as far as that of the arithmetic is.
-
-The C++20 concept \itc{IntrinsicTriangulation} in concepts.h checks the syntax.
 */
 class IntrinsicTriangulation {
 public:

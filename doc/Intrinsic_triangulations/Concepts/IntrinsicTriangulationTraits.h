@@ -36,8 +36,6 @@ None: objects of the class are never made.
 \cgalHeading{Invariants}
 
 `FT` is the same type as `Metric::FT`.
-
-The C++20 concept \itc{IntrinsicTriangulationTraits} in concepts.h checks the syntax.
 */
 class IntrinsicTriangulationTraits {
 public:

@@ -20,6 +20,8 @@ measures shapes, and what matrices are assembled from. No edge is flipped.
 | \itf{cotangent_laplacian} | also `Const_session::cotangent_weight`, `Metric::is_degenerate`; `input` to name a face without area |
 | \itf{solve_reaction_diffusion}, \itf{harmonic_green_function}, \itf{short_time_heat_kernel} | what the matrices need |
 | \itf{residual_indicators} | also `squared_length` |
+| \itf{cotangent_weight} | `Const_session::cotangent_weight` |
+| \itf{total_area}, \itf{gaussian_curvature} | `area`; values of `Metric` |
 | \itf{measure_quality} | values of `Metric`, `Const_session::cotangent_weight` |
 | \itf{odt_energy} | values of `Metric` |
 
@@ -30,8 +32,6 @@ Those of \ref ::IntrinsicMetric on values. Rows of different vertices differ and
 \cgalHeading{Complexity}
 
 Constant time for everything.
-
-The C++20 concept \itc{MeasuredTriangulation} in MeasuredTriangulation.h checks the syntax.
 */
 class MeasuredTriangulation {
 public:

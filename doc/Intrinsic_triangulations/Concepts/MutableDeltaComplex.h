@@ -81,7 +81,5 @@ mesh leave removed elements out; `num_vertices()`, ... may count them. Arrays by
 \cgalHeading{Complexity}
 
 All functions take constant time (amortised, for those that add elements), except that `num_` functions may be linear.
-
-The C++20 concept \itc{MutableDeltaComplex} in concepts.h checks the syntax.
 */
 class MutableDeltaComplex {};

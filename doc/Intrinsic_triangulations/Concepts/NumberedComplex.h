@@ -38,8 +38,6 @@ Those of \ref ::MutableDeltaComplex on connectivity and of \ref ::IntrinsicMetri
 \cgalHeading{Complexity}
 
 Constant time for all functions.
-
-The C++20 concept \itc{NumberedComplex} in NumberedComplex.h checks the syntax.
 */
 class NumberedComplex {
 public:

@@ -19,6 +19,7 @@ values by number and an input that names its elements: what \itc{Intrinsic_view}
 | \itf{surface_point}, \itf{face_location}, \itf{point_in_space} | `mesh`, `numbers`, `input` |
 | \itf{trace_geodesic} | also values of `Metric` |
 | \itf{constrained_input_edges}, \itc{Marked_edges} | `index`, `input`; a correspondence if there is one |
+| \itf{delaunay_tessellation} | also what \itf{check_delaunay} needs of \ref ::IntrinsicTriangulation |
 | \itf{subdivision_areas}, \itf{subdivision_mass_matrix}, \itc{L2_transfer}, \itf{L2_distance}, \itc{Face_vector_transfer} | also `area` |
 | \itf{copy_to_input} | `input` |
 
@@ -29,8 +30,6 @@ Halfedges `2e` and `2e + 1` are the sides of edge `e`. Values are those of \ref 
 \cgalHeading{Complexity}
 
 Constant time for everything.
-
-The C++20 concept \itc{NumberedTriangulation} in NumberedTriangulation.h checks the syntax.
 */
 class NumberedTriangulation {
 public:

@@ -31,6 +31,7 @@ There are two kinds of models, which differ in the functions for insertions:
 |---|---|
 | `insert_vertex()`, `split_edge()` | `insert_in_face`, `insert_in_border_edge` of either kind, and the others to take them back |
 | `remove_vertex()` | `remove_from_face`, `remove_from_border_edge` |
+| `reposition_vertex()` | all of these; without correspondence `move_in_star`, if the metric has it, as \itc{Euclidean_metric} does |
 
 \cgalHeading{Invariants}
 
@@ -40,8 +41,6 @@ places define if it is defined by these.
 \cgalHeading{Complexity}
 
 That of the arithmetic.
-
-The C++20 concept \itc{RefinableMetric} in concepts.h checks the syntax.
 */
 class RefinableMetric {
 public:

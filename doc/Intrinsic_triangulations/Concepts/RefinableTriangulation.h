@@ -29,8 +29,6 @@ but the direction of halfedges.
 \cgalHeading{Complexity}
 
 That of the arithmetic and, for removals, linear in the degree of the vertex.
-
-The C++20 concept \itc{RefinableTriangulation} in RefinableTriangulation.h checks the syntax.
 */
 class RefinableTriangulation {
 public:

@@ -5,6 +5,7 @@
 // three statements. Usage: common_subdivision [MESH.off [OUT.vtp]]
 
 #include <CGAL/Intrinsic_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 
@@ -12,7 +13,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <iostream>
 
@@ -37,6 +40,14 @@ int main(int argc, char** argv) {
       std::array{IT::Vertex_field{"area", {values.data(), values.data() + values.size()}}});
   //! [subdivision]
 
+  //! [polylines]
+  const IT::Edge_polylines lines = IT::input_edge_polylines(s); // vertices of s, edge by edge
+  std::size_t most_crossed = 0;
+  for (std::size_t e = 0; e < lines.size(); ++e)
+    most_crossed = std::max(most_crossed, lines[e].size());
+  //! [polylines]
+
+  std::cout << "an edge of the mesh has " << most_crossed << " vertices\n";
   std::cout << s.number_of_vertices() << " vertices, " << s.number_of_edges() << " edges, "
             << s.number_of_faces() << " faces, " << s.crossings.size() << " crossings\n";
   const auto euler = static_cast<long>(s.number_of_vertices() + s.number_of_faces()) -

@@ -82,6 +82,7 @@ Json input_json(const Options& options, const std::string& arithmetic,
   if (facts.polygons > 0) input["polygons"] = facts.polygons;
   input["triangulated_polygons"] = facts.triangulated_polygons;
   input["renumbered"] = report.renumbered;
+  input["reversed_faces"] = report.reversed_faces;
   json["arithmetic"] = arithmetic;
   json["correspondence"] = correspondence;
   json["mollification"] = {{"kind", name(report.mollification.kind)},
@@ -167,6 +168,7 @@ void print_summary(std::ostream& stream, const Json& json) {
       << ", boundary loops " << input["boundary_loops"] << " (" << input["boundary_edges"]
       << " edges)\n";
   for (const auto& [key, what] : {std::pair("triangulated_polygons", "polygons were triangulated"),
+                                  std::pair("reversed_faces", "faces were turned around"),
                                   std::pair("degenerate_faces", "faces have no area"),
                                   std::pair("isolated_vertices", "vertices have no face"),
                                   std::pair("nonmanifold_vertices", "vertices are not manifold")})

@@ -4,6 +4,7 @@
 // Flips a mesh with bad triangles to its intrinsic Delaunay triangulation and compares Laplacians, which are one
 // statement each.
 
+//! [include]
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 
@@ -16,6 +17,7 @@
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+//! [include]
 
 // smallest weight of an edge: negative weights break the maximum principle
 double smallest_weight(const Eigen::SparseMatrix<double>& laplacian) {

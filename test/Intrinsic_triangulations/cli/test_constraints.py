@@ -3,6 +3,7 @@
 """Edges that `--sharp-angle` and `--constrain` keep."""
 
 import math
+import random
 
 from cli_support import Cli_test, jittered_grid, main
 
@@ -78,6 +79,38 @@ class Constraints(Cli_test):
                          {"input_edges": len(edges), "edges": len(edges),
                           "non_delaunay_edges": plain["delaunay"]["non_delaunay_edges"]})
         self.assertGreater(plain["delaunay"]["non_delaunay_edges"], 0)
+
+    def test_edges_are_those_of_the_file_where_that_is_renumbered(self):
+        points, faces = jittered_grid(257)  # smaller meshes keep their order
+        seeded = random.Random(5)
+        order = list(range(len(points)))
+        seeded.shuffle(order)
+        seeded.shuffle(faces)
+        opposite = {}
+        for f in faces:
+            for k in range(3):
+                a, b, c = f[k], f[(k + 1) % 3], f[(k + 2) % 3]
+                opposite.setdefault((min(a, b), max(a, b)), []).append(c)
+        edges = sorted(opposite)
+        listed = seeded.sample(edges, 5000)
+
+        def cotangent(a, b, c):
+            u, v = ([points[x][k] - points[c][k] for k in range(2)] for x in (a, b))
+            return (u[0] * v[0] + u[1] * v[1]) / abs(u[0] * v[1] - u[1] * v[0])
+
+        bad = [e for e in listed if sum(cotangent(*e, c) for c in opposite[e]) < 0
+               and len(opposite[e]) == 2]
+        self.assertGreater(len(bad), 100)
+        self.assertLess(len(bad), 4000)
+        shuffled = [None] * len(points)
+        for v, p in enumerate(points):
+            shuffled[order[v]] = p
+        mesh = self.write_off("s.off", shuffled, [tuple(order[v] for v in f) for f in faces])
+        kept = self.write("c.txt", "".join(f"{order[a]} {order[b]}\n" for a, b in listed))
+        stats = self.stats("laplacian", mesh, "--no-flip", "--constrain", kept, "--arithmetic", "double")
+        self.assertTrue(stats["input"]["renumbered"])
+        self.assertEqual(stats["constraints"],
+                         {"input_edges": 5000, "edges": 5000, "non_delaunay_edges": len(bad)})
 
     def test_sharp_edges_are_those_folded_by_more(self):
         fold = math.radians(40)

@@ -40,16 +40,17 @@ class Surface:
 
 
 class Stored:
-    """The sections of a file of version 3 with an input of points, or none."""
+    """The sections of a file of version 4 with an input of points, or none."""
 
     def __init__(self, path):
         with open(path, encoding="ascii") as file:
             lines = [line.split(" ") for line in file.read().split("\n")]
         self.at = iter(lines)
-        assert next(self.at)[:2] == ["IDT", "3"]
+        assert next(self.at)[:2] == ["IDT", "4"]
         self.exact = lines[0][2] == "exact"
         self.scale = int(next(self.at)[1])
-        for key in ("degenerate_faces", "mollification", "renumbered", "triangulated_polygons"):
+        for key in ("degenerate_faces", "mollification", "renumbered", "triangulated_polygons",
+                    "reversed_faces"):
             assert next(self.at)[0] == key
         kind = next(self.at)
         self.has_input = kind != ["input", "none"]

@@ -188,6 +188,18 @@ class Study_report(Cli_test):
         self.assertEqual([row[k] for k in ("filter failures", "integers", "128 bits", "256 bits",
                                            "zero, proven")], ["1,234,567", "3", "1,000", "21", "7"])
 
+    def test_no_cell_is_blank(self):
+        refused = line("c.off", "exact", "refused_input")  # without a message
+        page = Page(self.report(LINES + [refused]))
+        self.assertEqual([row for row in page.rows if "" in row], [])
+
+    def test_bars_of_no_height_say_0_and_unknown_ones_a_dash(self):
+        lines = [line("b.off", "exact", integer=3, escalations={"128": 1000}, certified_zero=0)]
+        svg = self.report(lines).split("<svg")[-1]
+        labels = [text.strip() for text in re.findall(r"<text[^>]*>([^<]*)</text>", svg)]
+        for label in ("3", "1,000", "0", "\u2013"):  # integers, 128 bits, proven zeros, probable ones
+            self.assertIn(label, labels)
+
     def test_what_did_not_finish_is_named(self):
         source = self.report(LINES)
         self.assertNotIn("a<&>", source)

@@ -146,6 +146,28 @@ TEST(Build_gluing_from_triangles, inconsistent_orientation_is_named) {
                {"same direction", "only one side", "cut it open"});
 }
 
+TEST(Build_gluing_from_triangles, faces_that_disagree_are_turned_around) {
+  // an octahedron, then a tetrahedron, of which one and three faces look inwards
+  const Triangles triangles{{0, 2, 4}, {2, 1, 4}, {4, 3, 1}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5},
+                            {3, 1, 5}, {0, 3, 5}, {6, 7, 8}, {6, 7, 9}, {7, 8, 9}, {8, 6, 9}};
+  std::vector<char> reversed;
+  const IT::Gluing g = IT::oriented_gluing_from_triangles(10, triangles, reversed);
+  EXPECT_EQ(reversed, (std::vector<char>{0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0}));
+  IT::validate(g);
+  const IT::Gluing_map map(g);
+  EXPECT_TRUE(map.is_oriented());
+  EXPECT_EQ(map.number_of_edges(), 18U);
+  const auto origins = [&g](std::size_t f) {
+    return std::array{g.origin[3 * f], g.origin[3 * f + 1], g.origin[3 * f + 2]};
+  };
+  EXPECT_EQ(origins(2), (std::array{4U, 1U, 3U}));
+  EXPECT_EQ(origins(3), (std::array{3U, 0U, 4U}));
+  // a Moebius strip stays an error
+  EXPECT_THROW(IT::oriented_gluing_from_triangles(
+                   5, Triangles{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 0}, {4, 0, 1}}, reversed),
+               IT::Invalid_input);
+}
+
 TEST(Build_gluing_from_triangles, repeated_and_missing_vertices_are_named) {
   expect_error(3, {{0, 1, 2}, {2, 1, 2}}, IT::Element_kind::face, {"face 1 repeats vertex 2"});
   expect_error(3, {{0, 1, 1}}, IT::Element_kind::face, {"face 0 repeats vertex 1"});

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
@@ -25,6 +26,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations/operators/transfer.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
@@ -37,6 +39,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
 #include "archetypes.h"
 #include "mesh_types.h"
@@ -151,6 +154,11 @@ TEST(Archetypes, measured_triangulation_is_enough_for_shapes_and_operators) {
   const archetypes::Measured_triangulation t(all);
   EXPECT_EQ(IT::measure_quality(t).minimum_angle, IT::measure_quality(all).minimum_angle);
   EXPECT_EQ(IT::odt_energy(t), IT::odt_energy(all));
+  EXPECT_EQ(IT::total_area(t), IT::total_area(all));
+  for (const auto v : vertices(t.mesh()))
+    EXPECT_EQ(IT::gaussian_curvature(t, v), IT::gaussian_curvature(all, v));
+  for (const auto e : edges(t.mesh()))
+    EXPECT_EQ(IT::cotangent_weight(t, e), IT::cotangent_weight(all, e));
   const auto mass = IT::galerkin_mass_matrix(t);
   EXPECT_EQ((mass - IT::galerkin_mass_matrix(all)).norm(), 0);
   EXPECT_EQ((IT::lumped_mass_matrix(t) - IT::lumped_mass_matrix(all)).norm(), 0);
@@ -183,6 +191,9 @@ TEST(Archetypes, refinable_triangulation_is_enough_for_what_moves_vertices) {
   EXPECT_EQ(num_vertices(t.mesh()), num_vertices(all.mesh()));
   EXPECT_EQ(IT::flip_to_delaunay(t).flips, 0U);
   EXPECT_TRUE(IT::is_delaunay(t));
+  Surface_mesh cells;
+  const IT::Delaunay_tessellation tessellation = IT::delaunay_tessellation(t, cells);
+  EXPECT_EQ(tessellation.number_of_cells, num_faces(cells));
 }
 
 TEST(Archetypes, numbered_triangulation_is_enough_for_places_and_transfer) {
@@ -238,6 +249,12 @@ TEST(Archetypes, corresponding_triangulation_is_enough_for_queries) {
   EXPECT_EQ(IT::copy_to_intrinsic(t, g), IT::copy_to_intrinsic(all, g));
   const IT::Tangent_field field(t.number_of_vertices(), {1, 0});
   EXPECT_EQ(IT::vectors_in_space(t, field, mesh), IT::vectors_in_space(all, field, mesh));
+  const IT::Tangent_field on_mesh = IT::tangent_field_to_input(t, field, mesh);
+  EXPECT_EQ(on_mesh, IT::tangent_field_to_input(all, field, mesh));
+  EXPECT_EQ(IT::tangent_field_to_intrinsic(t, on_mesh, mesh),
+            IT::tangent_field_to_intrinsic(all, on_mesh, mesh));
+  EXPECT_EQ(IT::tangent_field_to_intrinsic(t, IT::tangent_field_to_input(t, field)).size(),
+            field.size());
   EXPECT_EQ(IT::vectors_in_space(t, field, s, mesh), IT::vectors_in_space(all, field, s, mesh));
 }
 

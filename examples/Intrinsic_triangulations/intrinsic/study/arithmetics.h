@@ -21,6 +21,14 @@ struct Arithmetic {
 /// returns all of them, in the order of the study.
 const std::vector<Arithmetic>& arithmetics();
 
+/// adds one to the study: to be defined with static storage, in a source of one's own.
+struct Registered_arithmetic {
+  /// registers an arithmetic.
+  /// \param name what `--arithmetic` and results call it, which no other is called
+  /// \param study how it is run: `measure_and_compare<Traits>` of measure.h
+  Registered_arithmetic(std::string name, void (*study)(Study_run&));
+};
+
 // Kinds of them, each in a translation unit of its own, to compile in little memory. The names stand
 // there and nowhere else.
 

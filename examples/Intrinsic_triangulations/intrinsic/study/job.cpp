@@ -19,6 +19,9 @@
 #include <new>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <malloc.h>
 #include <sys/resource.h>
@@ -89,13 +92,24 @@ std::string without_path(std::string message, const Study_source& source) {
   return message;
 }
 
+// filled before main()
+std::vector<Arithmetic>& registered_arithmetics() {
+  static std::vector<Arithmetic> registered;
+  return registered;
+}
+
 } // namespace
+
+Registered_arithmetic::Registered_arithmetic(std::string name, void (*study)(Study_run&)) {
+  registered_arithmetics().push_back({std::move(name), study});
+}
 
 const std::vector<Arithmetic>& arithmetics() {
   static const std::vector<Arithmetic> all = [] {
     std::vector<Arithmetic> sorted;
     for (const auto& kind : {hardware_arithmetics(), interval_arithmetics(), boost_arithmetics(),
-                             exact_number_types(), certified_arithmetics()})
+                             exact_number_types(), certified_arithmetics(),
+                             registered_arithmetics()})
       sorted.insert(sorted.end(), kind.begin(), kind.end());
     return sorted;
   }();

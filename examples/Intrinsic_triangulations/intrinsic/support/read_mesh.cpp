@@ -28,9 +28,8 @@ Input_facts facts_of(const IT::Gluing_map& mesh) {
   }
   // as IT::genus() does, which would count all of this again
   if (IT::is_orientable(mesh))
-    facts.genus = (2 * facts.components + facts.edges - umbrellas - facts.faces -
-                   facts.boundary_loops) /
-                  2;
+    facts.genus =
+        (2 * facts.components + facts.edges - umbrellas - facts.faces - facts.boundary_loops) / 2;
   return facts;
 }
 
@@ -40,15 +39,9 @@ Mesh_file read_mesh(const std::string& path, IT::Mollification mollification) {
   const double seconds = watch.lap();
   const std::size_t polygons = soup.input_faces, triangulated = soup.triangulated_polygons;
   try {
-    IT::Gluing gluing =
-        IT::gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
-    std::vector<Point> points = std::move(soup.points);
-    std::vector<std::uint32_t> polygon_of_triangle = std::move(soup.polygon_of_triangle);
-    soup = {}; // from here on peak memory counts
-    IT::Gluing_map mesh = IT::Gluing_map::from_valid(gluing);
-    gluing = {};
-    return {IT::Intrinsic_input(std::move(mesh), std::move(points), mollification),
-            std::move(polygon_of_triangle), polygons, triangulated, seconds};
+    IT::Intrinsic_input input(std::move(soup), mollification);
+    std::vector<std::uint32_t> polygon_of_triangle = std::move(input.names.polygon_of_triangle);
+    return {std::move(input), std::move(polygon_of_triangle), polygons, triangulated, seconds};
   } catch (const IT::Invalid_input& e) {
     const char* const note =
         triangulated == 0 ? "" : " (faces are numbered after triangulating polygons)";

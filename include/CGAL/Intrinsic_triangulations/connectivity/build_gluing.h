@@ -81,17 +81,13 @@ private:
 
 } // namespace internal
 
-/*!
-\brief glues triangles that share edges: two halfedges with the same end vertices become an edge.
+namespace internal {
 
-\param number_of_vertices number of vertices, isolated ones included
-\param triangles range of random access triples of vertex numbers, counterclockwise
-\throws Invalid_input naming the faces if an edge has more than two, if two faces run along a shared
-  edge in the same direction, or if a face repeats a vertex or has one out of range
-\complexity linear for bounded degree, without hashing
-*/
+// Glues triangles that share edges, whether they agree in orientation or not. `conflict` is set to a halfedge of the first
+// edge along which two faces run in the same direction, if there is one.
 template <class TriangleRange>
-Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles) {
+Gluing glue_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles,
+                      std::uint32_t& conflict) {
   Gluing g;
   g.number_of_vertices = number_of_vertices;
   g.origin.reserve(3 * triangles.size());
@@ -111,8 +107,8 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRan
     }
   }
   g.glue.assign(g.origin.size(), Gluing::none);
-  std::uint32_t conflict = Gluing::none; // a halfedge of the first edge whose faces run along it
-  internal::Halfedges_by_edge(g).for_each_edge([&](auto first, auto last) {
+  conflict = Gluing::none;
+  Halfedges_by_edge(g).for_each_edge([&](auto first, auto last) {
     const std::uint32_t h = first->halfedge;
     const auto name = [&] {
       return "edge (" + std::to_string(g.origin[h]) + ", " +
@@ -133,7 +129,46 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRan
     g.glue[h] = is_conflict ? Gluing::reversed(other) : other;
     g.glue[other] = is_conflict ? Gluing::reversed(h) : h;
   });
+  return g;
+}
+
+} // namespace internal
+
+/*!
+\brief glues triangles that share edges: two halfedges with the same end vertices become an edge.
+
+\param number_of_vertices number of vertices, isolated ones included
+\param triangles range of random access triples of vertex numbers, counterclockwise
+\throws Invalid_input naming the faces if an edge has more than two, if two faces run along a shared
+  edge in the same direction, or if a face repeats a vertex or has one out of range
+\complexity linear for bounded degree, without hashing
+*/
+template <class TriangleRange>
+Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles) {
+  std::uint32_t conflict = Gluing::none;
+  Gluing g = internal::glue_triangles(number_of_vertices, triangles, conflict);
   if (conflict != Gluing::none) internal::fail_orientation(g, conflict);
+  return g;
+}
+
+/*!
+\brief glues triangles that share edges, and turns those around that disagree with their neighbours.
+\param number_of_vertices, triangles see `gluing_from_triangles()`; the order of corners may be any
+\param reversed_faces set to nonzero for each face that was turned around, see `Orientation_result`
+\throws Invalid_input see above; of orientation, only if no choice of it is consistent
+\complexity as above
+*/
+template <class TriangleRange>
+Gluing oriented_gluing_from_triangles(std::uint32_t number_of_vertices,
+                                      const TriangleRange& triangles,
+                                      std::vector<char>& reversed_faces) {
+  std::uint32_t conflict = Gluing::none;
+  Gluing g = internal::glue_triangles(number_of_vertices, triangles, conflict);
+  reversed_faces.assign(g.number_of_faces(), 0);
+  if (conflict == Gluing::none) return g;
+  Orientation_result r = orient_faces(g);
+  if (!r.is_orientable) internal::fail_orientation(g, conflict);
+  reversed_faces = std::move(r.reversed_faces);
   return g;
 }
 

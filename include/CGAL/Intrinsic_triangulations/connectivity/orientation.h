@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -20,9 +22,23 @@ struct Orientation_result {
   bool is_orientable = true;
   /// If not: a halfedge whose gluing closes a path of faces that reverses orientation.
   std::uint32_t witness = Gluing::none;
-  /// If so: nonzero for each face to be reversed. The first face of each component is kept.
+  /// If so: nonzero for each face to be reversed, of each component at most half of the faces. The first one of a component is
+  /// kept if there are as many of either kind.
   std::vector<char> reversed_faces;
 };
+
+namespace internal {
+
+// turns the choice of faces to reverse around if it is more than half of a component
+inline void reverse_fewer(const std::vector<std::uint32_t>& component,
+                          std::vector<char>& reversed) {
+  const auto is_reversed = [&](std::uint32_t f) { return reversed[f] != 0; };
+  const auto count = std::count_if(component.begin(), component.end(), is_reversed);
+  if (2 * static_cast<std::size_t>(count) <= component.size()) return;
+  for (const std::uint32_t f : component) reversed[f] = static_cast<char>(1 - reversed[f]);
+}
+
+} // namespace internal
 
 /*!
 \brief finds out which faces to reverse so that all gluings respect the orientation.
@@ -55,6 +71,7 @@ inline Orientation_result find_orientation(const Gluing& g) {
           return {false, h, {}};
       }
     }
+    internal::reverse_fewer(queue, r.reversed_faces);
   }
   return r;
 }
@@ -62,8 +79,7 @@ inline Orientation_result find_orientation(const Gluing& g) {
 /*!
 \brief reverses faces of a gluing so that all gluings respect the orientation, if that is possible.
 
-A reversed face keeps its corner 0; its side `k` becomes side `2 - k`. Of each component the first
-face is kept.
+A reversed face keeps its corner 0; its side `k` becomes side `2 - k`. Which faces: see `Orientation_result`.
 \param g the gluing, which is changed only if it is orientable
 \return the faces reversed, or a witness that none of the choices works
 \pre `validate(g)` does not throw

@@ -27,12 +27,15 @@ struct Height {
   double bits;                     ///< binary logarithm of a bound on all conjugates
   std::array<unsigned, 3> degrees; ///< exponents of the integers
 
+  /// bounds a sum.
   friend Height operator+(const Height& a, const Height& b) {
     Height sum{std::max(a.bits, b.bits) + 1, a.degrees};
     for (std::size_t i = 0; i < 3; ++i) sum.degrees[i] = std::max(a.degrees[i], b.degrees[i]);
     return sum;
   }
+  /// bounds a difference.
   friend Height operator-(const Height& a, const Height& b) { return a + b; }
+  /// bounds a product.
   friend Height operator*(const Height& a, const Height& b) {
     Height product{a.bits + b.bits, a.degrees};
     for (std::size_t i = 0; i < 3; ++i) product.degrees[i] += b.degrees[i];

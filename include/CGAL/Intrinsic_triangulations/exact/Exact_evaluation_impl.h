@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
@@ -39,9 +38,11 @@ namespace CGAL::Intrinsic_triangulations {
 
 // what an evaluation keeps between calls, and what it does with it
 struct Exact_evaluation::Memory {
-  static constexpr unsigned first_bits = 512, history_bits = 512;
   // up to which a test for zero takes less time than 256 bits
   static constexpr std::size_t few_triangles = 12;
+  // up to which it is done before 512 bits: over longer strips ties are rare, and the areas of the triangles have many
+  // independent square roots
+  static constexpr std::size_t many_triangles = 256;
   // entries that are kept between calls, up to a kilobyte each
   static constexpr std::size_t maximal_memory = 50000;
 
@@ -69,18 +70,6 @@ struct Exact_evaluation::Memory {
       return is_mirrored_strip(input, diamond);
     else
       return false;
-  }
-
-  // among inserted vertices; others have been tried in integers of fixed size
-  template <class Expression>
-  static std::optional<Sign>
-  sign_in_plane(const Input_metric& input, const Unfolded_diamond& diamond,
-                const Expression& expression, Predicate_statistics& statistics) {
-    if constexpr (PolynomialExpression<Expression>)
-      if (degree_of(expression).is_linear_in_areas() && diamond.has_inserted_corners() &&
-          input.is_in_space())
-        return coplanar_diamond_sign(input, diamond, expression, statistics);
-    return std::nullopt;
   }
 
   // computes with a memory of input faces in a type of so many bits
@@ -136,11 +125,11 @@ struct Exact_evaluation::Memory {
   Sign sign_beyond_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
                            const Expression& expression, Diamond_values<Interval_nt<false>>& better,
                            Predicate_statistics& statistics) {
-    if (is_tie_of_strip(input, diamond, expression)) {
+    if (is_tie_of_strip(input, diamond, expression) ||
+        is_mirrored_tie(input, diamond, expression)) {
       ++statistics.certified_zero;
       return ZERO;
     }
-    if (const auto flat = sign_in_plane(input, diamond, expression, statistics)) return *flat;
     const auto in_balls = [&](auto& faces) {
       using FT = typename std::decay_t<decltype(faces)>::Number;
       return internal::sign_in_balls(
@@ -151,16 +140,14 @@ struct Exact_evaluation::Memory {
     if (sign) return *sign;
     const auto zero_answer = [&] { return is_zero(input, diamond, expression); };
     std::optional<Zero_answer> answer;
-    if (seems_zero && is_mirrored_tie(input, diamond, expression)) answer = Zero_answer::zero;
-    if (seems_zero && !answer && diamond.triangles.size() <= few_triangles) answer = zero_answer();
+    if (seems_zero && diamond.triangles.size() <= few_triangles) answer = zero_answer();
     if (answer == Zero_answer::zero) {
       ++statistics.certified_zero;
       return ZERO;
     }
     if (const auto s = in_balls(long_balls).first) return *s;
     return internal::escalated_sign(
-        first_bits, [&] { return values(input, diamond); },
-        internal::tests_zero_first(diamond.triangles.size()),
+        [&] { return values(input, diamond); }, diamond.triangles.size() <= many_triangles,
         [&] { return answer ? *answer : zero_answer(); }, expression, better, statistics);
   }
 };
@@ -206,7 +193,6 @@ Sign Exact_evaluation::sign(const Input_metric& input, const std::vector<Unfolde
   if (const auto s = in_balls(memory().short_balls).first) return *s;
   if (const auto s = in_balls(memory().long_balls).first) return *s;
   return internal::escalated_sign(
-      Memory::first_bits,
       [&] { return Memory::face_values<Gmpfi>(memory().intervals().faces.of(input), faces); },
       false, [&] { return memory().is_zero.of_faces(input, faces, expression); }, value_of, better,
       statistics);
@@ -236,7 +222,7 @@ template <class Expression>
 Interval_nt<false> Exact_evaluation::enclosure(const Input_metric& input,
                                                const Flip_history& history, Side left, Side right,
                                                const Expression& expression, unsigned bits) {
-  const Gmpfi_precision precision(std::max(bits, Memory::history_bits));
+  const Gmpfi_precision precision(std::max(bits, internal::first_bits));
   return internal::interval(expression(memory().values(input, history, left, right)));
 }
 
@@ -246,7 +232,7 @@ Sign Exact_evaluation::sign(const Input_metric& input, const Flip_history& histo
                             Diamond_values<Interval_nt<false>>& better,
                             Predicate_statistics& statistics) {
   return internal::escalated_sign(
-      Memory::history_bits, [&] { return memory().values(input, history, left, right); }, true,
+      [&] { return memory().values(input, history, left, right); }, true,
       [&] { return History_zero_test(input, history, left, right)(expression); }, expression,
       better, statistics);
 }
@@ -257,7 +243,7 @@ Sign Exact_evaluation::sign(const Input_metric& input, const Flip_history& histo
                             std::vector<Face_values<Interval_nt<false>>>& better,
                             Predicate_statistics& statistics) {
   return internal::escalated_sign(
-      Memory::history_bits, [&] { return memory().values(input, history, sides); }, false,
+      [&] { return memory().values(input, history, sides); }, false,
       [&] { return History_zero_test(input, history, sides).for_faces(expression); },
       [&](const auto& values) { return expression(std::span(values.data(), values.size())); },
       better, statistics);
@@ -266,7 +252,7 @@ Sign Exact_evaluation::sign(const Input_metric& input, const Flip_history& histo
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Face_values<Interval_nt<false>>>
 Exact_evaluation::enclosures(const Input_metric& input, const Flip_history& history,
                              const std::vector<Side>& sides, unsigned bits) {
-  const Gmpfi_precision precision(std::max(bits, Memory::history_bits));
+  const Gmpfi_precision precision(std::max(bits, internal::first_bits));
   return internal::intervals(memory().values(input, history, sides));
 }
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Face_versions.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
@@ -105,6 +105,8 @@ public:
   \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
   \pre the value is not zero
   \complexity that of the precision that it takes
+  \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before, and weights are
+  to have the same digits after a triangulation is read from a file.
   */
   template <class Expression>
   FT nonzero_value(const Diamond& d, const Expression& expression) const {
@@ -160,10 +162,8 @@ private:
                                     Diamond_values<FT>& better) const {
     if constexpr (PolynomialExpression<Expression>)
       if (unfolder() != nullptr && degree_of(expression).is_linear_in_areas())
-        if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d)) {
-          better = flat_diamond_values(*input_, *flat);
-          return flat_diamond_sign(*input_, *flat, expression, statistics_);
-        }
+        if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d))
+          return flat_diamond_sign(*input_, *flat, expression, better, statistics_);
     return std::nullopt;
   }
 

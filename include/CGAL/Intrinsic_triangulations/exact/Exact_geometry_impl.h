@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Face_versions.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
+#include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Gmpfi.h>
@@ -23,8 +24,7 @@ std::pair<std::array<FT, 3>, FT> wide_face(const Input_metric& input, std::uint3
   const Gmpfi_precision wide(static_cast<unsigned>(2 * bits + 64));
   const std::array<FT, 3> l = {input.squared_length<FT>(f, 0), input.squared_length<FT>(f, 1),
                                input.squared_length<FT>(f, 2)};
-  const FT p = l[0] + l[2] - l[1];
-  FT d = FT(4) * l[0] * l[2] - p * p;
+  FT d = squared_quadruple_area(l[0], l[1], l[2]);
   if (!(d.inf() > 0)) d = FT(input.squared_quadruple_area<Gmpq>(f));
   return {{FT(l[0], bits), FT(l[1], bits), FT(l[2], bits)}, FT(d.sqrt(), bits)};
 }

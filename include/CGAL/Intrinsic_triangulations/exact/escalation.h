@@ -44,6 +44,8 @@ private:
 
 namespace internal {
 
+// first precision beyond balls
+inline constexpr unsigned first_bits = 512;
 // precision at which a value that is probably zero is taken for zero
 inline constexpr unsigned maximal_probable_bits = 1024;
 
@@ -107,23 +109,19 @@ std::pair<std::optional<Sign>, bool> sign_in_balls(unsigned bits, const Values& 
   return {counted(value.sign(), bits, statistics), value.seems_zero()};
 }
 
-// Where the test for zero comes first: the values of a few triangles. Over long strips ties are rare, and the
-// areas of the triangles have many independent square roots, which take longer than more bits.
-inline bool tests_zero_first(std::size_t triangles) { return triangles <= 256; }
-
 /*
-Returns the sign of an expression in values. `values()` computes them in the default precision, which is `bits`
+Returns the sign of an expression in values. `values()` computes them in the default precision, which is `first_bits`
 first; `is_zero()` tells whether the value is zero, before or after that. If it is not, the precision is doubled
 until the sign shows, which must happen if that is proven. `better` is set to intervals that contain the values,
 and left as it is if none were computed.
 */
 template <class Values, class Is_zero, class Expression, class Better>
-Sign escalated_sign(unsigned bits, const Values& values, bool zero_first, const Is_zero& is_zero,
+Sign escalated_sign(const Values& values, bool zero_first, const Is_zero& is_zero,
                     const Expression& expression, Better& better,
                     Predicate_statistics& statistics) {
   std::optional<Zero_answer> answer;
-  for (const unsigned first = bits;; bits *= 2) {
-    if (!answer && (zero_first || bits > first)) answer = is_zero();
+  for (unsigned bits = first_bits;; bits *= 2) {
+    if (!answer && (zero_first || bits > first_bits)) answer = is_zero();
     if (answer == Zero_answer::zero) {
       ++statistics.certified_zero;
       return ZERO;

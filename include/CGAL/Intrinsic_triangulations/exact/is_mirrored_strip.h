@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_MIRRORED_STRIP_H
 
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
@@ -62,6 +63,7 @@ private:
 
   // extends the map of one triangle to the others; whether that goes
   bool maps_all(const Step& first) {
+    if (!are_mirrored(first)) return false; // most are not
     image_.assign(diamond_.triangles.size() + 2, none);
     std::vector<Step> stack{first};
     std::vector<bool> is_done(diamond_.triangles.size());
@@ -69,13 +71,13 @@ private:
       const Step s = stack.back();
       stack.pop_back();
       is_done[s.from] = true;
-      if (!are_mirrored(s)) return false;
       for (std::uint32_t k = 0; k < 3; ++k) {
         image_[diamond_.triangles[s.from].point[k]] = diamond_.triangles[s.to].point[s.corner(k)];
         const std::uint32_t next = neighbor_[s.from][k], to = neighbor_[s.to][s.side(k)];
         if ((next == none) != (to == none)) return false;
-        if (next != none && !is_done[next])
-          stack.push_back({next, to, (side_to(next, s.from) + side_to(to, s.to) + 1) % 3});
+        if (next == none || is_done[next]) continue;
+        stack.push_back({next, to, (side_to(next, s.from) + side_to(to, s.to) + 1) % 3});
+        if (!are_mirrored(stack.back())) return false;
       }
     }
     return true;
@@ -88,13 +90,28 @@ private:
   // whether the sides have the same lengths
   bool are_mirrored(const Step& s) const {
     const std::uint32_t f = diamond_.triangles[s.from].face, g = diamond_.triangles[s.to].face;
-    return have_same_lengths<Interval_nt<false>>(f, g, s) && have_same_lengths<Mpzf>(f, g, s);
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (!have_same_length({f, k}, {g, s.side(k)})) return false;
+    return true;
+  }
+  bool have_same_length(Face_side a, Face_side b) const {
+    return are_reflected(a, b) ||
+           (has_length_of<Interval_nt<false>>(a, b) && has_length_of<Mpzf>(a, b));
   }
   template <class FT>
-  bool have_same_lengths(std::uint32_t f, std::uint32_t g, const Step& s) const {
-    for (std::uint32_t k = 0; k < 3; ++k)
-      if (!CGAL::possibly(input_.squared_length<FT>(f, k) ==
-                          input_.squared_length<FT>(g, s.side(k))))
+  bool has_length_of(Face_side a, Face_side b) const {
+    return CGAL::possibly(input_.squared_length<FT>(a.face, a.slot) ==
+                          input_.squared_length<FT>(b.face, b.slot));
+  }
+  // whether their coordinates agree but for signs, as on most symmetric surfaces
+  bool are_reflected(Face_side a, Face_side b) const {
+    const Input_metric::Sides &f = input_.sides(a.face), &g = input_.sides(b.face);
+    if (!input_.is_embedded()) return f[a.slot] == g[b.slot];
+    const auto &p = input_.points()[f[a.slot]], &q = input_.points()[f[(a.slot + 1) % 3]],
+               &r = input_.points()[g[b.slot]], &s = input_.points()[g[(b.slot + 1) % 3]];
+    for (std::size_t x = 0; x < 3; ++x)
+      if (!(p[x] == r[x] && q[x] == s[x]) && !(p[x] == s[x] && q[x] == r[x]) &&
+          !(p[x] == -r[x] && q[x] == -s[x]) && !(p[x] == -s[x] && q[x] == -r[x]))
         return false;
     return true;
   }

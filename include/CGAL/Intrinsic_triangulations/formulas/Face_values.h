@@ -25,6 +25,7 @@ namespace CGAL::Intrinsic_triangulations {
 struct Face_side {
   std::uint32_t face; ///< the face
   std::uint32_t slot; ///< 0, 1 or 2
+  /// tells whether they are the same side of the same face.
   friend bool operator==(const Face_side&, const Face_side&) = default;
 };
 

@@ -17,10 +17,13 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// How degenerate faces of the input are treated.
 enum class Mollification {
-  none,           ///< the metric stays as it is
-  automatic,      ///< `squared_lengths`, only where flips cannot remove the degenerate faces
-  lengths,        ///< an epsilon is added to all lengths (§4.7 of the course)
-  squared_lengths ///< a delta is added to all squared lengths
+  none,            ///< the metric stays as it is
+  automatic,       ///< `squared_lengths`, only where flips cannot remove the degenerate faces
+  lengths,         ///< an epsilon is added to all lengths (§4.7 of the course)
+  squared_lengths, ///< a delta is added to all squared lengths
+  /// `lengths`, only where a face is so near to having no area that doubles lose most of their digits, see
+  /// `has_nearly_degenerate_face()`: for inexact arithmetic
+  nearly_degenerate
 };
 
 /*!
@@ -46,6 +49,8 @@ struct Input_report {
   bool renumbered = false;
   /// Number of polygonal faces that were triangulated; faces of the report are numbered after that.
   std::size_t triangulated_polygons = 0;
+  /// Number of faces of the user that were turned around, since they disagreed with their neighbours.
+  std::size_t reversed_faces = 0;
 };
 
 /*!

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INPUT_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 
 #include <array>
 #include <cstdint>
@@ -106,15 +107,13 @@ public:
   }
 
   /*!
-  \brief computes D = (4 A)^2 of face `f` from its squared lengths: 4 L_0 L_2 - (L_0 + L_2 - L_1)^2.
+  \brief computes D = (4 A)^2 of face `f` from its squared lengths.
   \tparam FT as for `squared_length()`
   */
   template <class FT>
   FT squared_quadruple_area(std::uint32_t f) const {
-    const FT a = squared_length<FT>(f, 0);
-    const FT b = squared_length<FT>(f, 2);
-    const FT p = a + b - squared_length<FT>(f, 1);
-    return FT(4) * a * b - p * p;
+    return Intrinsic_triangulations::squared_quadruple_area(
+        squared_length<FT>(f, 0), squared_length<FT>(f, 1), squared_length<FT>(f, 2));
   }
 
   /// computes the squared distance of two points in `FT` arithmetic.

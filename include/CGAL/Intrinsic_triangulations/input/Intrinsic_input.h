@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,11 +58,19 @@ struct Intrinsic_input {
   std::vector<double> squared_lengths;
   /// Treatment of degenerate faces.
   Mollification mollification = Mollification::automatic;
+  /*!
+  How much of it, as a part of the mean length of edges; above 0, at most 1. With `lengths` and `nearly_degenerate` every
+  triangle inequality holds by so much in the end (default: 1e-5); with `squared_lengths` and `automatic` its square is
+  added to all squared lengths, so that a length of zero becomes so much (default: 2^-36).
+  */
+  std::optional<double> mollification_amount;
   /// Whether faces and vertices may be renumbered for locality; if not, vertices, faces and, of a mesh
   /// without polygons, edges keep their numbers in the order of iteration.
   bool may_renumber = true;
   /// Number of polygonal faces that were triangulated, for the report.
   std::size_t triangulated_polygons = 0;
+  /// Number of faces that were turned around to orient the surface, for the report.
+  std::size_t reversed_faces = 0;
   /// What the user calls the elements of `mesh`: faces and edges of polygons that were triangulated.
   Input_names names;
 
@@ -85,10 +94,11 @@ struct Intrinsic_input {
   /*!
   \brief takes points and triples of their numbers, from a file or from arrays.
 
-  Edges are found by their end vertices, see `gluing_from_triangles()`.
+  Edges are found by their end vertices, see `gluing_from_triangles()`; faces that disagree with their neighbours in
+  orientation are turned around, and counted.
   \throws Invalid_input naming faces that do not fit together, or a vertex that does not exist
   */
-  explicit Intrinsic_input(const Triangle_soup& soup, Mollification m = Mollification::automatic);
+  explicit Intrinsic_input(Triangle_soup soup, Mollification m = Mollification::automatic);
 
   /*!
   \brief takes a mesh in space through BGL.
@@ -125,13 +135,28 @@ struct Prepared_input {
   Metric metric;
 };
 
+// What is to be done about degenerate faces: never `automatic` or `nearly_degenerate`.
+template <class Metric>
+Mollification needed_mollification(Mollification asked, const Input& input, const Metric& metric,
+                                   const Input_report& report) {
+  if (asked == Mollification::nearly_degenerate)
+    return has_nearly_degenerate_face(input.mesh(), edge_lengths(input.mesh(), input.metric()))
+               ? Mollification::lengths
+               : Mollification::none;
+  if (asked != Mollification::automatic) return asked;
+  return report.degenerate_faces > 0 && has_irremovable_degeneracy(input.mesh(), metric)
+             ? Mollification::squared_lengths
+             : Mollification::none;
+}
+
 // One point per vertex, or one squared length per edge: numbers of elements are indices without a check.
 void check_sizes(const Intrinsic_input& in);
 
-// Makes every triangle inequality strict; the input's metric is changed.
-Mollification_report mollify(Input& input, Mollification kind);
+// Makes every triangle inequality strict; the input's metric is changed. The amount is a part of the mean edge.
+Mollification_report mollify(Input& input, Mollification kind, std::optional<double> amount);
 
-// The input in scaled units and in an order that is fast; throws if it has no faces, or they do not fit.
+// The input in scaled units and in an order that is fast; throws if it has no faces, they do not fit, or an option makes no
+// sense.
 std::shared_ptr<Input> scaled_and_ordered(Intrinsic_input&& in, Input_report& report);
 
 // \tparam Metric a model of `IntrinsicMetric`
@@ -140,15 +165,16 @@ template <class Metric>
 Prepared_input<Metric> prepare(Intrinsic_input&& in, bool keep_surface) {
   Input_report report;
   report.triangulated_polygons = in.triangulated_polygons;
+  report.reversed_faces = in.reversed_faces;
   const Mollification asked = in.mollification;
+  const std::optional<double> amount = in.mollification_amount;
   const std::shared_ptr<Input> input = scaled_and_ordered(std::move(in), report);
   Metric metric(input);
   for (std::uint32_t f = 0; f < input->number_of_faces(); ++f)
     if (metric.is_degenerate(f)) ++report.degenerate_faces;
-  const bool needed = asked == Mollification::automatic && report.degenerate_faces > 0 &&
-                      has_irremovable_degeneracy(input->mesh(), metric);
-  if (needed || asked == Mollification::lengths || asked == Mollification::squared_lengths) {
-    report.mollification = mollify(*input, needed ? Mollification::squared_lengths : asked);
+  const Mollification needed = needed_mollification(asked, *input, metric, report);
+  if (needed != Mollification::none) {
+    report.mollification = mollify(*input, needed, amount);
     metric = Metric(input);
   }
   input->set_report(report);

@@ -23,28 +23,53 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input::Intrinsic_input(const Triangle_soup& soup,
-                                                                      Mollification m)
-    : mesh(Gluing_map::from_valid(
-          gluing_from_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles))),
-      points(soup.points), mollification(m), triangulated_polygons(soup.triangulated_polygons) {
-  names.polygon_of_triangle = soup.polygon_of_triangle;
+namespace internal {
+
+// the number of the user's faces of which triangles were reversed, all or none
+inline std::size_t number_of_reversed(const std::vector<char>& triangles,
+                                      const std::vector<std::uint32_t>& polygon_of_triangle) {
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (triangles[t] != 0 && (polygon_of_triangle.empty() || t == 0 ||
+                              polygon_of_triangle[t] != polygon_of_triangle[t - 1]))
+      ++count;
+  return count;
+}
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Intrinsic_input::Intrinsic_input(Triangle_soup soup, Mollification m)
+    : points(std::move(soup.points)), mollification(m),
+      triangulated_polygons(soup.triangulated_polygons) {
+  std::vector<char> reversed;
+  mesh = Gluing_map::from_valid(oriented_gluing_from_triangles(
+      static_cast<std::uint32_t>(points.size()), soup.triangles, reversed));
+  reversed_faces = internal::number_of_reversed(reversed, soup.polygon_of_triangle);
+  names.polygon_of_triangle = std::move(soup.polygon_of_triangle);
 }
 
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(Input& input,
-                                                                  Mollification kind) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(Input& input, Mollification kind,
+                                                                  std::optional<double> amount) {
   Input_metric metric = input.metric();
-  double added = default_squared_length_delta();
+  if (amount) { // in scaled units
+    const std::vector<double> lengths = edge_lengths(input.mesh(), metric);
+    *amount *=
+        std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
+  }
+  double added = amount ? *amount * *amount : default_squared_length_delta();
   if (kind == Mollification::lengths)
-    metric = mollify_lengths(input.mesh(), metric, 1e-5, added);
+    metric = mollify_lengths(input.mesh(), metric, amount.value_or(1e-5), added);
   else
     metric.set_delta(added);
   const int s = metric.scale_exponent() * (kind == Mollification::lengths ? 1 : 2);
@@ -84,8 +109,16 @@ inline void check_faces(const Gluing_map& mesh) {
                         "take the orientation double cover of a nonorientable surface");
 }
 
+inline void check_mollification_amount(const std::optional<double>& amount) {
+  if (amount && !(*amount > 0 && *amount <= 1))
+    throw Invalid_input(Element_kind::none, 0,
+                        "the amount of mollification is " + std::to_string(*amount) +
+                            "; it is a part of the mean edge, above 0 and at most 1");
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::shared_ptr<Input>
 scaled_and_ordered(Intrinsic_input&& in, Input_report& report) {
+  check_mollification_amount(in.mollification_amount);
   check_faces(in.mesh);
   check_sizes(in);
   const bool embedded = in.squared_lengths.empty();

@@ -9,6 +9,7 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Gmpz.h>
+#include <CGAL/Mpzf.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -133,17 +134,15 @@ inline Interval_nt<false> embedded_area_interval(const Input_metric& m, std::uin
   return {-1.0, -1.0};
 }
 
-inline void check_triangle_inequality(const Gmpq& squared_area, std::uint32_t f) {
-  if (squared_area < Gmpq(0))
+// exactly
+template <class FT>
+FT checked_squared_quadruple_area(const Input_metric& m, std::uint32_t f) {
+  const FT d = m.squared_quadruple_area<FT>(f);
+  if (d < FT(0))
     throw Invalid_input::about(
         Element_kind::face, f,
         " violates the triangle inequality; correct the lengths of its edges "
         "or mollify them");
-}
-
-inline Gmpq checked_squared_quadruple_area(const Input_metric& m, std::uint32_t f) {
-  const Gmpq d = m.squared_quadruple_area<Gmpq>(f);
-  check_triangle_inequality(d, f);
   return d;
 }
 
@@ -160,7 +159,7 @@ FT quadruple_area_float(const Input_metric& m, std::uint32_t f) {
     if (d > FT(0x1p-20) * m.squared_length<FT>(f, 0) * m.squared_length<FT>(f, 2))
       return CGAL::sqrt(d);
   }
-  return CGAL::sqrt(from_rational<FT>(checked_squared_quadruple_area(m, f)));
+  return CGAL::sqrt(from_rational<FT>(checked_squared_quadruple_area<Gmpq>(m, f)));
 }
 
 inline Interval_nt<false> quadruple_area_interval(const Input_metric& m, std::uint32_t f) {
@@ -171,19 +170,20 @@ inline Interval_nt<false> quadruple_area_interval(const Input_metric& m, std::ui
   }
   const FT d = m.is_embedded() ? Embedded_area<FT>(m, f).squared : m.squared_quadruple_area<FT>(f);
   if (d.inf() > 0 && d.sup() - d.inf() <= 0x1p-36 * d.sup()) return CGAL::sqrt(d);
-  return CGAL::sqrt(from_rational<FT>(checked_squared_quadruple_area(m, f)));
+  const auto [inf, sup] = CGAL::to_interval(checked_squared_quadruple_area<Mpzf>(m, f));
+  return CGAL::sqrt(FT(inf, sup));
 }
 
 template <class FT>
 FT quadruple_area_exact(const Input_metric& m, std::uint32_t f) {
   const FT d = m.is_embedded() ? Embedded_area<FT>(m, f).squared : m.squared_quadruple_area<FT>(f);
-  if (d < FT(0)) checked_squared_quadruple_area(m, f);
+  if (d < FT(0)) checked_squared_quadruple_area<Gmpq>(m, f);
   return CGAL::sqrt(d);
 }
 
 template <class FT>
 FT quadruple_area_rational(const Input_metric& m, std::uint32_t f) {
-  const Gmpq d = checked_squared_quadruple_area(m, f);
+  const Gmpq d = checked_squared_quadruple_area<Gmpq>(m, f);
   Gmpq root;
   if (!rational_square_root(d, root))
     throw Invalid_input::about(

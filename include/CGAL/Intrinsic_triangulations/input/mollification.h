@@ -84,6 +84,38 @@ inline double mollifying_epsilon(const Gluing_map& mesh, const std::vector<doubl
   return epsilon;
 }
 
+/// returns the lengths of the edges, in scaled units. \complexity linear
+inline std::vector<double> edge_lengths(const Gluing_map& mesh, const Input_metric& input) {
+  std::vector<double> lengths(mesh.number_of_edges(), 0);
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const std::array<Gluing_map::Halfedge, 3> h = mesh.sides({f});
+    for (unsigned k = 0; k < 3; ++k)
+      lengths[h[k].index / 2] = std::sqrt(input.squared_length<double>(f, k));
+  }
+  return lengths;
+}
+
+/*!
+\brief tells whether two sides of a face are together longer than the third one by less than 2^-30 of that.
+
+The area of such a face is that of a lower number of digits: rounding of lengths, at 2^-53, changes it by more than
+2^-23 of itself, and what is computed from it.
+\param mesh the connectivity
+\param lengths one length per edge
+\complexity linear
+*/
+inline bool has_nearly_degenerate_face(const Gluing_map& mesh, const std::vector<double>& lengths) {
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const std::array<Gluing_map::Halfedge, 3> h = mesh.sides({f});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double a = lengths[h[k].index / 2], b = lengths[h[(k + 1) % 3].index / 2],
+                   c = lengths[h[(k + 2) % 3].index / 2];
+      if (!(a + b - c > 0x1p-30 * c)) return true;
+    }
+  }
+  return false;
+}
+
 /*!
 \brief returns the metric with the course's epsilon added to all lengths (§4.7).
 
@@ -95,12 +127,7 @@ The new squared lengths are rounded to doubles, which define the result exactly.
 */
 inline Input_metric mollify_lengths(const Gluing_map& mesh, const Input_metric& input, double delta,
                                     double& epsilon) {
-  std::vector<double> lengths(mesh.number_of_edges(), 0);
-  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const std::array<Gluing_map::Halfedge, 3> h = mesh.sides({f});
-    for (unsigned k = 0; k < 3; ++k)
-      lengths[h[k].index / 2] = std::sqrt(input.squared_length<double>(f, k));
-  }
+  std::vector<double> lengths = edge_lengths(mesh, input);
   epsilon = mollifying_epsilon(mesh, lengths, delta);
   if (epsilon <= 0) return input;
   for (double& x : lengths) x = (x + epsilon) * (x + epsilon);

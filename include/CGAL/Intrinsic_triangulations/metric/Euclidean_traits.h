@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Whole_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
@@ -194,6 +195,27 @@ public:
     const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
     squared_length_[s.ip] = flipped(values(d)).km;
     quadruple_area_[s.f] = quadruple_area_[s.f] + quadruple_area_[s.g];
+  }
+
+  /*!
+  \brief moves a flat vertex among the faces about it (Eq. 8 of the course), see `moved_in_star()`.
+  \return whether it was done: refused if an area would not be positive, or a length be zero or infinite
+  */
+  bool move_in_star(const Whole_star& s, double b, double c) {
+    Whole_star_values<FT> v;
+    for (std::size_t k = 0; k < s.faces.size(); ++k) {
+      v.spokes.push_back(squared_length_[s.spokes[k]]);
+      v.rim.push_back(squared_length_[s.rim[k]]);
+      v.areas.push_back(quadruple_area_[s.faces[k]]);
+    }
+    v = moved_in_star(v, FT(b), FT(c));
+    for (std::size_t k = 0; k < s.faces.size(); ++k)
+      if (!certainly(v.areas[k] > FT(0)) || !is_length(v.spokes[k])) return false;
+    for (std::size_t k = 0; k < s.faces.size(); ++k) {
+      squared_length_[s.spokes[k]] = v.spokes[k];
+      quadruple_area_[s.faces[k]] = v.areas[k];
+    }
+    return true;
   }
 
   /// tells whether the area of a face is zero.

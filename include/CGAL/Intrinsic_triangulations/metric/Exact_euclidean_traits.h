@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Remembered_signs.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -109,10 +110,14 @@ public:
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     static_assert(FaceExpression<Expression>);
     internal::check_has_exact_sign<Expression>();
+    using Values = std::span<const Face_values<FT>>;
+    if (faces.size() == 1) { // nearly always, and most of them end here
+      const Face_values<FT> value = enclosure(faces.front());
+      if (const auto s = certain_sign(expression(Values(&value, 1)))) return *s;
+    }
     std::vector<Face_values<FT>> values;
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
-    const std::optional<Sign> s =
-        certain_sign(expression(std::span<const Face_values<FT>>(values)));
+    const std::optional<Sign> s = certain_sign(expression(Values(values)));
     return s ? *s : exact_sign(faces, values, expression);
   }
 
@@ -154,12 +159,16 @@ public:
   BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) {
     store(d, n);
     geometry_.flip(d);
+    signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
   }
 
   /// see `Exact_geometry::unfold_by()`
   void unfold_by(Input_unfolder& unfolder) { geometry_.unfold_by(unfolder); }
   /// see `Exact_geometry::forget_flips()`
-  void forget_flips() { geometry_.forget_flips(); }
+  void forget_flips() {
+    geometry_.forget_flips();
+    signs_ = {}; // found in other ways, which leave other intervals
+  }
   /// tells whether values are defined by places of vertices on the input.
   bool is_defined_by_places() const { return geometry_.is_defined_by_places(); }
 
@@ -172,6 +181,7 @@ public:
   */
   void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values) {
     store(s.spokes, s.faces, {values, approximations(values)});
+    forget_signs(s);
   }
 
   /// stores the values of a face from which a vertex is removed.
@@ -181,6 +191,7 @@ public:
           {removed_from_face(quadruple_area(f), quadruple_area(g), quadruple_area(h)),
            removed_from_face(approximate_quadruple_area(f), approximate_quadruple_area(g),
                              approximate_quadruple_area(h))});
+    forget_signs(s);
   }
 
   /*!
@@ -194,6 +205,7 @@ public:
     const Vertex_move_values<FT> on_border{{l[0], l[1], l[2]}, {a[2], a[1], FT(0)}};
     store(std::array{s.ip, s.pj, s.pk}, std::array{s.f, s.g},
           {on_border, approximations(on_border)});
+    forget_signs(s);
   }
 
   /// stores the values of a border edge and its face from which a vertex is removed.
@@ -201,6 +213,7 @@ public:
     const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
     store(std::array{s.ip}, std::array{s.f},
           {removed_from_border_edge(enclosure(d)), removed_from_border_edge(approximation(d))});
+    forget_signs(s);
   }
 
   /// returns s, where coordinates are scaled by 2^s.
@@ -234,6 +247,14 @@ private:
     return result;
   }
 
+  void forget_signs(const Vertex_star& s) {
+    signs_.forget(s.sides);
+    signs_.forget(s.spokes);
+  }
+  void forget_signs(const Border_star& s) {
+    signs_.forget(std::array{s.ip, s.pj, s.jk, s.ki, s.pk});
+  }
+
   // whether stored values tell (q_f a_g + q_g a_f) / (2 a_f a_g)
   bool has_accurate_weight(const Diamond& d) const;
 
@@ -245,6 +266,7 @@ private:
                   const Expression& expression) const;
 
   Exact_geometry geometry_;
+  mutable Remembered_signs signs_; // of `Delaunay_expression`
 };
 
 /*!

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation_impl.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign_impl.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -16,8 +16,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -72,10 +74,19 @@ Exact_euclidean_metric::has_accurate_weight(const Diamond& d) const {
 
 template <class Expression>
 Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expression) const {
+  constexpr bool is_remembered = std::is_same_v<Expression, Delaunay_expression>;
   ++statistics().filter_failures;
+  std::uint64_t& probable = statistics().probable_zero;
+  if constexpr (is_remembered)
+    if (const auto known = signs_.find(d.ij)) {
+      if (known->sign == ZERO) ++(known->is_probable ? probable : statistics().certified_zero);
+      return known->sign;
+    }
+  const std::uint64_t before = probable;
   Diamond_values<FT> better = enclosure(d);
   const Sign s = geometry_.sign(d, expression, better);
   refine(d, better);
+  if constexpr (is_remembered) signs_.remember(d.ij, {s, probable != before});
   return s;
 }
 

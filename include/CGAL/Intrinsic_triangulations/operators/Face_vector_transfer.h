@@ -4,8 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_FACE_VECTOR_TRANSFER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_FACE_VECTOR_TRANSFER_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -18,7 +16,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -44,8 +41,6 @@ public:
   \tparam Triangulation a model of `NumberedTriangulation`
   \param t the triangulation
   \param s its common subdivision with the input
-  \pre no face of the input has a vertex at two corners
-  \throws Invalid_input naming a face of the input that has
   \complexity linear
   */
   template <NumberedTriangulation Triangulation>
@@ -56,15 +51,13 @@ public:
     const Intrinsic_view<Triangulation> view(t);
     const Element_names& names = t.input().names().faces;
     for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
-      const std::uint32_t g = names.here(input_face_[f]);
-      const std::uint32_t base = view.halfedge_of_face(intrinsic_face_[f]);
-      const Geodesic_face from(view, base), to(input, input.halfedge_of_face(g));
-      const std::array<std::uint32_t, 3> corners = corners_of(input, g, input_face_[f]);
+      const std::uint32_t base = view.halfedge_of_face(intrinsic_face_[f]),
+                          there = input.halfedge_of_face(names.here(input_face_[f]));
+      const Geodesic_face from(view, base), to(input, there);
       rotation_.push_back(
           internal::fitting_rotation(s.face_begin[f], s.face_begin[f + 1], [&](std::size_t c) {
             const auto p = from.position(internal::corner_in_face(view, s, base, c)),
-                       q = to.position(
-                           internal::weights_at_corners(s.on_input(s.corner[c]), corners));
+                       q = to.position(internal::corner_in_input_face(input, s, there, c));
             return std::array{Complex(p[0], p[1]), Complex(q[0], q[1])};
           }));
     }
@@ -93,16 +86,6 @@ private:
 
   static std::size_t bound(const std::vector<std::uint32_t>& numbers) {
     return numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end()) + std::size_t{1};
-  }
-
-  static std::array<std::uint32_t, 3> corners_of(const Input& input, std::uint32_t face,
-                                                 std::uint32_t user_face) {
-    const std::array<std::uint32_t, 3> v = internal::names_of_corners(input, face);
-    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
-      throw Invalid_input(Element_kind::face, user_face,
-                          "face " + std::to_string(user_face) +
-                              " has a vertex at two corners: its frame has no name; subdivide it");
-    return v;
   }
 
   std::vector<Complex> average(const std::vector<Complex>& field,

@@ -43,23 +43,6 @@ inline double area_fraction(const std::array<double, 3>& p, const std::array<dou
   return std::max(0.0, x1 * y2 - x2 * y1); // the corners of convex faces turn left, up to rounding
 }
 
-// the user's names of the corners of an input face
-inline std::array<std::uint32_t, 3> names_of_corners(const Input& input, std::uint32_t face) {
-  std::array<std::uint32_t, 3> v = sides_of_face(input, input.halfedge_of_face(face));
-  for (std::uint32_t& i : v) i = input.names().vertices.user(input.source(i));
-  return v;
-}
-
-// barycentric coordinates of a point in a face with these corners
-inline std::array<double, 3> weights_at_corners(const Weighted_vertices& w,
-                                                const std::array<std::uint32_t, 3>& corners) {
-  std::array<double, 3> weights{0, 0, 0};
-  for (std::size_t i = 0; i < w.size; ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (w.vertices[i] == corners[k]) weights[k] += w.weights[i];
-  return weights;
-}
-
 // Places corners of a face of a subdivision in the smaller one of the two faces that contain it: rounding of
 // barycentric coordinates changes areas by a part of the area of the face in which they are taken, so that areas add up
 // to that of a sliver if it is cut by large faces, and to that of a face that is cut by slivers.
@@ -67,31 +50,28 @@ template <class Triangulation>
 class Cell_in_face {
 public:
   Cell_in_face(const Triangulation& t, const Common_subdivision& s, std::size_t f)
-      : s_(s), view_(t), base_(view_.halfedge_of_face(s.intrinsic_face[f])),
+      : s_(s), input_(t.input()), view_(t), base_(view_.halfedge_of_face(s.intrinsic_face[f])),
         area_(t.area(t.numbers().face_at(s.intrinsic_face[f]))) {
-    const Input& input = t.input();
-    const std::uint32_t g = input.names().faces.here(s.input_face[f]);
-    const double area = std::ldexp(input.quadruple_area(g), -2 * input.scale_exponent() - 2);
+    const std::uint32_t g = input_.names().faces.here(s.input_face[f]);
+    const double area = std::ldexp(input_.quadruple_area(g), -2 * input_.scale_exponent() - 2);
     if (!(area < area_)) return;
-    corners_ = names_of_corners(input, g);
-    if (corners_[0] == corners_[1] || corners_[1] == corners_[2] || corners_[2] == corners_[0])
-      return; // names do not tell where points are
+    base_ = input_.halfedge_of_face(g);
     is_on_input_ = true;
     area_ = area;
   }
 
   double area() const { return area_; }
   std::array<double, 3> corner(std::size_t c) const {
-    return is_on_input_ ? weights_at_corners(s_.on_input(s_.corner[c]), corners_)
+    return is_on_input_ ? corner_in_input_face(input_, s_, base_, c)
                         : corner_in_face(view_, s_, base_, c);
   }
 
 private:
   const Common_subdivision& s_;
+  const Input& input_;
   Intrinsic_view<Triangulation> view_;
   std::uint32_t base_;
   double area_;
-  std::array<std::uint32_t, 3> corners_{};
   bool is_on_input_ = false;
 };
 

@@ -6,10 +6,12 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Whole_star.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/whole_star.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
@@ -156,6 +158,7 @@ public:
     if (!t_.is_inserted(v)) return {Move_status::not_inserted};
     const std::optional<Place> p = place(h, weights);
     if (!p) return {Move_status::weights};
+    if (move_in_star(v, *p)) return {Move_status::done, v};
     Mover mover(t_);
     const Insertion n = mover.insert(p->h, p->weights);
     if (n.status != Move_status::done) return n;
@@ -214,6 +217,21 @@ private:
     while (p.weights[2] != 0 && (p.weights[0] == 0 || p.weights[1] == 0))
       p = {next(p.h, t_.mesh()), {p.weights[1], p.weights[2], p.weights[0]}};
     return p;
+  }
+
+  // Moves a vertex to a place in one of its faces where it still sees all others about it: the values of its edges and
+  // faces change, and nothing else. Only where nobody else has to know where it is.
+  bool move_in_star(vertex_descriptor v, Place p) {
+    if constexpr (!Triangulation::has_correspondence &&
+                  requires(const Whole_star& s) { t_.metric_.move_in_star(s, 0., 0.); }) {
+      for (int k = 0; k < 3 && source(p.h, t_.mesh()) != v; ++k)
+        p = {next(p.h, t_.mesh()), {p.weights[1], p.weights[2], p.weights[0]}};
+      if (source(p.h, t_.mesh()) != v) return false;
+      const std::optional<Whole_star> s = internal::whole_star(p.h, t_.mesh(), t_.numbers());
+      return s && t_.metric_.move_in_star(*s, p.weights[1], p.weights[2]);
+    } else {
+      return false;
+    }
   }
 
   Triangulation& t_;

@@ -339,7 +339,7 @@ TEST(Write_common_subdivision, Writes_all_labels_and_lines_to_VTP) {
   for (const Example& e : {grid(1), grid(4), tetrahedron(), labelled()}) {
     const std::string file = written("vtp", e);
     const std::size_t n = e.points.size(), faces = e.s.number_of_faces();
-    const IT::Intrinsic_edge_polylines lines = IT::intrinsic_edge_polylines(e.s);
+    const IT::Edge_polylines lines = IT::intrinsic_edge_polylines(e.s);
     const std::size_t piece = file.find("<Piece");
     const std::string tag = file.substr(piece, file.find('>', piece) - piece);
     EXPECT_EQ(attribute(tag, "NumberOfPoints"), std::to_string(n));

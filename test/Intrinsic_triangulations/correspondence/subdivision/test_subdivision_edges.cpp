@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -21,7 +22,7 @@ namespace {
 using Subdivision = IT::Common_subdivision;
 using Path = std::vector<std::uint32_t>;
 
-Path path(const IT::Intrinsic_edge_polylines& lines, std::size_t e) {
+Path path(const IT::Edge_polylines& lines, std::size_t e) {
   return {lines[e].begin(), lines[e].end()};
 }
 
@@ -49,19 +50,19 @@ std::map<Edge, int> side_counts(const Subdivision& s) {
 
 } // namespace
 
-TEST(Intrinsic_edge_polylines, Run_from_the_first_end_over_the_crossing_to_the_second) {
+TEST(Edge_polylines, Run_from_the_first_end_over_the_crossing_to_the_second) {
   const Subdivision s = subdivisions::grid(1);
-  const IT::Intrinsic_edge_polylines lines = IT::intrinsic_edge_polylines(s);
+  const IT::Edge_polylines lines = IT::intrinsic_edge_polylines(s);
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(path(lines, 0), (Path{0, 1}));
   EXPECT_EQ(path(lines, 1), (Path{2, 3}));
   EXPECT_EQ(path(lines, 4), (Path{2, 4, 1})) << "its location is from vertex 2 to vertex 1";
 }
 
-TEST(Intrinsic_edge_polylines, Of_loops_pass_all_crossings_in_the_order_of_their_parameters) {
+TEST(Edge_polylines, Of_loops_pass_all_crossings_in_the_order_of_their_parameters) {
   for (int k = 2; k <= 12; ++k) {
     const Subdivision s = subdivisions::Torus(k).s;
-    const IT::Intrinsic_edge_polylines lines = IT::intrinsic_edge_polylines(s);
+    const IT::Edge_polylines lines = IT::intrinsic_edge_polylines(s);
     ASSERT_EQ(lines.size(), 3u);
     EXPECT_EQ(path(lines, 0), (Path{0, 0}));
     for (const std::size_t e : {1u, 2u}) {
@@ -82,17 +83,62 @@ TEST(Intrinsic_edge_polylines, Of_loops_pass_all_crossings_in_the_order_of_their
   }
 }
 
-TEST(Intrinsic_edge_polylines, Are_empty_for_numbers_that_no_edge_has) {
+TEST(Edge_polylines, Are_empty_for_numbers_that_no_edge_has) {
   Subdivision s = subdivisions::tetrahedron();
   for (Subdivision::Side& side : s.side) side.intrinsic_edge += 3;
-  const IT::Intrinsic_edge_polylines lines = IT::intrinsic_edge_polylines(s);
+  const IT::Edge_polylines lines = IT::intrinsic_edge_polylines(s);
   ASSERT_EQ(lines.size(), 9u);
   for (std::size_t e = 0; e < 3; ++e) EXPECT_TRUE(lines[e].empty());
   EXPECT_EQ(path(lines, 8), (Path{2, 3}));
 }
 
-TEST(Intrinsic_edge_polylines, Of_nothing_are_none) {
+TEST(Edge_polylines, Of_nothing_are_none) {
   EXPECT_EQ(IT::intrinsic_edge_polylines(Subdivision()).size(), 0u);
+}
+
+TEST(Input_edge_polylines, Run_from_the_first_end_over_the_crossing_to_the_second) {
+  const Subdivision s = subdivisions::grid(1);
+  const IT::Edge_polylines lines = IT::input_edge_polylines(s);
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(path(lines, 0), (Path{0, 1}));
+  EXPECT_EQ(path(lines, 1), (Path{2, 3}));
+  EXPECT_EQ(path(lines, 4), (Path{0, 4, 3})) << "the other diagonal";
+  Subdivision turned = s;
+  std::swap(turned.crossings[0].on_input.vertices[0], turned.crossings[0].on_input.vertices[1]);
+  EXPECT_EQ(path(IT::input_edge_polylines(turned), 4), (Path{3, 4, 0}));
+}
+
+TEST(Input_edge_polylines, Of_loops_pass_all_crossings_in_the_order_of_their_parameters) {
+  for (int k = 2; k <= 12; ++k) {
+    const Subdivision s = subdivisions::Torus(k).s;
+    const IT::Edge_polylines lines = IT::input_edge_polylines(s);
+    ASSERT_EQ(lines.size(), 3u);
+    std::size_t crossings = 0;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const Path p = path(lines, e);
+      EXPECT_EQ(p.front(), 0u);
+      EXPECT_EQ(p.back(), 0u);
+      crossings += p.size() - 2;
+      double previous = 0;
+      for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+        const Subdivision::Edge_point& x = s.crossings[p[i] - 1].on_input;
+        EXPECT_EQ(x.edge, e);
+        EXPECT_GT(x.parameter, previous);
+        previous = x.parameter;
+      }
+    }
+    EXPECT_EQ(crossings, s.crossings.size());
+  }
+}
+
+TEST(Input_edge_polylines, Are_empty_for_numbers_that_no_edge_has) {
+  Subdivision s = subdivisions::tetrahedron();
+  for (Subdivision::Side& side : s.side) side.input_edge += 3;
+  const IT::Edge_polylines lines = IT::input_edge_polylines(s);
+  ASSERT_EQ(lines.size(), 9u);
+  for (std::size_t e = 0; e < 3; ++e) EXPECT_TRUE(lines[e].empty());
+  EXPECT_EQ(path(lines, 8), (Path{2, 3}));
+  EXPECT_EQ(IT::input_edge_polylines(Subdivision()).size(), 0u);
 }
 
 // Of a valid subdivision every interior edge has two sides, and every edge of the border has one. Two

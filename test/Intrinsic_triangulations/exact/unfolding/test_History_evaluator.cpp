@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
 
 #include "gallery.h"

@@ -12,7 +12,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>
@@ -208,6 +210,75 @@ TYPED_TEST(Delaunay_refine, Makes_faces_small_enough) {
     const auto [a, b, c] = sides(t, f);
     EXPECT_LE(std::max({a, b, c}), 0.3 * (1 + 1e-12));
     EXPECT_LE(a * b * c / (4 * t.area(f)), 0.2 * (1 + 1e-9));
+  }
+}
+
+template <class T>
+double shortest_edge(const T& t) {
+  double result = std::numeric_limits<double>::infinity();
+  for (const auto e : edges(t.mesh())) result = std::min(result, t.length(e));
+  return result;
+}
+
+/// A square of side 10 with a vertex very close to the middle of each side, as if refined there.
+template <class T>
+T square_with_vertices_near_the_border() {
+  T t(input(meshes::grid(1, 1, 10, 10)));
+  std::vector<typename T::halfedge_descriptor> on_border;
+  for (const auto h : halfedges(t.mesh()))
+    if (face(opposite(h, t.mesh()), t.mesh()) == boost::graph_traits<typename T::Mesh>::null_face())
+      on_border.push_back(h);
+  for (const auto h : on_border) t.insert_vertex(h, {0.505, 0.4949, 0.0001});
+  IT::flip_to_delaunay(t);
+  return t;
+}
+
+/// Chew's algorithm removes them when sides are split, and keeps a distance: without that they stay, and faces have to be
+/// as small as they are near.
+TYPED_TEST(Delaunay_refine, Removes_vertices_of_an_earlier_refinement_near_a_border_that_is_split) {
+  auto t = square_with_vertices_near_the_border<TypeParam>();
+  ASSERT_LT(num_vertices(t.mesh()), 9U);
+  const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(25));
+  EXPECT_TRUE(result.unsatisfied.empty());
+  EXPECT_GE(result.counts.removals, 3U);
+  EXPECT_GT(shortest_edge(t), 1);
+  EXPECT_LT(num_vertices(t.mesh()), 20U);
+  EXPECT_EQ(defect(t), "");
+  auto u = square_with_vertices_near_the_border<TypeParam>();
+  const auto no_error = [](const TypeParam& x) {
+    return std::vector<double>(x.numbers().face_capacity(x.mesh()), 0);
+  };
+  IT::adaptive_refine(u, no_error);
+  EXPECT_GT(shortest_edge(u), 1);
+}
+
+TYPED_TEST(Delaunay_refine, Removes_no_vertex_that_lies_on_a_border_or_a_constrained_edge) {
+  TypeParam t(input(meshes::grid(2, 2, 5, 5)));
+  Edge_map is_constrained;
+  const Constraints<TypeParam> constrained{&t, &is_constrained};
+  for (const auto e : edges(t.mesh())) put(constrained, e, true);
+  const double length = total_length(t, constrained);
+  IT::delaunay_refine(
+      t,
+      IT::parameters::minimum_angle(0).maximum_edge_length(2).edge_is_constrained_map(constrained));
+  IT::delaunay_refine(
+      t, IT::parameters::minimum_angle(25).maximum_edge_length(1).edge_is_constrained_map(
+             constrained));
+  EXPECT_NEAR(total_length(t, constrained), length, 1e-9);
+  for (const auto e : edges(t.mesh())) EXPECT_LE(t.length(e), 1 + 1e-12);
+  EXPECT_EQ(defect(t), "");
+}
+
+/// In parts: the circumcenters of the first refinement do not spoil the second one.
+TYPED_TEST(Delaunay_refine, Going_on_makes_no_faces_smaller_than_starting_with_the_last_bound) {
+  for (const auto& m : {meshes::grid(3, 3, 1, 4), meshes::rough_grid(4, 3)}) {
+    TypeParam once(input(m)), in_parts(input(m));
+    IT::delaunay_refine(once, IT::parameters::minimum_angle(28).maximum_circumradius(0.4));
+    for (const double radius : {1.0, 0.7, 0.4})
+      IT::delaunay_refine(in_parts, IT::parameters::minimum_angle(28).maximum_circumradius(radius));
+    EXPECT_GT(shortest_edge(in_parts), 0.7 * shortest_edge(once));
+    EXPECT_LT(num_vertices(in_parts.mesh()), 3 * num_vertices(once.mesh()) / 2);
+    EXPECT_EQ(defect(in_parts), "");
   }
 }
 

@@ -71,6 +71,8 @@ private:
     in_.line("triangulated_polygons", [&] {
       report_.triangulated_polygons = in_.integer<std::size_t>("number of polygons");
     });
+    in_.line("reversed_faces",
+             [&] { report_.reversed_faces = in_.integer<std::size_t>("number of faces"); });
   }
 
   void read_kind() {

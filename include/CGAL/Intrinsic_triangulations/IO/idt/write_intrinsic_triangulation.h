@@ -92,6 +92,7 @@ private:
     out_.line("mollification", kind->second, report.mollification.delta);
     out_.line("renumbered", report.renumbered ? 1 : 0);
     out_.line("triangulated_polygons", report.triangulated_polygons);
+    out_.line("reversed_faces", report.reversed_faces);
   }
 
   // all that is known of an input without surface

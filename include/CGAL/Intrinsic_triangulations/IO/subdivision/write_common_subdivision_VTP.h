@@ -127,7 +127,7 @@ private:
   Output_buffer& out_;
   const Subdivision_output& o_;
   const Common_subdivision& s_;
-  Intrinsic_edge_polylines lines_;
+  Edge_polylines lines_;
   std::vector<std::uint32_t> line_edges_; // the edge of each line
 };
 

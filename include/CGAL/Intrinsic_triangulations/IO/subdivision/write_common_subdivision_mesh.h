@@ -49,7 +49,7 @@ inline void write_OBJ(Output_buffer& out, const Subdivision_output& o, bool with
     for (std::size_t g = f; g < end; ++g) write_OBJ_vertices(out, 'f', s.face(g));
   }
   if (!with_lines) return;
-  const Intrinsic_edge_polylines lines = intrinsic_edge_polylines(s);
+  const Edge_polylines lines = intrinsic_edge_polylines(s);
   for (std::size_t e = 0; e < lines.size(); ++e) {
     if (lines[e].empty()) continue;
     out.line("# intrinsic_edge", e);

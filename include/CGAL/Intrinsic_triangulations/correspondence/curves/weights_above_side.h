@@ -26,9 +26,11 @@ struct Plane_point {
   FT x; ///< first coordinate
   FT y; ///< second coordinate
 
+  /// sum of vectors
   friend Plane_point operator+(const Plane_point& a, const Plane_point& b) {
     return {a.x + b.x, a.y + b.y};
   }
+  /// difference of vectors
   friend Plane_point operator-(const Plane_point& a, const Plane_point& b) {
     return {a.x - b.x, a.y - b.y};
   }

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_layout.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 
@@ -40,6 +40,9 @@ public:
     }
     return part_[f] == part_[g] ? part_[f] : none;
   }
+  // the part in which all triangles are
+  std::uint32_t part_of(const Input& input,
+                        const std::vector<Unfolded_diamond::Triangle>& triangles);
   // how many diamonds have been unfolded for that
   std::size_t number_of_searches() const { return number_of_searches_; }
 
@@ -56,9 +59,6 @@ private:
   std::uint32_t known(std::uint32_t face) const {
     return face < part_.size() ? part_[face] : unknown;
   }
-
-  std::uint32_t part_of(const Input& input,
-                        const std::vector<Unfolded_diamond::Triangle>& triangles);
 
   void find_part(const Input& input, std::uint32_t name);
 

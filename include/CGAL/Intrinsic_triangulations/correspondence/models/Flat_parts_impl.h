@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_layout.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 

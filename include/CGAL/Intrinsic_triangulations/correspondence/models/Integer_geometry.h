@@ -6,9 +6,11 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
@@ -130,13 +132,18 @@ public:
                    Predicate_statistics& statistics) {
     if (coordinates.normal_coordinate(h / 2) <= 0) return true; // in one face, or along its side
     Unfolded_diamond strip = unfolder_.strip(view, coordinates, h);
+    const auto z = strip.positions<FT>(intervals());
+    const auto i = strip.position(0, z), ij = strip.position(1, z) - i;
     for (std::uint32_t t = 1; t < strip.triangles.size(); ++t) {
-      const std::uint32_t entry = strip.triangles[t].entry;
-      for (const bool on_left :
-           {true, false}) { // area of the ends of the edge and that of the curve
-        strip.corners[2] = {t, on_left ? entry : (entry + 1) % 3};
-        const Sign s = sign_of(strip, Left_area_expression(), statistics);
-        if (s != (on_left ? POSITIVE : NEGATIVE)) return false;
+      const Unfolded_diamond::Triangle &triangle = strip.triangles[t],
+                                       &last = strip.triangles[t - 1];
+      for (const bool on_left : {true, false}) {
+        const std::uint32_t point = on_left ? triangle.start() : triangle.end();
+        if (t > 1 && point == (on_left ? last.start() : last.end())) continue;
+        const std::optional<Sign> s = certain_sign(cross(ij, z[point] - i));
+        const Sign side = on_left ? POSITIVE : NEGATIVE;
+        strip.corners[2] = {t, on_left ? triangle.entry : (triangle.entry + 1) % 3};
+        if ((s ? *s : exact_sign(strip, Left_area_expression(), statistics)) != side) return false;
       }
     }
     return true;
@@ -144,19 +151,31 @@ public:
 
 private:
   using Side = Face_side;
+  using Input_face = std::pair<std::array<FT, 3>, FT>; // squared lengths, quadruple area
 
   template <class Expression>
-  Sign sign_of(const Unfolded_diamond& d, const Expression& expression,
-               Predicate_statistics& statistics) {
-    const FT value = expression(values_of(d));
-    if (value.inf() > 0) return POSITIVE;
-    if (value.sup() < 0) return NEGATIVE;
+  Sign exact_sign(const Unfolded_diamond& d, const Expression& expression,
+                  Predicate_statistics& statistics) {
     ++statistics.filter_failures;
+    if constexpr (PolynomialExpression<Expression>)
+      if (degree_of(expression).is_linear_in_areas() && d.has_inserted_corners() && is_flat(d)) {
+        Diamond_values<FT> values;
+        return flat_diamond_sign(input_->metric(), flat_diamond(input_->metric(), d), expression,
+                                 values, statistics);
+      }
     return evaluation_.sign(input_->metric(), d, expression, statistics);
   }
 
-  Diamond_values<FT> values_of(const Unfolded_diamond& d) const {
-    return d.values<FT>([this](std::uint32_t f) -> const Input_face& { return faces_[f]; });
+  // inserted vertices in flat parts of a surface are tied often
+  bool is_flat(const Unfolded_diamond& d) {
+    if (!input_->metric().is_in_space()) return false;
+    if (!parts_) parts_.emplace(*input_);
+    return parts_->part_of(*input_, d.triangles) != internal::Flat_parts::none;
+  }
+
+  // the values of a face of the input
+  auto intervals() const {
+    return [this](std::uint32_t f) -> const Input_face& { return faces_[f]; };
   }
 
   // a diamond of two input faces has their sides, another one is in the unfolder
@@ -172,7 +191,7 @@ private:
         is_of_input(view, coordinates, h ^ 1U))
       return of_input(coordinates, h);
     const Unfolded_diamond& d = unfolder_(view, coordinates, h);
-    return {values_of(d), &d, {}, {}};
+    return {d.values<FT>(intervals()), &d, {}, {}};
   }
 
   // whether the three sides of a face run along input edges, between which there is no vertex
@@ -203,23 +222,20 @@ private:
   Sign exact_sign(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
                   const Rebuilt& r, const Expression& expression,
                   Predicate_statistics& statistics) {
-    ++statistics.filter_failures;
-    if (r.diamond != nullptr)
-      return evaluation_.sign(input_->metric(), *r.diamond, expression, statistics);
+    if (r.diamond != nullptr) return exact_sign(*r.diamond, expression, statistics);
     if (const std::optional<Sign> s =
             input_diamond_sign(input_->metric(), r.left, r.right, expression)) {
+      ++statistics.filter_failures;
       ++(*s == ZERO ? statistics.certified_zero : statistics.integer);
       return *s;
     }
-    return evaluation_.sign(input_->metric(), unfolder_(view, coordinates, h), expression,
-                            statistics);
+    return exact_sign(unfolder_(view, coordinates, h), expression, statistics);
   }
-
-  using Input_face = std::pair<std::array<FT, 3>, FT>; // squared lengths, quadruple area
 
   std::shared_ptr<const Input> input_;
   std::vector<Input_face> faces_;
   Diamond_unfolder unfolder_;
+  std::optional<internal::Flat_parts> parts_;
   Exact_evaluation evaluation_;
 };
 

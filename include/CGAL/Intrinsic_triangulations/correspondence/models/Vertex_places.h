@@ -102,7 +102,7 @@ private:
 
   void start(const Triangulation& t) const;
 
-  // the input of a triangulation, with connectivity, lengths and areas
+  // the input of a triangulation, with connectivity
   static std::shared_ptr<const Input> surface_of(const Triangulation& t, const Gluing_map& mesh);
 
   // mutable: a cache of what the history tells, until they define the metric
@@ -147,9 +147,7 @@ template <class Triangulation>
 std::shared_ptr<const Input> Vertex_places<Triangulation>::surface_of(const Triangulation& t,
                                                                       const Gluing_map& mesh) {
   if (t.input().has_surface() && t.input().is_defined_by_metric()) return t.shared_input();
-  auto input = std::make_shared<Input>(mesh, t.input().metric(), t.input().names());
-  input->keep_values(Exact_euclidean_metric(input));
-  return input;
+  return std::make_shared<Input>(mesh, t.input().metric(), t.input().names());
 }
 
 // Other metrics are defined by moves.

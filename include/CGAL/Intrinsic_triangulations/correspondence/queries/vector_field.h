@@ -6,20 +6,17 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
-#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 /*!
@@ -29,84 +26,7 @@ Tangent vector fields at the vertices of an intrinsic triangulation, inserted on
 
 namespace CGAL::Intrinsic_triangulations {
 
-/*!
-\brief holds a tangent vector per vertex `v`, at index `t.input_vertex(v)` as in all operators.
-
-It is a complex number in the polar coordinates of the vertex (§2.4 of the course): the real axis runs along the first
-halfedge that starts there, `opposite(halfedge(v, t.mesh()), t.mesh())`, and angles from it counterclockwise are scaled
-so that the total angle becomes 2 pi, or pi on the border.
-*/
-using Tangent_field = std::vector<std::complex<double>>;
-
 namespace internal {
-
-// The frames at all vertices of an intrinsic triangulation.
-template <class Triangulation>
-class Vertex_frames {
-  using View = Intrinsic_view<Triangulation>;
-
-public:
-  explicit Vertex_frames(const Triangulation& t)
-      : t_(t), view_(t), scale_(t.numbers().vertex_capacity(t.mesh()), 1),
-        angle_(2 * std::size_t{t.numbers().edge_capacity(t.mesh())}, 0) {
-    for (const auto v : vertices(t.mesh()))
-      if (!is_isolated(v)) measure(t.index(v));
-  }
-
-  bool is_isolated(typename Triangulation::vertex_descriptor v) const {
-    return halfedge(v, t_.mesh()) ==
-           boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
-  }
-
-  // the vector at a vertex, in the face that it points into
-  Tangent_vector at_vertex(std::uint32_t v, std::complex<double> z) const {
-    const Geodesic_walk<View> walk(view_,
-                                   Corner_direction{view_.outgoing_halfedge(v), angle(v, z)});
-    return at_start(walk, std::abs(z));
-  }
-
-  // the vectors at the corners of a face, in its frame, averaged with weights
-  Tangent_vector in_face(const Surface_point& p, const Tangent_field& field) const {
-    const Geodesic_face face(view_, p.halfedge);
-    Tangent_vector result{p, {0, 0}};
-    for (unsigned k = 0; k < 3; ++k) {
-      const std::uint32_t v = view_.source(face.side[k]);
-      const std::complex<double> z = field[t_.input_vertex(t_.numbers().vertex_at(v))];
-      const double turn =
-          std::remainder(angle(v, z) - angle_[face.side[k]], 2 * std::numbers::pi / scale_[v]);
-      const Planar_vector<double> x =
-          face.from_relative_to(k, {std::abs(z) * std::cos(turn), std::abs(z) * std::sin(turn)});
-      for (std::size_t c = 0; c < 2; ++c) result.vector[c] += p.weights[k] * x[c];
-    }
-    return result;
-  }
-
-private:
-  // on the surface, from the first halfedge
-  double angle(std::uint32_t v, std::complex<double> z) const {
-    const double a = std::arg(z);
-    return (a < 0 ? a + 2 * std::numbers::pi : a) / scale_[v];
-  }
-
-  void measure(std::uint32_t v) {
-    const std::uint32_t first = view_.outgoing_halfedge(v);
-    double sum = 0;
-    std::uint32_t h = first;
-    do {
-      angle_[h] = sum;
-      if (view_.is_border(h)) break;
-      sum += angle_at_source(view_, h);
-      h = next_around_source(view_, h);
-    } while (h != first);
-    const double full = (view_.is_border(h) ? 1 : 2) * std::numbers::pi;
-    scale_[v] = sum > 0 ? full / sum : 1;
-  }
-
-  const Triangulation& t_;
-  View view_;
-  std::vector<double> scale_; // per vertex: from angles on the surface to polar angles
-  std::vector<double> angle_; // per halfedge: on the surface, from the first one at its source
-};
 
 // A vector at a point of the input, in space.
 template <class Named>
@@ -173,11 +93,12 @@ template <internal::Queried_triangulation Triangulation, class Mesh>
 std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
                                                     const Tangent_field& field, const Mesh& mesh) {
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
-  const internal::Vertex_frames<Triangulation> frames(t);
+  const Intrinsic_view<Triangulation> view(t);
+  const internal::Vertex_frames frames = internal::intrinsic_frames(t, view);
   std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
   for (const auto v : vertices(t.mesh())) {
     const std::uint32_t i = t.input_vertex(v);
-    if (frames.is_isolated(v)) continue;
+    if (internal::is_isolated(t, v)) continue;
     if (const auto x = tangent_to_input(t, frames.at_vertex(t.index(v), field[i])))
       result[i] = internal::vector_in_space(named, *x);
   }
@@ -202,8 +123,9 @@ std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
                                                     const Tangent_field& field,
                                                     const Common_subdivision& s, const Mesh& mesh) {
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
-  const internal::Vertex_frames<Triangulation> frames(t);
   const Intrinsic_view<Triangulation> view(t);
+  const internal::Vertex_frames frames = internal::intrinsic_frames(t, view);
+  const auto at = [&](std::uint32_t v) { return field[t.input_vertex(t.numbers().vertex_at(v))]; };
   const std::vector<std::array<double, 3>> points = positions(s, mesh);
   std::vector<std::array<double, 3>> result(s.number_of_faces(), {0, 0, 0});
   for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
@@ -216,7 +138,7 @@ std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
     }
     const std::uint32_t input_face = t.input().names().faces.here(s.input_face[f]);
     result[f] = internal::face_vector_in_space(view, named, t.input().halfedge_of_face(input_face),
-                                               s, f, points, frames.in_face(centre, field).vector);
+                                               s, f, points, frames.in_face(centre, at));
   }
   return result;
 }

@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -17,6 +19,7 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -67,6 +70,8 @@ struct Common_subdivision {
     Subdivision_vertex_kind kind = Subdivision_vertex_kind::input; ///< input or inserted
     std::uint32_t input_face = none; ///< a face of the input that contains it
     Weighted_vertices on_input;      ///< its location on the input
+    /// Of an inserted vertex: the halfedge of `input_face` from which `on_input` is given.
+    std::uint32_t input_halfedge = none;
   };
 
   /// The crossing of an edge of the input with an edge of the intrinsic triangulation.
@@ -97,6 +102,9 @@ struct Common_subdivision {
   std::vector<Side> side;
   /// The halfedge of the intrinsic face that each corner lies on, at its source or inside.
   std::vector<std::uint32_t> intrinsic_halfedge;
+  /// The halfedge of the input face that each corner lies on, at its source or inside; if it is inside of the face, the
+  /// one from which its location is given.
+  std::vector<std::uint32_t> input_halfedge;
   /// The face of the input that contains each face.
   std::vector<std::uint32_t> input_face;
   /// The intrinsic face that contains each face.
@@ -156,6 +164,22 @@ std::array<double, 3> corner_in_face(const View& view, const Common_subdivision&
   weights[k] = 1 - along;
   weights[(k + 1) % 3] = along;
   return weights;
+}
+
+/// returns barycentric coordinates of corner `c` of a subdivision in the input face of `base`.
+inline std::array<double, 3> corner_in_input_face(const Input& input, const Common_subdivision& s,
+                                                  std::uint32_t base, std::size_t c) {
+  const std::uint32_t v = s.corner[c];
+  Surface_point p{s.input_halfedge[c], {1, 0, 0}};
+  if (v >= s.vertices.size()) {
+    const double x = s.crossings[v - s.vertices.size()].on_input.parameter;
+    p.weights = {1 - x, x, 0};
+    if (p.halfedge % 2 != 0) std::swap(p.weights[0], p.weights[1]);
+  } else if (s.vertices[v].kind == Subdivision_vertex_kind::inserted) {
+    p.weights = s.vertices[v].on_input.weights;
+    if (p.halfedge != s.vertices[v].input_halfedge) std::swap(p.weights[0], p.weights[1]);
+  }
+  return seen_from(input, p, base).weights;
 }
 
 /// returns the rotation that fits places of corners `begin` to `end` in one frame to those in another best: the

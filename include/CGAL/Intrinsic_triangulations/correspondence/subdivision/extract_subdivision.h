@@ -70,6 +70,7 @@ private:
     const Surface_point& p = coordinates_.location(v);
     r.kind = Subdivision_vertex_kind::inserted;
     r.input_face = user_face(input.face(p.halfedge));
+    r.input_halfedge = p.halfedge;
     r.on_input = weighted_vertices(t_, p);
     return r;
   }
@@ -98,6 +99,7 @@ private:
     s_.corner.reserve(corners);
     s_.side.reserve(corners);
     s_.intrinsic_halfedge.reserve(corners);
+    s_.input_halfedge.reserve(corners);
   }
 
   // ---- One intrinsic face ----
@@ -128,20 +130,31 @@ private:
   }
   std::uint32_t corner_vertex(unsigned k) const { return vertex_[view_.source(sides_[k])]; }
 
-  void add_corner(std::uint32_t vertex, std::uint32_t h, Common_subdivision::Side side) {
+  void add_corner(std::uint32_t vertex, std::uint32_t h, std::uint32_t input_halfedge,
+                  Common_subdivision::Side side) {
     s_.corner.push_back(vertex);
     s_.side.push_back(side);
     s_.intrinsic_halfedge.push_back(h);
+    s_.input_halfedge.push_back(input_halfedge);
   }
-  void add_corner_before_curve(std::uint32_t vertex, unsigned side, std::uint32_t entered) {
-    add_corner(vertex, sides_[side], {entered / 2, none});
+  // before a curve along input halfedge `x`, to the left of which the cell is
+  void add_corner_before_curve(std::uint32_t vertex, unsigned side, std::uint32_t x) {
+    add_corner(vertex, sides_[side], x, {x / 2, none});
   }
-  void add_corner_on_side(std::uint32_t vertex, unsigned side) {
+  // after a curve along input halfedge `x`
+  void add_corner_on_side(std::uint32_t vertex, unsigned side, std::uint32_t x) {
     const std::uint32_t h = sides_[side];
     const bool shared = coordinates_.normal_coordinate(h / 2) < 0;
     add_corner(
-        vertex, h,
+        vertex, h, x,
         {shared ? coordinates_.fans().halfedge(coordinates_.roundabout(h)) / 2 : none, h / 2});
+  }
+  // at the first cell of corner `k`
+  void add_vertex_on_side(unsigned k) {
+    const Surface_point p = corner_on_input(view_, coordinates_, sides_[k]);
+    const bool is_at_target = p.weights[1] == 1;
+    add_corner_on_side(corner_vertex(k), k,
+                       is_at_target ? coordinates_.input().next(p.halfedge) : p.halfedge);
   }
   void finish_cell(std::uint32_t input_face) {
     s_.face_begin.push_back(static_cast<std::uint32_t>(s_.corner.size()));
@@ -153,8 +166,8 @@ private:
     for (Normal_coordinate i = 0; i < corners_.cutting[k]; ++i) {
       const std::uint32_t entered = crossings_.entered_by(sides_[k], i);
       add_past_corner(k, i);
-      add_corner_before_curve(crossing(k, i), k, entered);
-      add_corner_on_side(coming(k, i), (k + 2) % 3);
+      add_corner_before_curve(crossing(k, i), k, entered ^ 1U);
+      add_corner_on_side(coming(k, i), (k + 2) % 3, entered ^ 1U);
       finish_cell(coordinates_.input().face(entered ^ 1U));
     }
   }
@@ -162,11 +175,11 @@ private:
   // walks past corner `k`, along the last of `n` curves that cut it off if there is one
   void add_past_corner(unsigned k, Normal_coordinate n) {
     if (n > 0) {
-      add_corner_before_curve(coming(k, n - 1), (k + 2) % 3,
-                              crossings_.entered_by(sides_[k], n - 1));
-      add_corner_on_side(crossing(k, n - 1), k);
+      const std::uint32_t entered = crossings_.entered_by(sides_[k], n - 1);
+      add_corner_before_curve(coming(k, n - 1), (k + 2) % 3, entered);
+      add_corner_on_side(crossing(k, n - 1), k, entered);
     } else {
-      add_corner_on_side(corner_vertex(k), k);
+      add_vertex_on_side(k);
     }
   }
 
@@ -187,13 +200,13 @@ private:
       const std::uint32_t entered =
           i < count ? crossings_.entered_by(sides_[opposite], first + i) : none;
       if (i == 0)
-        add_corner_on_side(corner_vertex(k), k), add_past_corner(opposite, first);
+        add_vertex_on_side(k), add_past_corner(opposite, first);
       else {
         add_corner_before_curve(corner_vertex(k), k, last);
-        add_corner_on_side(crossing(opposite, first + i - 1), opposite);
+        add_corner_on_side(crossing(opposite, first + i - 1), opposite, last);
       }
       if (i < count)
-        add_corner_before_curve(crossing(opposite, first + i), opposite, entered);
+        add_corner_before_curve(crossing(opposite, first + i), opposite, entered ^ 1U);
       else
         add_past_corner((k + 2) % 3, corners_.cutting[(k + 2) % 3]);
       finish_cell(coordinates_.input().face(i == 0 ? entered ^ 1U : last));

@@ -13,11 +13,12 @@
 #include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 /*!
 \file
-The edges of a common subdivision, and how they make up those of the intrinsic triangulation.
+The edges of a common subdivision, and how they make up those of the intrinsic triangulation and of the input.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -67,9 +68,9 @@ void for_each_subdivision_edge(const Common_subdivision& s, Visitor visit) {
 }
 
 /*!
-\brief holds for each intrinsic edge the vertices of a common subdivision along it, one after another.
+\brief holds for each edge of one triangulation the vertices of a common subdivision along it, one after another.
 */
-struct Intrinsic_edge_polylines {
+struct Edge_polylines {
   /// For each number of an edge the index of its first vertex, and one entry more.
   std::vector<std::size_t> begin{0};
   /// The vertices; none for a number that no edge has.
@@ -114,7 +115,7 @@ without runs from its smaller vertex to the greater one.
 \return the polylines; polylines of interior edges, and those of the border
 \complexity linear if crossings are numbered along the edges, as `common_subdivision()` does
 */
-inline Intrinsic_edge_polylines intrinsic_edge_polylines(const Common_subdivision& s) {
+inline Edge_polylines intrinsic_edge_polylines(const Common_subdivision& s) {
   const auto place = [&](std::size_t i) {
     const Common_subdivision::Edge_point& p = s.crossings[i].on_intrinsic;
     return std::make_tuple(p.edge, p.parameter, i);
@@ -124,7 +125,7 @@ inline Intrinsic_edge_polylines intrinsic_edge_polylines(const Common_subdivisio
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (!std::is_sorted(order.begin(), order.end(), is_before))
     std::sort(order.begin(), order.end(), is_before);
-  Intrinsic_edge_polylines result;
+  Edge_polylines result;
   auto next = order.begin();
   for (const std::array<std::uint32_t, 2>& ends : internal::intrinsic_edge_ends(s)) {
     if (ends[0] != Common_subdivision::none) {
@@ -134,6 +135,102 @@ inline Intrinsic_edge_polylines intrinsic_edge_polylines(const Common_subdivisio
       result.vertices.push_back(ends[1]);
     }
     result.begin.push_back(result.vertices.size());
+  }
+  return result;
+}
+
+namespace internal {
+
+// An edge of a subdivision that lies on an edge of the input.
+struct Part_of_input_edge {
+  std::uint32_t edge;
+  std::array<std::uint32_t, 2> ends;
+};
+
+// Puts the parts of one input edge in order: between its ends, which are vertices of the input, every vertex is the end
+// of two parts.
+class Part_chain {
+public:
+  Part_chain(const Common_subdivision& s, std::span<const Part_of_input_edge> parts)
+      : parts_(parts), is_used_(parts.size(), false) {
+    for (std::uint32_t i = 0; i < parts.size(); ++i)
+      for (const std::uint32_t v : parts[i].ends) at_.emplace_back(v, i);
+    std::sort(at_.begin(), at_.end());
+    std::uint32_t v = at_.front().first; // the smallest, but for inserted vertices
+    for (const auto& [end, part] : at_)
+      if (s.kind(end) == Subdivision_vertex_kind::input) {
+        v = end;
+        break;
+      }
+    vertices_.push_back(v);
+    for (std::size_t i = 0; i < parts.size(); ++i) vertices_.push_back(v = next(v));
+    if (is_backwards(s)) std::reverse(vertices_.begin(), vertices_.end());
+  }
+
+  const std::vector<std::uint32_t>& vertices() const { return vertices_; }
+
+private:
+  // the other end of a part at `v` that has not been passed
+  std::uint32_t next(std::uint32_t v) {
+    auto i = std::lower_bound(at_.begin(), at_.end(), std::pair(v, 0U));
+    while (is_used_[i->second]) ++i;
+    is_used_[i->second] = true;
+    const std::array<std::uint32_t, 2>& ends = parts_[i->second].ends;
+    return ends[0] == v ? ends[1] : ends[0];
+  }
+
+  // what the crossings say of the direction; they are in order, whatever rounding does
+  bool is_backwards(const Common_subdivision& s) const {
+    double first = -1, last = -1;
+    for (const std::uint32_t v : vertices_)
+      if (s.kind(v) == Subdivision_vertex_kind::crossing) {
+        last = s.crossings[v - s.vertices.size()].on_input.parameter;
+        if (first < 0) first = last;
+      }
+    if (first < last || first > last) return first > last;
+    // one crossing: the edge ends at the vertices that it names
+    for (const std::uint32_t v : vertices_)
+      if (s.kind(v) == Subdivision_vertex_kind::crossing)
+        return s.vertices[vertices_.front()].intrinsic !=
+               s.crossings[v - s.vertices.size()].on_input.vertices[0];
+    return vertices_.front() > vertices_.back();
+  }
+
+  std::span<const Part_of_input_edge> parts_;
+  std::vector<bool> is_used_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> at_; // vertices, and parts that end there
+  std::vector<std::uint32_t> vertices_;
+};
+
+} // namespace internal
+
+/*!
+\brief chains the vertices of a common subdivision along each edge of the input (§3.6 of the course): crossings, and
+vertices that were inserted on it.
+
+An edge with crossings runs as their locations on it say; one without runs from its smaller end to the greater one.
+\param s the subdivision
+\pre `s` is the common subdivision of two triangulations
+\return the polylines, by the numbers that edges have in the input
+\complexity linear, with a factor logarithmic in the number of crossings of a single edge
+*/
+inline Edge_polylines input_edge_polylines(const Common_subdivision& s) {
+  std::vector<internal::Part_of_input_edge> parts;
+  for_each_subdivision_edge(
+      s, [&](std::uint32_t a, std::uint32_t b, const Common_subdivision::Side& side) {
+        if (side.input_edge != Common_subdivision::none) parts.push_back({side.input_edge, {a, b}});
+      });
+  std::sort(parts.begin(), parts.end(),
+            [](const auto& p, const auto& q) { return p.edge < q.edge; });
+  Edge_polylines result;
+  for (auto begin = parts.begin(); begin != parts.end();) {
+    const auto end =
+        std::find_if(begin, parts.end(), [&](const auto& p) { return p.edge != begin->edge; });
+    result.begin.resize(begin->edge + std::size_t{1}, result.vertices.size());
+    const internal::Part_chain chain(s, std::span(begin, end));
+    result.vertices.insert(result.vertices.end(), chain.vertices().begin(), chain.vertices().end());
+    result.begin.push_back(result.vertices.size());
+    begin = end;
   }
   return result;
 }

@@ -37,7 +37,7 @@ public:
   /// constructs zero.
   Ball() = default;
   /// converts a number exactly.
-  Ball(double x) : center_(x) {} // NOLINT(google-explicit-constructor)
+  Ball(double x) : center_(x), magnitude_(std::abs(x)) {} // NOLINT(google-explicit-constructor)
 
   /// returns the sum.
   friend Ball operator+(const Ball& a, const Ball& b) {
@@ -55,7 +55,7 @@ public:
   /// returns the quotient. a / b - A / B = ((a - A) - A / B (b - B)) / b
   friend Ball operator/(const Ball& a, const Ball& b) {
     const Center q = a.center_ / b.center_;
-    const double least = std::abs(rounded(b.center_)) * (1 - slack) - b.radius_;
+    const double least = b.magnitude_ * (1 - slack) - b.radius_;
     if (!(least > 0)) return {q, std::numeric_limits<double>::infinity()};
     return {q, (a.radius_ + std::abs(rounded(q)) * (1 + slack) * b.radius_) / least};
   }
@@ -71,13 +71,13 @@ public:
 
   /// returns the sign, if it is certain.
   Uncertain<Sign> sign() const {
-    const double c = rounded(center_);
-    if (std::abs(c) * (1 - slack) > radius_) return c > 0 ? POSITIVE : NEGATIVE;
-    return c == 0 && radius_ == 0 ? Uncertain<Sign>(ZERO) : Uncertain<Sign>::indeterminate();
+    if (magnitude_ * (1 - slack) > radius_) return rounded(center_) > 0 ? POSITIVE : NEGATIVE;
+    return magnitude_ == 0 && radius_ == 0 ? Uncertain<Sign>(ZERO)
+                                           : Uncertain<Sign>::indeterminate();
   }
 
   /// tells whether the number is zero as far as can be seen: rounding errors of zero mostly cancel.
-  bool seems_zero() const { return std::abs(rounded(center_)) * 64 < radius_; }
+  bool seems_zero() const { return magnitude_ * 64 < radius_; }
 
   /// tells whether center and radius are the same.
   bool is_identical(const Ball& other) const {
@@ -98,15 +98,16 @@ private:
 
   // adds rounding errors to a radius: of the operation, of the radius, of what underflows
   Ball(const Center& c, double radius)
-      : center_(c),
-        radius_((radius + std::abs(rounded(c)) * (is_short ? 0x1p-102 : 0x1p-254)) * (1 + slack) +
+      : center_(c), magnitude_(std::abs(rounded(c))),
+        radius_((radius + magnitude_ * (is_short ? 0x1p-102 : 0x1p-254)) * (1 + slack) +
                 0x1p-1060) {}
 
   static double rounded(const Center& x) { return x.to_double(); }
 
-  double size() const { return std::abs(rounded(center_)) * (1 + slack); }
+  double size() const { return magnitude_ * (1 + slack); }
 
   Center center_{0};
+  double magnitude_ = 0; // of the center, rounded
   double radius_ = 0;
 };
 

@@ -91,12 +91,15 @@ public:
 
   /// negates
   Gaussian_residue operator-() const { return {*field_, field_->negate(x_), field_->negate(y_)}; }
+  /// adds
   friend Gaussian_residue operator+(const Gaussian_residue& a, const Gaussian_residue& b) {
     return {*a.field_, a.field_->add(a.x_, b.x_), a.field_->add(a.y_, b.y_)};
   }
+  /// subtracts
   friend Gaussian_residue operator-(const Gaussian_residue& a, const Gaussian_residue& b) {
     return {*a.field_, a.field_->subtract(a.x_, b.x_), a.field_->subtract(a.y_, b.y_)};
   }
+  /// multiplies
   friend Gaussian_residue operator*(const Gaussian_residue& a, const Gaussian_residue& b) {
     const Prime_field& f = *a.field_;
     return {f, f.subtract(f.multiply(a.x_, b.x_), f.multiply(a.y_, b.y_)),
@@ -114,6 +117,7 @@ public:
   friend Gaussian_residue times_i(const Gaussian_residue& a) {
     return {*a.field_, a.field_->negate(a.y_), a.x_};
   }
+  /// tells whether both parts are the same
   friend bool operator==(const Gaussian_residue& a, const Gaussian_residue& b) {
     return a.x_ == b.x_ && a.y_ == b.y_;
   }

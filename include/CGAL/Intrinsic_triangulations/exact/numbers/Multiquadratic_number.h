@@ -101,10 +101,12 @@ public:
     return {internal::scaled(terms_, Gmpz(-1)), denominator_, exponent_, basis_};
   }
 
+  /// adds.
   friend Multiquadratic_number operator+(const Multiquadratic_number& x,
                                          const Multiquadratic_number& y) {
     return sum(x, y, false);
   }
+  /// subtracts.
   friend Multiquadratic_number operator-(const Multiquadratic_number& x,
                                          const Multiquadratic_number& y) {
     return sum(x, y, true);

@@ -54,6 +54,7 @@ public:
     return result;
   }
 
+  /// adds, modulo the range.
   friend constexpr Word_integer operator+(const Word_integer& a, const Word_integer& b) {
     Word_integer sum;
     Wide carry = 0;
@@ -64,6 +65,7 @@ public:
     }
     return sum;
   }
+  /// subtracts, modulo the range.
   friend constexpr Word_integer operator-(const Word_integer& a, const Word_integer& b) {
     Word_integer difference;
     Wide borrow = 0;
@@ -74,11 +76,13 @@ public:
     }
     return difference;
   }
+  /// multiplies, modulo the range.
   friend constexpr Word_integer operator*(const Word_integer& a, const Word_integer& b) {
     Word_integer product;
     for (std::size_t i = 0; i < n; ++i) product.add_multiple(a.words_[i], b, i, n);
     return product;
   }
+  /// compares all words.
   friend constexpr bool operator==(const Word_integer& a, const Word_integer& b) = default;
 
   /*!

@@ -86,58 +86,71 @@ struct Unfolded_diamond {
     return triangles[corners[c].triangle].point[corners[c].slot];
   }
 
+  /// A point of the plane into which the triangles are unfolded, where point 0 is the origin and point 1 is (1, 0).
+  template <class FT>
+  struct Position {
+    FT x; ///< first coordinate
+    FT y; ///< second coordinate
+    /// returns the vector between two points.
+    friend Position operator-(const Position& a, const Position& b) {
+      return {a.x - b.x, a.y - b.y};
+    }
+    /// returns the area that two vectors span.
+    friend FT cross(const Position& a, const Position& b) { return a.x * b.y - a.y * b.x; }
+  };
+  /// The positions of all points.
+  template <class FT>
+  using Positions = boost::container::small_vector<Position<FT>, 16>;
+
   /*!
-  \brief evaluates the diamond by unfolding.
+  \brief unfolds the triangles.
   \tparam FT a model of `Field`
   \tparam Input_values a functor from the number of an input face to a pair of its three squared
   lengths and its quadruple area
   */
   template <class FT, class Input_values>
-  Diamond_values<FT> values(const Input_values& input) const {
-    boost::container::small_vector<Complex<FT>, 16> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
+  Positions<FT> positions(const Input_values& input) const {
+    Positions<FT> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
     for (const Triangle& t : triangles) {
       const auto& face = input(t.face);
       const FT& l = face.first[t.entry];
       const FT p = l + face.first[(t.entry + 2) % 3] - face.first[(t.entry + 1) % 3];
-      const Complex<FT> e = z[t.end()] - z[t.start()], &a = z[t.start()];
+      const Position<FT> e = z[t.end()] - z[t.start()], &a = z[t.start()];
       const FT r = FT(1) / (l + l);
       z.push_back(
           {a.x + (e.x * p - e.y * face.second) * r, a.y + (e.x * face.second + e.y * p) * r});
     }
-    std::array<std::size_t, 4> at{}; // of the corners
-    for (std::size_t c = 0; c < 4; ++c) {
-      at[c] = corners[c].is_inserted() ? z.size() : point(c);
-      if (corners[c].is_inserted()) z.push_back(combination(corners[c], z));
-    }
-    const auto& first = input(triangles.front().face);
-    const FT& unit = first.first[0];
-    const Complex<FT>&i = z[at[0]], &j = z[at[1]], &k = z[at[2]], &m = z[at[3]];
-    const auto length = [&unit](const Complex<FT>& e) { return unit * (e.x * e.x + e.y * e.y); };
-    const auto area = [&unit](const Complex<FT>& u, const Complex<FT>& v) {
-      return (unit + unit) * (u.x * v.y - u.y * v.x);
-    };
-    return {length(j - i), length(k - j),      length(i - k),     length(m - i),
-            length(j - m), area(j - i, k - i), area(i - j, m - j)};
+    return z;
   }
 
-private:
+  /// returns where corner number `c` of the diamond is, by the positions of all points.
   template <class FT>
-  struct Complex {
-    FT x, y;
-    friend Complex operator-(const Complex& a, const Complex& b) { return {a.x - b.x, a.y - b.y}; }
-  };
-
-  // the position of a vertex that was inserted
-  template <class Points, class Point = typename Points::value_type>
-  Point combination(const Corner& c, const Points& z) const {
-    using FT = decltype(Point::x);
-    Point sum{FT(0), FT(0)};
-    const std::array<std::uint32_t, 3> p = points(c);
+  Position<FT> position(std::size_t c, const Positions<FT>& z) const {
+    if (!corners[c].is_inserted()) return z[point(c)];
+    Position<FT> sum{FT(0), FT(0)};
+    const std::array<std::uint32_t, 3> p = points(corners[c]);
     for (std::size_t k = 0; k < 3; ++k) {
-      const FT weight(c.weights[k]);
+      const FT weight(corners[c].weights[k]);
       sum = {sum.x + weight * z[p[k]].x, sum.y + weight * z[p[k]].y};
     }
     return sum;
+  }
+
+  /// evaluates the diamond by unfolding; see `positions()`.
+  template <class FT, class Input_values>
+  Diamond_values<FT> values(const Input_values& input) const {
+    const Positions<FT> z = positions<FT>(input);
+    const Position<FT> i = position(0, z), j = position(1, z), k = position(2, z),
+                       m = position(3, z);
+    const FT unit = input(triangles.front().face).first[0], twice = unit + unit;
+    const auto length = [&unit](const Position<FT>& e) { return unit * (e.x * e.x + e.y * e.y); };
+    return {length(j - i),
+            length(k - j),
+            length(i - k),
+            length(m - i),
+            length(j - m),
+            twice * cross(j - i, k - i),
+            twice * cross(i - j, m - j)};
   }
 };
 

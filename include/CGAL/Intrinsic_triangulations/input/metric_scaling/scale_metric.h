@@ -72,7 +72,9 @@ inline Intrinsic_input scaled_input(Intrinsic_input&& in, std::vector<double> sq
   for (std::uint32_t e = 0; e < in.mesh.number_of_edges(); ++e)
     check_new_square(in, e, squared_lengths[e]);
   Intrinsic_input scaled(std::move(in.mesh), std::move(squared_lengths), in.mollification);
+  scaled.mollification_amount = in.mollification_amount;
   scaled.triangulated_polygons = in.triangulated_polygons;
+  scaled.reversed_faces = in.reversed_faces;
   return scaled;
 }
 

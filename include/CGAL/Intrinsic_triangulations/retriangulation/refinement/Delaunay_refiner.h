@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Removable_vertices.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
@@ -75,6 +76,7 @@ public:
         segments_.add(view_, number(h), is_constrained);
     }
     if (!segments_.empty()) segments_.find_small_angles(view_);
+    removable_.find(t_, [this](Halfedge h) { return is_segment(h); });
     for (const auto e : edges(mesh_)) flipper_.push(halfedge(e, mesh_));
     flipper_.run(*this);
     touched_.clear();
@@ -207,7 +209,7 @@ private:
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Move_status::done) return false;
     ++result_.counts.circumcenters;
-    set_free(t_.index(n.vertex), true);
+    removable_.set(t_.index(n.vertex), true);
     suspect_star(n.vertex);
     if (!flip() || keeps_distance(t_, n.vertex, distance)) return true;
     remove(n.vertex);
@@ -240,7 +242,7 @@ private:
         on_border ? next(opposite(next(h, mesh_), mesh_), mesh_) : next(opposite(h, mesh_), mesh_);
     const Halfedge one = on_border ? h : next(next(h, mesh_), mesh_);
     segments_.split(e, {number(one) / 2, number(other) / 2}, ends, t_.index(n.vertex), parameter);
-    set_free(t_.index(n.vertex), false);
+    removable_.set(t_.index(n.vertex), false);
     suspect_star(n.vertex);
     if (flip()) remove_near(n.vertex, length);
     return true;
@@ -269,15 +271,9 @@ private:
 
   // ---- removal of inserted vertices near a split segment
 
-  void set_free(std::uint32_t v, bool value) {
-    if (v >= is_free_.size()) is_free_.resize(v + std::size_t{1}, 0);
-    is_free_[v] = value ? 1 : 0;
-  }
-  bool is_free(std::uint32_t v) const { return v < is_free_.size() && is_free_[v] != 0; }
-
   void remove_near(Vertex v, double radius) {
     for (const std::uint32_t w : dijkstra_ball(view_, t_.index(v), radius)) {
-      if (!is_free(w)) continue;
+      if (!removable_.has(w)) continue;
       remove(t_.numbers().vertex_at(w));
       if (!flip()) return; // now: edges that wait may be removed next
     }
@@ -298,7 +294,7 @@ private:
       return;
     }
     ++result_.counts.removals;
-    set_free(number_of_v, false);
+    removable_.set(number_of_v, false);
     touched_.erase(std::remove_if(touched_.begin(), touched_.end(),
                                   [&](Face f) {
                                     return std::find(old.begin(), old.end(), t_.index(f)) !=
@@ -340,7 +336,7 @@ private:
   Face_queue queue_;
   std::vector<Face> touched_;
   std::vector<Halfedge> encroached_;
-  std::vector<char> is_free_; // vertices that may be removed
+  Removable_vertices removable_;
   bool is_going_on_ = true;
   Result result_;
 };

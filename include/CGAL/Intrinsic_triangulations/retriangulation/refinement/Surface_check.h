@@ -17,19 +17,18 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The squared quadruple area that the sides of a face span, by the square of the longest of the squared lengths:
-// 16 A^2 = 4 L_a L_b - (L_a + L_b - L_c)^2.
+// The squared quadruple area that the sides of a face span, in units of its longest side. Keeping the rounding errors, as
+// `squared_quadruple_area()` does, would take longer than the rest of the check.
 inline double spanned_area(const Face_values<double>& v) {
-  const auto& l = v.squared_lengths;
-  const double longest = std::max({l[0], l[1], l[2]});
-  const double a = l[0] / longest, b = l[1] / longest, p = a + b - l[2] / longest;
+  const auto& [l, m, n] = v.squared_lengths;
+  const double longest = std::max({l, m, n}), a = l / longest, b = m / longest,
+               p = a + b - n / longest;
   return 4 * a * b - p * p;
 }
 
 // How far that is from the area of the face. Not a number or infinite if a value is.
 inline double area_discrepancy(const Face_values<double>& v) {
-  const auto& l = v.squared_lengths;
-  const double area = v.quadruple_area / std::max({l[0], l[1], l[2]});
+  const double area = v.quadruple_area / *std::ranges::max_element(v.squared_lengths);
   return std::abs(area * area - spanned_area(v));
 }
 

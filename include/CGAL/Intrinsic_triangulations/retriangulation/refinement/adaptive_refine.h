@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -73,6 +72,21 @@ std::vector<double> checked_indicators(const Triangulation& t, const std::vector
   return indicators;
 }
 
+// the numbers among the named parameters
+struct Adaptive_limits {
+  double error, share, angle;
+  std::size_t vertices, rounds;
+
+  template <class NP>
+  explicit Adaptive_limits(const NP& np)
+      : error(value_or<tags::tolerance>(np, 0.)), share(value_or<tags::bulk>(np, 0.5)),
+        angle(value_or<tags::minimum_angle>(np, 25.)),
+        vertices(value_or<tags::maximum_vertices>(np, std::size_t{100000})),
+        rounds(value_or<tags::maximum_rounds>(np, std::size_t{100})) {
+    if (!(error >= 0)) throw std::invalid_argument("the tolerance must not be negative");
+  }
+};
+
 inline double root_of_squares(const std::vector<double>& values) {
   double sum = 0;
   for (const double x : values) sum += x * x;
@@ -121,22 +135,20 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
   using Edge = typename Triangulation::edge_descriptor;
   internal::expect_names<internal::tags::tolerance, bulk, minimum_angle, maximum_vertices,
                          maximum_rounds, edge_is_constrained_map, visitor>(np);
-  const auto error_wanted = internal::value_or<internal::tags::tolerance>(np, 0.);
-  const auto share = internal::value_or<bulk>(np, 0.5);
-  const auto angle = internal::value_or<minimum_angle>(np, 25.);
-  const auto most_vertices = internal::value_or<maximum_vertices>(np, std::size_t{100000});
-  const auto most_rounds = internal::value_or<maximum_rounds>(np, std::size_t{100});
-  if (!(error_wanted >= 0)) throw std::invalid_argument("the tolerance must not be negative");
-  const auto constrained =
-      internal::constrained_map<Edge>(np);
+  const internal::Adaptive_limits limit(np);
+  const auto constrained = internal::constrained_map<Edge>(np);
   auto stored_visitor = internal::object_or<visitor>(np, Adaptive_refinement_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
   Adaptive_refinement_result result;
+  const auto end = [&result](Status status) {
+    result.status = status;
+    return result;
+  };
   // with no more insertions than the cap on vertices allows; tells how to go on
   const auto refine = [&](auto marks) {
     const std::size_t n = num_vertices(t.mesh());
-    const std::uint64_t left = n < most_vertices ? most_vertices - n : 0;
-    const auto done = delaunay_refine(t, parameters::minimum_angle(angle)
+    const std::uint64_t left = n < limit.vertices ? limit.vertices - n : 0;
+    const auto done = delaunay_refine(t, parameters::minimum_angle(limit.angle)
                                              .maximum_insertions(left)
                                              .edge_is_constrained_map(constrained)
                                              .visitor(marks));
@@ -145,24 +157,19 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
     return done.counts.circumcenters + done.counts.segment_splits > 0 ? Status::done
                                                                       : Status::stalled;
   };
-  result.status = refine(Refinement_visitor());
-  while (result.status != Status::inaccurate) {
+  if (refine(Refinement_visitor()) == Status::inaccurate) return end(Status::inaccurate);
+  for (;;) {
     const std::vector<double> indicators = internal::checked_indicators(t, estimate(t));
-    const std::vector<std::size_t> marked = mark_bulk(indicators, share);
+    const std::vector<std::size_t> marked = mark_bulk(indicators, limit.share);
     const double error = internal::root_of_squares(indicators);
     result.rounds.push_back({num_vertices(t.mesh()), error, marked.size()});
-    const auto end = [&result](Status status) {
-      result.status = status;
-      return result;
-    };
     if (!observed.progress(result.rounds.back())) return end(Status::cancelled);
-    if (error <= error_wanted) return end(Status::done);
-    if (num_vertices(t.mesh()) >= most_vertices || result.rounds.size() > most_rounds)
+    if (error <= limit.error) return end(Status::done);
+    if (num_vertices(t.mesh()) >= limit.vertices || result.rounds.size() > limit.rounds)
       return end(Status::cap);
     Marked_faces<Triangulation> faces(t, marked);
     if (const Status s = refine(std::ref(faces)); s != Status::done) return end(s);
   }
-  return result;
 }
 
 /// \cond

@@ -37,7 +37,8 @@ void write_constrained(const Triangulation& t, Map map, const Predicate& is_cons
 course, Algorithms 3 to 5; with constraints, §4.4).
 
 A face that does not meet them gets a vertex at its circumcenter. Where an edge of the border or a
-constrained one is in between, that is split, and vertices inserted before are removed near it. Some
+constrained one is in between, that is split, and vertices inserted before are removed near it, also those of
+an earlier refinement that this one goes on with, or of the user, unless they lie on such edges. Some
 faces cannot meet a bound of angles: those that wrap around a vertex whose total angle is too small,
 and those between border or constrained edges that make too small an angle. They are left alone,
 and listed. So are faces where the triangulation refuses an insertion. All others meet

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
@@ -140,17 +140,12 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool are_coplanar(const Input_metric& input
                        : get_certain(internal::Input_plane<Mpzf>(input, f).contains(g, slot));
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Diamond_values<Interval_nt<false>>
-flat_diamond_values(const Input_metric& input, const Flat_diamond& diamond) {
-  return internal::Diamond_in_space<Interval_nt<false>>(input, diamond).values();
-}
-
 template <PolynomialExpression Expression>
 Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
-                       const Expression& expression, Predicate_statistics& statistics) {
-  using Interval = Interval_nt<false>;
-  const Uncertain<Sign> s =
-      CGAL::sign(expression(internal::Diamond_in_space<Interval>(input, diamond).scaled_values()));
+                       const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                       Predicate_statistics& statistics) {
+  better = internal::Diamond_in_space<Interval_nt<false>>(input, diamond).values();
+  const Uncertain<Sign> s = CGAL::sign(expression(better));
   if (const std::optional<Sign> certain = internal::counted(s, 53, statistics)) return *certain;
   const Sign exact =
       CGAL::sign(expression(internal::Diamond_in_space<Mpzf>(input, diamond).scaled_values()));
@@ -158,23 +153,17 @@ Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
   return exact;
 }
 
-template <PolynomialExpression Expression>
-std::optional<Sign>
-coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Expression& expression, Predicate_statistics& statistics) {
-  const std::uint32_t first = diamond.triangles.front().face;
-  for (const Unfolded_diamond::Triangle& t : diamond.triangles)
-    if (&t != &diamond.triangles.front() && !are_coplanar(input, first, t.face, (t.entry + 2) % 3))
-      return std::nullopt;
-  Flat_diamond flat{first, {}};
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Flat_diamond flat_diamond(const Input_metric& input,
+                                                               const Unfolded_diamond& diamond) {
+  Flat_diamond flat{diamond.triangles.front().face, {}};
   for (std::size_t c = 0; c < 4; ++c) {
     const auto& [triangle, slot, weights] = diamond.corners[c];
     const Input_metric::Sides& s = input.sides(diamond.triangles[triangle].face);
     flat.corners[c] = {{s[slot], s[(slot + 1) % 3], s[(slot + 2) % 3]}, weights};
   }
-  return flat_diamond_sign(input, flat, expression, statistics);
+  return flat;
 }
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_IMPL_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_H
 
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
@@ -15,7 +15,6 @@
 #include <CGAL/enum.h>
 
 #include <cstdint>
-#include <optional>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -28,10 +27,6 @@ namespace CGAL::Intrinsic_triangulations {
 */
 bool are_coplanar(const Input_metric& input, std::uint32_t f, std::uint32_t g, std::uint32_t slot);
 
-/// returns intervals that contain the values of a diamond that lies in one plane in space.
-Diamond_values<Interval_nt<false>> flat_diamond_values(const Input_metric& input,
-                                                       const Flat_diamond& diamond);
-
 /*!
 \brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
 
@@ -40,29 +35,21 @@ no field is extended.
 \param input the input, from points in space
 \param diamond the diamond
 \param expression a polynomial that is linear in the areas, see `Expression_degree`
+\param better set to intervals that contain the values
 \param statistics counts how the sign was decided
 */
 template <PolynomialExpression Expression>
 Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
-                       const Expression& expression, Predicate_statistics& statistics);
+                       const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                       Predicate_statistics& statistics);
 
-/*!
-\brief returns the sign of an expression in the values of a diamond that lies in one plane in space, exactly.
-
-Inserted vertices in flat parts of a surface are tied often.
-\param input, expression, statistics see `flat_diamond_sign()`
-\param diamond the diamond
-\return the sign; nothing if the diamond is not in one plane
-*/
-template <PolynomialExpression Expression>
-std::optional<Sign>
-coplanar_diamond_sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Expression& expression, Predicate_statistics& statistics);
+/// returns a diamond of which all triangles lie in one plane in space.
+Flat_diamond flat_diamond(const Input_metric& input, const Unfolded_diamond& diamond);
 
 } // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/exact/coplanar_diamond_sign_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign_impl.h>
 #endif
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_COPLANAR_DIAMOND_SIGN_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_H

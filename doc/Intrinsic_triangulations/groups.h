@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Read by doxygen only: the topics of the reference manual, in the order in which it lists them. Which header
+// belongs to which is in doc/group_header.py.
+
+/*!
+\defgroup page_reference Reference manual
+\brief All names, by topic.
+
+All names are in the namespace `CGAL::Intrinsic_triangulations` unless they say otherwise. `#include
+<CGAL/Intrinsic_triangulations.h>` has what most programs need. Headers to be included besides are those of `operators/`, of
+OpenMesh and `CGAL::Polyhedron_3` in `connectivity/adaptors/`, of `.idt` files in `IO/idt/` and pages in `IO/view/`, and of
+incidence matrices and validity in `connectivity/`; the page of each name says which header it is in.
+
+What programs use comes first. The topics whose names begin with *Inside* are for who writes a model of a concept, or wants to
+know how something works.
+*/
+
+/*!
+\defgroup ref_concepts Concepts
+\ingroup page_reference
+\brief What template parameters must be: meaning, cost, and which operation needs which function.
+
+A C++20 concept of the same name, in `CGAL::Intrinsic_triangulations`, checks the syntax of each.
+
+Concepts of CGAL that pages name:
+[Field](https://doc.cgal.org/latest/Algebraic_foundations/classField.html) (numbers with the four operations),
+[FaceListGraph](https://doc.cgal.org/latest/BGL/classFaceListGraph.html),
+[HalfedgeListGraph](https://doc.cgal.org/latest/BGL/classHalfedgeListGraph.html) and
+[MutableFaceGraph](https://doc.cgal.org/latest/BGL/classMutableFaceGraph.html) (meshes by way of the BGL). *An instance of*
+a class template is that template with any arguments.
+*/
+
+/*!
+\defgroup ref_owner Triangulations
+\ingroup page_reference
+\brief Who owns connectivity, metric and correspondence, and makes moves; options and results of all functions.
+
+Begin with \itc{Intrinsic_triangulation}, or with \itc{Corresponding_triangulation} if results are wanted on the input.
+*/
+
+/*!
+\defgroup ref_input Input
+\ingroup page_reference
+\brief What a triangulation is built from, and remembers: meshes, arrays, lengths; names; treatment of degenerate faces.
+*/
+
+/*!
+\defgroup ref_arithmetic Arithmetic
+\ingroup page_reference
+\brief Traits: exact, floating point, with a tolerance; how predicates were decided.
+*/
+
+/*!
+\defgroup ref_delaunay Flips and quality
+\ingroup page_reference
+\brief Flips to Delaunay, tests, the certificate; angles and aspect ratios.
+*/
+
+/*!
+\defgroup ref_measures Measures
+\ingroup page_reference
+\brief Of a surface, its vertices and edges: area, curvature, weights.
+*/
+
+/*!
+\defgroup ref_refinement Refinement and optimization
+\ingroup page_reference
+\brief Vertices inserted until faces are good, or where an error is large; moved to an optimal Delaunay triangulation.
+*/
+
+/*!
+\defgroup ref_metrics Other metrics
+\ingroup page_reference
+\brief New lengths for old edges.
+*/
+
+/*!
+\defgroup ref_correspondence Correspondence
+\ingroup page_reference
+\brief Where points and edges of one triangulation are on the other.
+*/
+
+/*!
+\defgroup ref_subdivision Common subdivision
+\ingroup page_reference
+\brief Both triangulations in one polygon mesh.
+*/
+
+/*!
+\defgroup ref_tracing Geodesics and tangent vectors
+\ingroup page_reference
+\brief Straight lines on either triangulation; vectors and fields on the other one.
+*/
+
+/*!
+\defgroup ref_operators Operators
+\ingroup page_reference
+\brief Matrices, solutions, estimates of their errors, and transfer. Headers in `operators/`; they need Eigen.
+*/
+
+/*!
+\defgroup ref_io Files
+\ingroup page_reference
+\brief Meshes in; triangulations, subdivisions and pages out.
+
+What is in the files: \ref page_file_format, \ref page_output_formats, \ref page_viewer.
+*/
+
+/*!
+\defgroup ref_connectivity Connectivity
+\ingroup page_reference
+\brief Triangles that are glued together, made of meshes and made into meshes; validity, topology, orientation.
+*/
+
+/*!
+\defgroup ref_formulas Formulas
+\ingroup page_reference
+\brief The course's Appendix A and §2.3, in forms that lose nothing on needles and caps.
+*/
+
+/*!
+\defgroup ref_inside Inside moves, algorithms and files
+\ingroup page_reference
+\brief Records of moves, which correspondences read; parts of refinement; buffers.
+*/
+
+/*!
+\defgroup ref_inside_correspondence Inside correspondences
+\ingroup page_reference
+\brief Curves as integers, their crossings, both triangulations by numbers.
+*/
+
+/*!
+\defgroup ref_inside_tracing Inside geodesics
+\ingroup page_reference
+\brief Directions at vertices, geodesics step by step.
+*/
+
+/*!
+\defgroup ref_exact Inside exact arithmetic
+\ingroup page_reference
+\brief How a sign is found where intervals leave it open.
+
+| step | who does it |
+|---|---|
+| what is asked | expressions such as \itc{Delaunay_expression}, models of \itc{DiamondExpression} |
+| who decides and encloses, for a metric | \itc{Exact_geometry} |
+| two input faces, in integers of fixed size | \itf{input_diamond_sign} |
+| the input triangles under a diamond or a face | \itc{Unfolded_diamond}, found by an \itc{Input_unfolder} or along the \itc{Flip_history} |
+| diamonds in one plane | \itf{flat_diamond_sign}, \itf{flat_diamond_sign} |
+| is it zero? | \itc{Diamond_zero_test}, \itc{Field_zero_test}, \itc{History_zero_test} |
+| if not, in more and more bits | \itc{Exact_evaluation} |
+*/
+
+/*!
+\defgroup ref_unfolding Inside unfolding
+\ingroup page_reference
+\brief The history of flips, and the input triangles under a diamond or a face.
+*/
+
+/*!
+\defgroup ref_numbers Inside numbers
+\ingroup page_reference
+\brief Square roots of rationals, finite fields, numbers of fixed precision with a bound on their error.
+*/

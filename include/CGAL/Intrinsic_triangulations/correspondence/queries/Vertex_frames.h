@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VERTEX_FRAMES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VERTEX_FRAMES_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief holds a tangent vector per vertex `v`, at index `t.input_vertex(v)` as in all operators.
+
+It is a complex number in the polar coordinates of the vertex (§2.4 of the course): the real axis runs along the first
+halfedge that starts there, `opposite(halfedge(v, t.mesh()), t.mesh())`, and angles from it counterclockwise are scaled
+so that the total angle becomes 2 pi, or pi on the border.
+*/
+using Tangent_field = std::vector<std::complex<double>>;
+
+namespace internal {
+
+// The polar coordinates at the vertices of a surface, which is read by numbers.
+template <class Surface>
+class Vertex_frames {
+public:
+  Vertex_frames(const Surface& surface, std::uint32_t vertices, std::uint32_t halfedges)
+      : surface_(surface), scale_(vertices, 1), angle_(halfedges, 0) {}
+
+  // measures the angles at a vertex that is not isolated
+  void measure(std::uint32_t v) {
+    const std::uint32_t first = surface_.outgoing_halfedge(v);
+    double sum = 0;
+    std::uint32_t h = first;
+    do {
+      angle_[h] = sum;
+      if (surface_.is_border(h)) break;
+      sum += angle_at_source(surface_, h);
+      h = next_around_source(surface_, h);
+    } while (h != first);
+    const double full = (surface_.is_border(h) ? 1 : 2) * std::numbers::pi;
+    scale_[v] = sum > 0 ? full / sum : 1;
+  }
+
+  // the vector at a vertex, in the face that it points into
+  Tangent_vector at_vertex(std::uint32_t v, std::complex<double> z) const {
+    const Geodesic_walk<Surface> walk(surface_,
+                                      Corner_direction{surface_.outgoing_halfedge(v), angle(v, z)});
+    return at_start(walk, std::abs(z));
+  }
+
+  // the vectors at the corners of a face, `at(v)`, in its frame, averaged with the weights of a point
+  template <class At>
+  Planar_vector<double> in_face(const Surface_point& p, const At& at) const {
+    const Geodesic_face face(surface_, p.halfedge);
+    Planar_vector<double> result{0, 0};
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t v = surface_.source(face.side[k]);
+      const std::complex<double> z = at(v);
+      const double turn =
+          std::remainder(angle(v, z) - angle_[face.side[k]], 2 * std::numbers::pi / scale_[v]);
+      const Planar_vector<double> x =
+          face.from_relative_to(k, {std::abs(z) * std::cos(turn), std::abs(z) * std::sin(turn)});
+      for (std::size_t c = 0; c < 2; ++c) result[c] += p.weights[k] * x[c];
+    }
+    return result;
+  }
+
+  // the polar angle of a halfedge at its source
+  double polar_angle(std::uint32_t h) const { return scale_[surface_.source(h)] * angle_[h]; }
+  // the polar angle of a vector at corner `k` of the face of its point
+  double polar_angle(const Tangent_vector& v, unsigned k) const {
+    const Geodesic_face face(surface_, v.point.halfedge);
+    const Planar_vector<double> r = face.relative_to(k, v.vector);
+    return scale_[surface_.source(face.side[k])] * (angle_[face.side[k]] + std::atan2(r[1], r[0]));
+  }
+
+private:
+  // on the surface, from the first halfedge
+  double angle(std::uint32_t v, std::complex<double> z) const {
+    const double a = std::arg(z);
+    return (a < 0 ? a + 2 * std::numbers::pi : a) / scale_[v];
+  }
+
+  const Surface& surface_;
+  std::vector<double> scale_; // per vertex: from angles on the surface to polar angles
+  std::vector<double> angle_; // per halfedge: on the surface, from the first one at its source
+};
+
+template <class Triangulation>
+bool is_isolated(const Triangulation& t, typename Triangulation::vertex_descriptor v) {
+  return halfedge(v, t.mesh()) ==
+         boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
+}
+
+// The frames at the vertices of an intrinsic triangulation, of which `view` is a view that outlives them.
+template <class Triangulation>
+Vertex_frames<Intrinsic_view<Triangulation>>
+intrinsic_frames(const Triangulation& t, const Intrinsic_view<Triangulation>& view) {
+  Vertex_frames<Intrinsic_view<Triangulation>> frames(view, t.numbers().vertex_capacity(t.mesh()),
+                                                      2 * t.numbers().edge_capacity(t.mesh()));
+  for (const auto v : vertices(t.mesh()))
+    if (!is_isolated(t, v)) frames.measure(t.index(v));
+  return frames;
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VERTEX_FRAMES_H
