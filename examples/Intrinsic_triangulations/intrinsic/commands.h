@@ -8,10 +8,10 @@
 
 namespace program {
 
-/// flips to Delaunay, refines if that is asked for, and writes the intrinsic triangulation.
+/// flips to Delaunay unless told not to, refines if that is asked for, and writes what is asked for.
 void run_delaunay(const Options& options);
-/// flips to Delaunay unless told not to and writes Laplacian and mass matrix.
-void run_laplacian(const Options& options);
+/// does the same, and takes functions from one triangulation to the other.
+void run_transfer(const Options& options);
 /// describes a mesh or an intrinsic triangulation, as it is.
 void run_info(const Options& options);
 /// becomes the program `intrinsic-study`. \throws std::runtime_error if that is not found

@@ -16,8 +16,9 @@ void run_delaunay_with_signposts(const Options& options);
 
 void run_delaunay(const Options& options) {
   const bool is_stored = is_triangulation_file(options.input);
-  if (is_stored && (is_mesh_output(options) || !options.view.empty() ||
-                    (!options.correspondence.empty() && options.correspondence != "none")))
+  if (is_stored &&
+      (needs_correspondence(options) || has_constraints(options) || !options.metric.empty() ||
+       (!options.correspondence.empty() && options.correspondence != "none")))
     throw std::runtime_error(options.input +
                              ": a stored triangulation does not know where its edges run on the "
                              "input; start from the mesh");

@@ -5,7 +5,9 @@
 #define INTRINSIC_DELAUNAY_H
 
 #include "accuracy.h"
+#include "adaptive.h"
 #include "load.h"
+#include "matrices.h"
 #include "options.h"
 #include "output_files.h"
 #include "refine.h"
@@ -15,11 +17,11 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/matrix_market.h>
+#include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 
 #include <cmath>
 #include <cstdint>
@@ -46,12 +48,15 @@ std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
   return points;
 }
 
-/// extracts the common subdivision, labelled with the faces of the file. \throws std::runtime_error
+/// extracts the common subdivision, and reports it. \throws std::runtime_error
 template <class Triangulation>
-IT::Common_subdivision subdivide(const Loaded<Triangulation>& loaded, const Options& options) {
+IT::Common_subdivision subdivide(const Loaded<Triangulation>& loaded, const Options& options,
+                                 Json& json) {
   try {
     IT::Common_subdivision s = IT::common_subdivision(loaded.triangulation);
-    IT::label_with_polygons(s, loaded.polygon_of_triangle);
+    json["subdivision"] = {{"vertices", s.number_of_vertices()},
+                           {"edges", s.number_of_edges()},
+                           {"faces", s.number_of_faces()}};
     return s;
   } catch (const std::exception& e) {
     throw std::runtime_error(options.input + ": " + e.what());
@@ -69,15 +74,13 @@ inline double area(const IT::Common_subdivision& s, const std::vector<Point>& po
   return static_cast<double>(sum);
 }
 
-/// writes the common subdivision, and the page that shows it.
+/// writes the common subdivision, what interpolates there, and the page that shows it.
 template <class Triangulation>
 void write_subdivision(const Loaded<Triangulation>& loaded, const Options& options, Json& json,
                        Output_files& files, Progress& progress, Stopwatch& watch) {
   progress.show("subdividing");
-  const IT::Common_subdivision s = subdivide(loaded, options);
-  json["subdivision"] = {{"vertices", s.number_of_vertices()},
-                         {"edges", s.number_of_edges()},
-                         {"faces", s.number_of_faces()}};
+  IT::Common_subdivision s = subdivide(loaded, options, json);
+  IT::label_with_polygons(s, loaded.polygon_of_triangle);
   const std::vector<Point> points = IT::positions(s, input_points(loaded));
   json["subdivision"]["area"] = area(s, points);
   if constexpr (!Triangulation::Metric::is_exact)
@@ -89,25 +92,49 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
       const std::string extension = std::filesystem::path(options.output).extension().string();
       IT::write_common_subdivision(out, extension, s, points);
     });
+  if (!options.interpolation.empty())
+    write_matrix(options.interpolation, IT::interpolation_from_intrinsic(s),
+                 "interpolation from the vertices of the intrinsic triangulation to those of the "
+                 "common subdivision",
+                 files);
+  if (!options.input_interpolation.empty())
+    write_matrix(options.input_interpolation, IT::interpolation_from_input(s),
+                 "interpolation from the vertices of the input to those of the common subdivision",
+                 files);
   if (!options.view.empty())
     files.write(options.view,
                 [&](std::ostream& out) { write_view(out, s, points, options, json); });
 }
 
-/// flips to Delaunay, refines if that is asked for, and writes what is asked for
+/// flips to Delaunay unless told not to, refines if that is asked for, and measures.
+template <class Triangulation>
+Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options,
+                         Progress& progress) {
+  Triangulation& t = loaded.triangulation;
+  if (const std::size_t edges = loaded.metric.changed_edges; edges > 0)
+    std::cerr << options.input << ": " << edges << " edges were shortened where " << options.metric
+              << " violates the triangle inequality\n";
+  const auto improve = [&](Json& json, const auto& constrained) {
+    if constexpr (std::is_same_v<typename Triangulation::Correspondence, IT::Integer_coordinates>)
+      if (options.adaptive.is_asked_for)
+        return refine_adaptively(t, constrained, options, json, progress);
+    if (options.refines) refine(t, constrained, options, json, progress);
+  };
+  return flip_and_measure(loaded, !options.no_flip, options, progress, improve);
+}
+
+/// flips to Delaunay unless told not to, refines if that is asked for, and writes what is asked for
 template <class Triangulation>
 void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
-  Json json = flip_and_measure(loaded, true, options, progress, [&](Json& j) {
-    if (options.refines) refine(loaded.triangulation, options, j, progress);
-  });
-  if (const Json& count = json["delaunay"]["non_delaunay_edges"]; count != 0)
+  Json json = improve_and_measure(loaded, options, progress);
+  if (const Json& count = json["delaunay"]["non_delaunay_edges"]; count != 0 && !options.no_flip)
     std::cerr << options.input << ": " << count
               << " edges are not Delaunay as far as double arithmetic can tell; --arithmetic exact "
                  "decides them\n";
   Stopwatch watch;
   Output_files files;
   if constexpr (!std::is_same_v<typename Triangulation::Correspondence, IT::No_correspondence>)
-    if (is_mesh_output(options) || !options.view.empty())
+    if (needs_subdivision(options))
       write_subdivision(loaded, options, json, files, progress, watch);
   if (!options.output.empty() && !is_mesh_output(options)) {
     progress.show("writing");
@@ -115,12 +142,7 @@ void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& p
       IT::write_intrinsic_triangulation(out, loaded.triangulation);
     });
   }
-  if (!options.laplacian.empty())
-    files.write(options.laplacian, [&](std::ostream& out) {
-      IT::write_matrix_market(out, IT::cotangent_laplacian(loaded.triangulation),
-                              "cotangent Laplacian, positive semidefinite; rows of the input's "
-                              "vertices in their order, then of those inserted");
-    });
+  write_matrices(loaded.triangulation, options, files);
   finish(json, options, files, watch);
   print_summary_on_terminal(json);
 }

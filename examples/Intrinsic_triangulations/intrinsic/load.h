@@ -4,6 +4,8 @@
 #ifndef INTRINSIC_LOAD_H
 #define INTRINSIC_LOAD_H
 
+#include "constraints.h"
+#include "metric.h"
 #include "options.h"
 #include "support/progress.h"
 #include "support/read_mesh.h"
@@ -24,7 +26,7 @@ namespace program {
 
 /// Seconds that the parts of the work took.
 struct Seconds {
-  double read = 0, build = 0;
+  double read = 0, build = 0, topology = 0;
 };
 
 /// An intrinsic triangulation and what is known of its input.
@@ -38,6 +40,8 @@ struct Loaded {
   std::vector<Point> points;
   /// Input face of each triangle of the input; empty if all faces are triangles.
   std::vector<std::uint32_t> polygon_of_triangle;
+  Constraints constraints; ///< edges of the input that are kept
+  Metric_report metric{};  ///< what changed lengths needed
 
   /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
   const std::vector<Point>& scaled_points() const {
@@ -55,32 +59,45 @@ inline bool is_triangulation_file(const std::string& path) {
   return std::filesystem::path(path).extension() == ".idt";
 }
 
+/// counts the elements of a triangulation before its first move: those of the input, in an order that is fast.
+template <class Triangulation>
+void describe(Loaded<Triangulation>& loaded) {
+  Stopwatch watch;
+  loaded.facts = facts_of(loaded.triangulation.mesh());
+  loaded.seconds.topology = watch.lap();
+}
+
 /// builds the intrinsic triangulation of a mesh file.
 template <class Triangulation>
 Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   Stopwatch watch;
-  Seconds seconds;
   progress.show("reading");
   Mesh_file file = read_mesh(options.input, mollification_of(options));
-  seconds.read = watch.lap();
   progress.show("building");
+  Constraints constraints = constraints_of(file, options);
   // exact traits keep the points unless they only keep changed lengths
-  const bool are_points_kept =
-      Triangulation::Metric::is_exact && file.input.mollification != IT::Mollification::lengths;
+  const bool are_points_kept = Triangulation::Metric::is_exact && options.metric.empty() &&
+                               file.input.mollification != IT::Mollification::lengths;
   const std::vector<Point> points = are_points_kept ? std::vector<Point>() : file.input.points;
   try {
+    const Metric_report metric = change_metric(file, options);
     Loaded<Triangulation> loaded{Triangulation(std::move(file.input)),
-                                 file.facts,
-                                 seconds,
                                  {},
-                                 std::move(file.polygon_of_triangle)};
+                                 {},
+                                 {},
+                                 std::move(file.polygon_of_triangle),
+                                 std::move(constraints),
+                                 metric};
     const Triangulation& t = loaded.triangulation;
     loaded.points.reserve(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) {
       loaded.points.push_back(points[t.input_vertex({static_cast<std::uint32_t>(v)})]);
       for (double& x : loaded.points.back()) x = std::ldexp(x, t.metric().scale_exponent());
     }
-    loaded.seconds.build = watch.lap();
+    loaded.seconds = {file.seconds, watch.lap() - file.seconds};
+    describe(loaded);
+    loaded.facts.polygons = file.polygons;
+    loaded.facts.triangulated_polygons = file.triangulated_polygons;
     return loaded;
   } catch (const IT::Invalid_input& e) {
     throw IT::Invalid_input(e.kind(), e.index(), options.input + ": " + e.what());
@@ -97,9 +114,10 @@ Loaded<Triangulation> load_triangulation(const Options& options, Progress& progr
       {},
       {},
       {},
+      {},
       {}};
-  loaded.facts = facts_of(loaded.triangulation.mesh());
   loaded.seconds.read = watch.lap();
+  describe(loaded);
   return loaded;
 }
 

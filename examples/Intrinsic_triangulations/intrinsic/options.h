@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -26,6 +27,14 @@ struct Refinement_criteria {
       CGAL::Intrinsic_triangulations::Refinement_order::first_come;
 };
 
+/// What adaptive refinement does.
+struct Adaptive_criteria {
+  bool is_asked_for = false;
+  std::uint32_t source = 0; ///< vertex of the input
+  double tolerance = 0.01;  ///< in units of the root of the area
+  std::size_t maximum_vertices = 100000;
+};
+
 /// What the command line asks for.
 struct Options {
   std::string input;
@@ -38,13 +47,23 @@ struct Options {
   std::string mass;                        ///< empty: none
   std::string mass_kind = "lumped";        ///< `lumped` or `galerkin`
   std::string stats;                       ///< empty: none; `-`: standard output
-  std::string laplacian;                   ///< of the refined triangulation; empty: none
+  std::string laplacian;                   ///< empty: none
+  std::string interpolation; ///< from the intrinsic triangulation to the subdivision; empty: none
+  std::string input_interpolation;   ///< from the input to the subdivision; empty: none
+  std::optional<double> sharp_angle; ///< in degrees: edges folded by more are kept
+  std::string constraints;           ///< file that lists edges to be kept; empty: none
   double odt_length = 0; ///< target of `odt_optimize()` after refinement; 0: it is not called
   std::optional<double> time_limit; ///< in seconds
   bool logs_progress = false;
   bool no_flip = false;
   bool refines = false;
   Refinement_criteria refinement;
+  Adaptive_criteria adaptive;
+  std::string sizes;              ///< file of wanted lengths of edges, one per vertex; empty: none
+  std::string metric;             ///< file of factors or tensors; empty: lengths are those in space
+  std::string field;              ///< file of values at vertices that are transferred
+  std::string from = "input";     ///< triangulation that has the field: `input` or `intrinsic`
+  std::string method = "L2";      ///< `L2` or `pointwise`
   std::vector<std::string> study; ///< what follows the command `study`
   bool is_arithmetic_given = false;
   bool is_mollification_given = false;
@@ -54,6 +73,22 @@ struct Options {
 inline bool is_mesh_output(const Options& options) {
   return !options.output.empty() && CGAL::Intrinsic_triangulations::is_common_subdivision_extension(
                                         std::filesystem::path(options.output).extension().string());
+}
+
+/// tells whether edges of the input are kept.
+inline bool has_constraints(const Options& options) {
+  return options.sharp_angle || !options.constraints.empty();
+}
+
+/// tells whether anything is written of the common subdivision.
+inline bool needs_subdivision(const Options& options) {
+  return is_mesh_output(options) || !options.view.empty() || !options.interpolation.empty() ||
+         !options.input_interpolation.empty();
+}
+
+/// tells whether it must be known where the intrinsic triangulation lies on the input.
+inline bool needs_correspondence(const Options& options) {
+  return needs_subdivision(options) || !options.sizes.empty() || options.adaptive.is_asked_for;
 }
 
 } // namespace program

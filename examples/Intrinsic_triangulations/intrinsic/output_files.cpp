@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<int, 4> handled_signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 // What the signal handler removes: plain arrays, as it may not allocate or lock.
-constexpr std::size_t maximal_files = 4;
+constexpr std::size_t maximal_files = 8;
 std::array<std::array<char, PATH_MAX>, maximal_files> incomplete_files;
 volatile std::sig_atomic_t number_of_incomplete_files = 0;
 

@@ -5,11 +5,14 @@
 #define INTRINSIC_REFINE_H
 
 #include "accuracy.h"
+#include "constraints.h"
 #include "load.h"
 #include "options.h"
+#include "sizes.h"
 #include "statistics.h"
 #include "support/progress.h"
 
+#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
@@ -20,6 +23,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace program {
@@ -28,6 +32,16 @@ namespace program {
 struct Refinement_progress : IT::Refinement_visitor {
   /// where to show it
   Progress* line = nullptr;
+  /// how long edges may be
+  Sizes sizes;
+  /// tells whether a face has a side that is too long
+  template <class Triangulation>
+  bool is_bad(const Triangulation& t, typename Triangulation::face_descriptor f) const {
+    if constexpr (std::is_same_v<typename Triangulation::Correspondence, IT::No_correspondence>)
+      return false;
+    else
+      return !sizes.empty() && sizes.longest_side(t, f) > 1;
+  }
   /// is called while refining
   bool progress(const IT::Refinement_counts& counts) {
     line->show("refining", std::to_string(counts.inserted_vertices()) + " vertices inserted");
@@ -48,12 +62,14 @@ struct Odt_progress {
 
 /// moves inserted vertices, and reports it.
 template <class Triangulation>
-void optimize(Triangulation& t, const Options& options, Json& json, Progress& progress) {
+void optimize(Triangulation& t, const IT::Marked_edges<Triangulation>& constrained,
+              const Options& options, Json& json, Progress& progress) {
   Stopwatch watch;
   Odt_progress visitor{&progress};
   progress.show("moving vertices");
-  const auto result = IT::odt_optimize(
-      t, IT::parameters::maximum_edge_length(options.odt_length).visitor(std::ref(visitor)));
+  const auto result = IT::odt_optimize(t, IT::parameters::maximum_edge_length(options.odt_length)
+                                              .edge_is_constrained_map(constrained)
+                                              .visitor(std::ref(visitor)));
   expect_accurate(result.inaccuracy, options);
   json["seconds"]["odt"] = watch.lap();
   json["odt"] = {{"status", result.status == IT::Status::done ? "converged" : "cap"},
@@ -92,11 +108,13 @@ double minimum_angle_without(
 
 /// refines the triangulation and reports it.
 template <class Triangulation>
-void refine(Triangulation& t, const Options& options, Json& json, Progress& progress) {
-  json["quality_before"] = quality_json(quality_of(t, check(t)));
+void refine(Triangulation& t, const IT::Marked_edges<Triangulation>& constrained,
+            const Options& options, Json& json, Progress& progress) {
+  json["quality_before"] = quality_json(quality_of(t, check(t, constrained)));
   Stopwatch watch;
   Refinement_progress visitor;
   visitor.line = &progress;
+  visitor.sizes = Sizes(read_sizes(options, t.input().number_of_vertices()));
   progress.show("refining");
   const Refinement_criteria& criteria = options.refinement;
   const auto result =
@@ -105,6 +123,7 @@ void refine(Triangulation& t, const Options& options, Json& json, Progress& prog
                                  .maximum_edge_length(criteria.maximum_edge_length)
                                  .maximum_insertions(criteria.maximum_insertions)
                                  .order(criteria.order)
+                                 .edge_is_constrained_map(constrained)
                                  .visitor(std::ref(visitor)));
   expect_accurate(result.inaccuracy, options);
   json["seconds"]["refine"] = watch.lap();
@@ -126,7 +145,14 @@ void refine(Triangulation& t, const Options& options, Json& json, Progress& prog
                       {"small_angle", reasons[1]},
                       {"refused", reasons[2]},
                       {"stopped", reasons[3]}}}};
-  if (options.odt_length > 0) optimize(t, options, json, progress);
+  if constexpr (!std::is_same_v<typename Triangulation::Correspondence, IT::No_correspondence>)
+    if (!visitor.sizes.empty()) {
+      double longest = 0;
+      for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+        longest = std::max(longest, visitor.sizes.longest_side(t, f));
+      json["refine"]["max_relative_edge_length"] = longest;
+    }
+  if (options.odt_length > 0) optimize(t, constrained, options, json, progress);
 }
 
 } // namespace program

@@ -90,6 +90,18 @@ Json input_json(const Options& options, const std::string& arithmetic,
   return json;
 }
 
+Json metric_json(const Metric_report& report) {
+  return {{"violating_faces", report.violating_faces},
+          {"changed_edges", report.changed_edges},
+          {"largest_relative_change", report.largest_relative_change}};
+}
+
+Json constraints_json(const Constraints& constraints, const Delaunay_check& check) {
+  return {{"input_edges", constraints.count},
+          {"edges", check.constrained_edges},
+          {"non_delaunay_edges", check.constrained_non_delaunay_edges}};
+}
+
 Json delaunay_json(const IT::Flip_to_delaunay_result& flips,
                    const IT::Predicate_statistics& statistics, const Delaunay_check& check) {
   Json json;
@@ -183,6 +195,7 @@ void print_summary(std::ostream& stream, const Json& json) {
                             << " moves, energy from " << json["odt"]["energy_before"] << " to "
                             << json["odt"]["energy_after"] << "; "
                             << json["odt"]["status"].get<std::string>() << '\n';
+  if (json.contains("constraints")) row("kept edges") << json["constraints"]["input_edges"] << '\n';
   const Json& quality = json["quality"];
   row("angles") << quality["min_angle_deg"] << " to " << quality["max_angle_deg"] << " degrees\n";
   row("cotan weights") << "from " << quality["min_cotan_weight"] << ", trace of the Laplacian "

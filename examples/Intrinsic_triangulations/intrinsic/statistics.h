@@ -4,6 +4,7 @@
 #ifndef INTRINSIC_STATISTICS_H
 #define INTRINSIC_STATISTICS_H
 
+#include "constraints.h"
 #include "load.h"
 #include "options.h"
 #include "output_files.h"
@@ -34,7 +35,8 @@ using Json = nlohmann::ordered_json;
 
 /// What testing every edge for the Delaunay property found.
 struct Delaunay_check {
-  std::size_t non_delaunay_edges = 0, cocircular_edges = 0;
+  std::size_t non_delaunay_edges = 0, cocircular_edges = 0; ///< constrained edges do not count
+  std::size_t constrained_edges = 0, constrained_non_delaunay_edges = 0;
   std::uint64_t probable_zero = 0; ///< ties taken for such without proof
   std::vector<char> is_tie;        ///< per edge, by number
 };
@@ -48,14 +50,26 @@ struct Integrals {
 
 /// tests every edge.
 template <class Triangulation>
-Delaunay_check check(Triangulation& t) {
+Delaunay_check check(Triangulation& t, const IT::Marked_edges<Triangulation>& constrained) {
   const std::uint64_t before = t.metric().statistics().probable_zero;
   const auto report = IT::check_delaunay(t);
-  Delaunay_check result{report.non_delaunay_edges, report.cocircular_edges.size(),
-                        t.metric().statistics().probable_zero - before,
-                        std::vector<char>(t.numbers().edge_capacity(t.mesh()), 0)};
-  for (const typename Triangulation::edge_descriptor e : report.cocircular_edges)
+  Delaunay_check result;
+  result.is_tie.assign(t.numbers().edge_capacity(t.mesh()), 0);
+  for (const typename Triangulation::edge_descriptor e : report.cocircular_edges) {
     result.is_tie[t.index(e)] = 1;
+    if (!get(constrained, e)) ++result.cocircular_edges;
+  }
+  {
+    const typename Triangulation::Const_session session(t);
+    for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) {
+      if (!get(constrained, e)) continue;
+      ++result.constrained_edges;
+      if (!session.is_locally_delaunay(halfedge(e, t.mesh())))
+        ++result.constrained_non_delaunay_edges;
+    }
+  }
+  result.non_delaunay_edges = report.non_delaunay_edges - result.constrained_non_delaunay_edges;
+  result.probable_zero = t.metric().statistics().probable_zero - before;
   return result;
 }
 
@@ -136,6 +150,10 @@ double input_area(const Loaded<Triangulation>& loaded) {
 Json input_json(const Options& options, const std::string& arithmetic,
                 const std::string& correspondence, const Input_facts& facts,
                 const IT::Input_report& report);
+/// returns what changed lengths needed.
+Json metric_json(const Metric_report& report);
+/// returns what is known of constrained edges.
+Json constraints_json(const Constraints& constraints, const Delaunay_check& check);
 /// returns what flipping did.
 Json delaunay_json(const IT::Flip_to_delaunay_result& flips,
                    const IT::Predicate_statistics& statistics, const Delaunay_check& check);
@@ -165,7 +183,7 @@ struct Delaunay_progress {
 \param flip whether to flip to Delaunay
 \param options the options
 \param progress where to show progress
-\param improve called with the statistics after flipping, before anything is measured
+\param improve called with the statistics and the marked edges after flipping, before anything is measured
 \throws std::runtime_error if flipping does not end, which happens in inexact arithmetic only
 \return the statistics so far
 */
@@ -176,14 +194,18 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   Triangulation& t = loaded.triangulation;
   Json json = input_json(options, is_exact ? "exact" : "double",
                          Triangulation::Correspondence::name, loaded.facts, t.report());
+  if (!options.metric.empty()) json["metric"] = metric_json(loaded.metric);
   const double area = input_area(loaded);
+  const IT::Marked_edges<Triangulation> constrained = marked_edges(t, loaded.constraints);
   Stopwatch watch;
   IT::Flip_to_delaunay_result result;
   Delaunay_progress visitor{&progress};
   t.metric().statistics() = {};
   if (flip) {
     progress.show("flipping to Delaunay");
-    result = IT::flip_to_delaunay(t, edges(t.mesh()), CGAL::parameters::visitor(std::ref(visitor)));
+    result = IT::flip_to_delaunay(
+        t, edges(t.mesh()),
+        IT::parameters::edge_is_constrained_map(constrained).visitor(std::ref(visitor)));
   }
   const double delaunay_seconds = watch.lap();
   if (result.status == IT::Status::cap)
@@ -192,12 +214,14 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
                              " flips in double arithmetic; use --arithmetic exact");
   json["seconds"] = {{"read", loaded.seconds.read},
                      {"build", loaded.seconds.build},
+                     {"topology", loaded.seconds.topology},
                      {"delaunay", delaunay_seconds}};
-  improve(json);
+  improve(json, constrained);
   watch.lap();
   const IT::Predicate_statistics statistics = t.metric().statistics();
   progress.show("verifying");
-  const Delaunay_check checked = check(t);
+  const Delaunay_check checked = check(t, constrained);
+  if (has_constraints(options)) json["constraints"] = constraints_json(loaded.constraints, checked);
   json["delaunay"] = delaunay_json(result, statistics, checked);
   json["certificate"] = certificate(is_exact, statistics.probable_zero, checked);
   json["quality"] = quality_json(quality_of(t, checked));
@@ -214,7 +238,7 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
 template <class Triangulation>
 Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& options,
                       Progress& progress) {
-  return flip_and_measure(loaded, flip, options, progress, [](Json&) {});
+  return flip_and_measure(loaded, flip, options, progress, [](Json&, const auto&) {});
 }
 
 /// prints statistics for people.

@@ -93,6 +93,18 @@ class Cli_test(unittest.TestCase):
         """Runs the script that makes a page of the results of a study."""
         return Run(REPORT_PYTHON, [REPORT, *arguments], self.directory)
 
+    def read_matrix(self, name):
+        """Rows, columns and entries of a file in Matrix Market format; those of symmetric matrices on both sides."""
+        with open(self.path(name), encoding="ascii") as file:
+            symmetric = file.readline().split()[-1] == "symmetric"
+            lines = [line.split() for line in file if not line.startswith("%")]
+        entries = {}
+        for i, j, x in lines[1:]:
+            entries[int(i) - 1, int(j) - 1] = float(x)
+            if symmetric:
+                entries[int(j) - 1, int(i) - 1] = float(x)
+        return int(lines[0][0]), int(lines[0][1]), entries
+
     def assert_close(self, a, b, relative, message=None):
         self.assertLessEqual(abs(a - b), relative * max(abs(a), abs(b)), message or f"{a} {b}")
 
@@ -143,6 +155,22 @@ def grid(n):
             a, b = i * (n + 1) + j, (i + 1) * (n + 1) + j
             faces += [(a, b, b + 1), (a, b + 1, a + 1)]
     return points, faces
+
+
+def jittered_grid(n):
+    """A planar grid whose points are moved a little, and that is not Delaunay as it is flat."""
+    points, faces = grid(n)
+    return [(x + 0.3 * math.sin(7 * x + 13 * y), 0.15 * (y + 0.3 * math.sin(11 * x - 5 * y)), 0)
+            for x, y, _ in points], faces
+
+
+def product(matrix, vector):
+    """A matrix that `read_matrix()` has read times a vector."""
+    rows, _, entries = matrix
+    result = [0.0] * rows
+    for (i, j), x in entries.items():
+        result[i] += x * vector[j]
+    return result
 
 
 def main():

@@ -3,6 +3,7 @@
 """Bad input gives a certified result, or an error that names the element."""
 
 import os
+import random
 import resource
 import subprocess
 import unittest
@@ -114,6 +115,29 @@ class Accepted_input(Cli_test):
         self.assertEqual(stats["input"]["boundary_loops"], 1)
         self.assertEqual(stats["delaunay"]["flips"], 0)
         self.assertEqual(stats["delaunay"]["cocircular_edges"], 16)  # the diagonals are ties
+
+    def test_topology_of_meshes_that_are_renumbered(self):
+        side = 190  # smaller meshes keep their order
+        points, faces = grid(side)
+        n = len(points)
+        # a disk, a second one that shares a vertex with the first, and vertices without faces
+        points = points + [(x + 400, y, z) for x, y, z in points[1:]] + [(-5, -5, 0), (-6, -5, 0)]
+        faces = faces + [tuple(v + n - 1 if v > 0 else 0 for v in f) for f in faces]
+        order = list(range(len(points)))
+        seeded = random.Random(3)
+        seeded.shuffle(order)
+        seeded.shuffle(faces)
+        shuffled = [None] * len(points)
+        for v, p in enumerate(points):
+            shuffled[order[v]] = p
+        mesh = self.write_off("s.off", shuffled, [tuple(order[v] for v in f) for f in faces])
+        facts = self.stats("info", mesh)["input"]
+        self.assertTrue(facts["renumbered"])
+        for key, value in (("vertices", 2 * n + 1), ("faces", 4 * side * side), ("components", 2),
+                           ("edges", 2 * (3 * side * side + 2 * side)), ("genus", 0),
+                           ("boundary_edges", 8 * side), ("boundary_loops", 2),
+                           ("isolated_vertices", 2), ("nonmanifold_vertices", 1)):
+            self.assertEqual(facts[key], value, key)
 
     def test_isolated_vertices(self):
         points, faces = TETRAHEDRON

@@ -19,7 +19,7 @@ KEYS = {
     "laplacian": {"trace"},
     "dirichlet": {"x", "y", "z"},
     "area": {"input", "intrinsic"},
-    "seconds": {"read", "build", "delaunay", "write"},
+    "seconds": {"read", "build", "topology", "delaunay", "write"},
 }
 
 

@@ -46,10 +46,11 @@ class Stored:
         with open(path, encoding="ascii") as file:
             lines = [line.split(" ") for line in file.read().split("\n")]
         self.at = iter(lines)
-        assert next(self.at)[:2] == ["IDT", "3"]
+        assert next(self.at)[:2] == ["IDT", "4"]
         self.exact = lines[0][2] == "exact"
         self.scale = int(next(self.at)[1])
-        for key in ("degenerate_faces", "mollification", "renumbered", "triangulated_polygons"):
+        for key in ("degenerate_faces", "mollification", "renumbered", "triangulated_polygons",
+                    "reversed_faces"):
             assert next(self.at)[0] == key
         kind = next(self.at)
         self.has_input = kind != ["input", "none"]

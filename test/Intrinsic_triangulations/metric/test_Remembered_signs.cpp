@@ -68,7 +68,7 @@ TEST(Remembered_signs, follow_flips_and_insertions) {
   expect_right_signs(t);
   std::mt19937 random(17);
   for (int i = 0; i < 40; ++i) {
-    const std::uint32_t e = random() % t.mesh().number_of_edges();
+    const std::uint32_t e = static_cast<std::uint32_t>(random() % t.mesh().number_of_edges());
     const auto h = halfedge(IT::Gluing_map::Edge{e}, t.mesh());
     if (i % 8 == 7)
       t.insert_vertex(h, {0.25, 0.25, 0.5});

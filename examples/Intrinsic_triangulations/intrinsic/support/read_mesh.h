@@ -34,9 +34,10 @@ Input_facts facts_of(const IT::Gluing_map& mesh);
 /// What a mesh file contains.
 struct Mesh_file {
   IT::Intrinsic_input input;
-  Input_facts facts;
   /// Polygon of each triangle; empty if all faces are triangles.
   std::vector<std::uint32_t> polygon_of_triangle;
+  std::size_t polygons = 0, triangulated_polygons = 0;
+  double seconds = 0; ///< that reading took, without matching edges
 };
 
 /// reads a mesh file. \throws Invalid_input naming the file, the element and the remedy

@@ -74,6 +74,7 @@ inline Intrinsic_input scaled_input(Intrinsic_input&& in, std::vector<double> sq
   Intrinsic_input scaled(std::move(in.mesh), std::move(squared_lengths), in.mollification);
   scaled.mollification_amount = in.mollification_amount;
   scaled.triangulated_polygons = in.triangulated_polygons;
+  scaled.reversed_faces = in.reversed_faces;
   return scaled;
 }
 

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "adaptive.h"
+
+namespace program {
+
+namespace {
+
+const char* name(IT::Status status) {
+  switch (status) {
+  case IT::Status::done:
+    return "done";
+  case IT::Status::stalled:
+    return "stalled";
+  default:
+    return "cap";
+  }
+}
+
+} // namespace
+
+Json adaptive_json(const IT::Adaptive_refinement_result& result, const Adaptive_criteria& criteria,
+                   double unit) {
+  Json rounds = Json::array();
+  for (const IT::Adaptive_refinement_round& r : result.rounds)
+    rounds.push_back({{"vertices", r.vertices},
+                      {"estimated_error", r.estimated_error / unit},
+                      {"marked_faces", r.marked_faces}});
+  return {{"status", name(result.status)},
+          {"source", criteria.source},
+          {"tolerance", criteria.tolerance},
+          {"rounds", rounds}};
+}
+
+} // namespace program

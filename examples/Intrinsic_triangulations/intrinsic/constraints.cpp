@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "constraints.h"
+#include "support/text_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+using Halfedge = IT::Gluing_map::Halfedge;
+
+// What polygons were cut by is no edge of the file.
+bool is_diagonal(const Mesh_file& file, std::uint32_t e) {
+  if (file.polygon_of_triangle.empty()) return false;
+  const IT::Gluing_map& mesh = file.input.mesh;
+  const std::uint32_t f = mesh.face(Halfedge{2 * e}).index,
+                      g = mesh.face(Halfedge{2 * e + 1}).index;
+  return f != IT::Gluing::none && g != IT::Gluing::none &&
+         file.polygon_of_triangle[f] == file.polygon_of_triangle[g];
+}
+
+// The unit normal of a face; NaN if it has no area. Lengths of sides are scaled to 1: no square underflows.
+Point normal(const Mesh_file& file, IT::Gluing_map::Face f) {
+  std::array<Point, 2> side{};
+  const std::array<Halfedge, 3> sides = file.input.mesh.sides(f);
+  for (unsigned i = 0; i < 2; ++i) {
+    const Point& p = file.input.points[file.input.mesh.source(sides[i]).index];
+    const Point& q = file.input.points[file.input.mesh.target(sides[i]).index];
+    for (unsigned k = 0; k < 3; ++k) side[i][k] = q[k] - p[k];
+    const double length = std::hypot(side[i][0], side[i][1], side[i][2]);
+    for (double& x : side[i]) x /= length;
+  }
+  Point n{};
+  for (unsigned k = 0; k < 3; ++k)
+    n[k] =
+        side[0][(k + 1) % 3] * side[1][(k + 2) % 3] - side[0][(k + 2) % 3] * side[1][(k + 1) % 3];
+  const double length = std::hypot(n[0], n[1], n[2]);
+  for (double& x : n) x /= length;
+  return n;
+}
+
+// By how much the two faces at an edge are folded, in degrees: 0 if they are in one plane; NaN if that is unknown.
+double fold(const Point& n, const Point& m) {
+  double cosine = 0;
+  Point cross{};
+  for (unsigned k = 0; k < 3; ++k) {
+    cosine += n[k] * m[k];
+    cross[k] = n[(k + 1) % 3] * m[(k + 2) % 3] - n[(k + 2) % 3] * m[(k + 1) % 3];
+  }
+  return std::atan2(std::hypot(cross[0], cross[1], cross[2]), cosine) * (180 / std::numbers::pi);
+}
+
+void constrain_sharp_edges(const Mesh_file& file, double angle, Constraints& c) {
+  const IT::Gluing_map& mesh = file.input.mesh;
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const IT::Gluing_map::Face f = mesh.face(Halfedge{2 * e}), g = mesh.face(Halfedge{2 * e + 1});
+    if (f.index == IT::Gluing::none || g.index == IT::Gluing::none || is_diagonal(file, e))
+      continue;
+    if (fold(normal(file, f), normal(file, g)) > angle) c.is_constrained[e] = 1;
+  }
+}
+
+std::pair<std::uint32_t, std::uint32_t> ordered(std::uint32_t i, std::uint32_t j) {
+  return {std::min(i, j), std::max(i, j)};
+}
+
+// The edges between the vertices that the lines of a file name.
+void constrain_listed_edges(const Mesh_file& file, const Options& options, Constraints& c) {
+  const IT::Gluing_map& mesh = file.input.mesh;
+  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> edges;
+  edges.reserve(mesh.number_of_edges());
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const Halfedge inner{mesh.face(Halfedge{2 * e}).index == IT::Gluing::none ? 2 * e + 1 : 2 * e};
+    if (!is_diagonal(file, e))
+      edges.push_back({ordered(mesh.source(inner).index, mesh.target(inner).index), e});
+  }
+  std::sort(edges.begin(), edges.end());
+  Text_lines lines(options.constraints);
+  while (lines.next()) {
+    lines.expect_words(2, "the numbers of two vertices");
+    const std::size_t n = mesh.number_of_vertices();
+    const std::uint32_t i = lines.element(0, "vertex", n), j = lines.element(1, "vertex", n);
+    auto edge = std::lower_bound(edges.begin(), edges.end(), std::pair(ordered(i, j), 0U));
+    if (edge == edges.end() || edge->first != ordered(i, j))
+      lines.refuse("no edge of " + options.input + " joins vertices " + std::to_string(i) +
+                   " and " + std::to_string(j) + "; constrain a path of edges");
+    for (; edge != edges.end() && edge->first == ordered(i, j); ++edge)
+      c.is_constrained[edge->second] = 1;
+  }
+}
+
+} // namespace
+
+Constraints constraints_of(const Mesh_file& file, const Options& options) {
+  Constraints c;
+  if (!has_constraints(options)) return c;
+  c.is_constrained.assign(file.input.mesh.number_of_edges(), 0);
+  if (options.sharp_angle) constrain_sharp_edges(file, *options.sharp_angle, c);
+  if (!options.constraints.empty()) constrain_listed_edges(file, options, c);
+  c.count =
+      static_cast<std::size_t>(std::count(c.is_constrained.begin(), c.is_constrained.end(), 1));
+  if (c.count > 0) c.mesh = file.input.mesh;
+  return c;
+}
+
+} // namespace program

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_CONSTRAINTS_H
+#define INTRINSIC_CONSTRAINTS_H
+
+#include "options.h"
+#include "support/read_mesh.h"
+
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace program {
+
+/// Edges of the input that are never flipped.
+struct Constraints {
+  IT::Gluing_map mesh;              ///< the mesh as it was read; empty if no edge is constrained
+  std::vector<char> is_constrained; ///< per edge of it
+  std::size_t count = 0;
+};
+
+/// finds the edges of a mesh that `--sharp-angle` and `--constrain` are about.
+/// \throws std::runtime_error naming the line of the file that is wrong
+Constraints constraints_of(const Mesh_file& file, const Options& options);
+
+/// marks the constrained edges of a triangulation before its first move.
+template <class Triangulation>
+IT::Marked_edges<Triangulation> marked_edges(const Triangulation& t, const Constraints& c) {
+  if (c.count == 0) return IT::Marked_edges<Triangulation>(t);
+  const auto is_constrained = [&c](IT::Gluing_map::Edge e) {
+    return c.is_constrained[e.index] != 0;
+  };
+  return IT::constrained_input_edges(
+      t, c.mesh, boost::make_function_property_map<IT::Gluing_map::Edge>(is_constrained));
+}
+
+} // namespace program
+
+#endif // INTRINSIC_CONSTRAINTS_H

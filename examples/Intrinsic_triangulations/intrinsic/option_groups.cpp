@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "option_groups.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace program {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+CLI::Validator triangulation_or_mesh() {
+  return CLI::Validator(
+      [](std::string& path) {
+        const std::string extension = std::filesystem::path(path).extension().string();
+        return extension == ".idt" || IT::is_common_subdivision_extension(extension)
+                   ? std::string()
+                   : path + ": the format is not offered; write the common subdivision to .ply, "
+                            ".obj, .off, .stl or .vtp, or the intrinsic triangulation to .idt";
+      },
+      "FILE");
+}
+
+// what means nothing without refinement
+constexpr std::array refinement_options{"min-angle", "max-circumradius", "max-edge-length",
+                                        "size",      "max-insertions",   "order",
+                                        "odt",       "adaptive"};
+
+// However they are spelled, and through links.
+bool names_a_file_twice(const Options& o) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& name :
+       {o.output, o.mass, o.laplacian, o.interpolation, o.input_interpolation, o.stats, o.view})
+    if (!name.empty() && name != "-")
+      paths.push_back(std::filesystem::weakly_canonical(std::filesystem::absolute(name)));
+  std::sort(paths.begin(), paths.end());
+  return std::adjacent_find(paths.begin(), paths.end()) != paths.end();
+}
+
+bool lacks_correspondence(const Options& o) {
+  return o.correspondence == "none" && needs_correspondence(o);
+}
+
+bool has_other_correspondence(const Options& o) {
+  return o.adaptive.is_asked_for && !o.correspondence.empty() && o.correspondence != "integer";
+}
+
+} // namespace
+
+CLI::Validator matrix_file() { return extension(".mtx", "matrices in Matrix Market format"); }
+
+CLI::Validator text_or_mesh() {
+  return CLI::Validator(
+      [](std::string& path) {
+        const std::string extension = std::filesystem::path(path).extension().string();
+        return extension == ".txt" || extension == ".ply" || extension == ".vtp"
+                   ? std::string()
+                   : path +
+                         ": write values to .txt, or the common subdivision with them to .ply or "
+                         ".vtp";
+      },
+      "FILE");
+}
+
+void add_common_options(CLI::App& command, Options& options) {
+  command
+      .add_option("IN", options.input,
+                  "mesh (.off .obj .ply .stl .ts) or intrinsic triangulation (.idt)")
+      ->required();
+  command
+      .add_option_function<std::string>(
+          "--arithmetic",
+          [&options](const std::string& word) {
+            options.arithmetic = word;
+            options.is_arithmetic_given = true;
+          },
+          "exact (certified predicates, default) or double")
+      ->check(CLI::IsMember({"exact", "double"}));
+  command
+      .add_option_function<std::string>(
+          "--mollification",
+          [&options](const std::string& word) {
+            options.mollification = word;
+            options.is_mollification_given = true;
+          },
+          "treatment of faces without area: automatic (only where flips cannot remove them, "
+          "default), none, lengths or squared")
+      ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
+  command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
+      ->type_name("FILE");
+  command
+      .add_option("--time-limit", options.time_limit,
+                  "seconds after which the program gives up, with exit code 1, and writes nothing")
+      ->check(between(1e-6, 1e9))
+      ->type_name("SECONDS");
+  command.add_flag("--progress", options.logs_progress,
+                   "write lines of what is being done to standard error");
+}
+
+void add_constraint_options(CLI::App& command, Options& options) {
+  command
+      .add_option("--sharp-angle", options.sharp_angle,
+                  "keep edges whose faces deviate by more than so many degrees from a plane")
+      ->check(between(0, 180));
+  command
+      .add_option("--constrain", options.constraints,
+                  "keep the edges that a text file lists: the numbers of two vertices on each line")
+      ->type_name("FILE");
+}
+
+void add_metric_option(CLI::App& command, Options& options) {
+  command
+      .add_option(
+          "--metric", options.metric,
+          "change lengths: a text file with a factor per vertex, or with a tensor xx xy xz yy "
+          "yz zz per face")
+      ->type_name("FILE");
+}
+
+void add_refinement_options(CLI::App& command, Options& options) {
+  Refinement_criteria& r = options.refinement;
+  command.add_option("--min-angle", r.minimum_angle, "least angle in degrees; default 30")
+      ->check(between(0, 59));
+  command.add_option("--max-circumradius", r.maximum_circumradius, "largest circumradius of faces")
+      ->check(positive());
+  command.add_option("--max-edge-length", r.maximum_edge_length, "largest length of edges")
+      ->check(positive());
+  command
+      .add_option("--size", options.sizes,
+                  "largest length of edges at each vertex of the input: a text file with a number "
+                  "per vertex")
+      ->type_name("FILE");
+  command
+      .add_option("--max-insertions", r.maximum_insertions,
+                  "cap on the number of insertions; default a million and ten per face")
+      ->check(between(0, 1e18));
+  command
+      .add_option_function<std::string>(
+          "--order",
+          [&r](const std::string& word) {
+            r.order = word == "worst"     ? IT::Refinement_order::worst_first
+                      : word == "largest" ? IT::Refinement_order::largest_first
+                                          : IT::Refinement_order::first_come;
+          },
+          "which face comes next: first (default), largest or worst")
+      ->check(CLI::IsMember({"largest", "worst", "first"}));
+  command
+      .add_option(
+          "--odt", options.odt_length,
+          "then move inserted vertices to an optimal Delaunay triangulation, and split edges "
+          "longer than this")
+      ->check(positive());
+}
+
+void add_adaptive_options(CLI::App& command, Options& options) {
+  Adaptive_criteria& a = options.adaptive;
+  CLI::Option* const adaptive =
+      command.add_flag("--adaptive", a.is_asked_for,
+                       "refine where the Green's function of a vertex has large errors");
+  for (const char* other : {"--max-circumradius", "--max-edge-length", "--size", "--max-insertions",
+                            "--order", "--odt"})
+    adaptive->excludes(other);
+  command.add_option("--source", a.source, "the vertex; default 0")->needs(adaptive);
+  command
+      .add_option("--tolerance", a.tolerance,
+                  "estimated error to be reached, in units of the root of the area; default 0.01")
+      ->check(positive())
+      ->needs(adaptive);
+  command
+      .add_option("--max-vertices", a.maximum_vertices,
+                  "cap on the number of vertices; default 100000")
+      ->check(between(1, 1e9))
+      ->needs(adaptive);
+}
+
+void add_matrix_options(CLI::App& command, Options& options) {
+  const auto matrix = [&command](const char* name, std::string& path, const char* what) {
+    command.add_option(name, path, std::string("write ") + what + " in Matrix Market format")
+        ->check(matrix_file());
+  };
+  matrix("--mass", options.mass, "the mass matrix");
+  command.add_option("--mass-kind", options.mass_kind, "lumped (diagonal, default) or galerkin")
+      ->check(CLI::IsMember({"lumped", "galerkin"}));
+  matrix("--interpolation", options.interpolation,
+         "the interpolation from the vertices of rows to the common subdivision");
+  matrix("--input-interpolation", options.input_interpolation,
+         "the interpolation from the vertices of the input to the common subdivision");
+}
+
+void add_correspondence_options(CLI::App& command, Options& options) {
+  command
+      .add_option("--correspondence", options.correspondence,
+                  "what is kept of where edges run on the input: integer (coordinates, default), "
+                  "signposts, crossings or none")
+      ->check(CLI::IsMember({"none", "integer", "signposts", "crossings"}));
+  command
+      .add_option("-o", options.output,
+                  "write the common subdivision (.ply .obj .off .stl .vtp) or the intrinsic "
+                  "triangulation (.idt)")
+      ->check(triangulation_or_mesh());
+  command.add_option("--view", options.view, "write a page that shows the triangulation")
+      ->type_name("FILE");
+}
+
+void make_refinement_options_need(CLI::Option& refine, CLI::App& command) {
+  for (CLI::Option* const option : command.get_options())
+    for (const char* const name : refinement_options)
+      if (option->check_lname(name)) option->needs(&refine);
+}
+
+std::string misuse(const Options& options) {
+  if (names_a_file_twice(options)) return "two outputs are the same file; give each its own";
+  if (lacks_correspondence(options))
+    return "without correspondence nothing is known of the common subdivision, and of where "
+           "vertices are, for --size "
+           "and --adaptive; use --correspondence integer, or write the intrinsic triangulation to "
+           ".idt";
+  if (has_other_correspondence(options))
+    return "--adaptive keeps integer coordinates; use --correspondence integer";
+  return {};
+}
+
+} // namespace program

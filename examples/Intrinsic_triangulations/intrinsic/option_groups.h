@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_OPTION_GROUPS_H
+#define INTRINSIC_OPTION_GROUPS_H
+
+#include "options.h"
+#include "support/command_line.h"
+
+#include <string>
+
+// What several commands are asked in the same words.
+
+namespace program {
+
+/// returns a check that a file is one of a matrix.
+CLI::Validator matrix_file();
+/// returns a check that a file is one of values, or of the common subdivision with values.
+CLI::Validator text_or_mesh();
+
+/// adds the input, and what all commands take.
+void add_common_options(CLI::App& command, Options& options);
+/// adds edges that are kept.
+void add_constraint_options(CLI::App& command, Options& options);
+/// adds other lengths than those in space.
+void add_metric_option(CLI::App& command, Options& options);
+/// adds what `refine` inserts vertices for.
+void add_refinement_options(CLI::App& command, Options& options);
+/// adds what takes the place of other criteria than the least angle.
+void add_adaptive_options(CLI::App& command, Options& options);
+/// adds matrices besides the Laplacian.
+void add_matrix_options(CLI::App& command, Options& options);
+/// adds where edges run on the input, and what is written of it.
+void add_correspondence_options(CLI::App& command, Options& options);
+/// refuses criteria of refinement without an option.
+void make_refinement_options_need(CLI::Option& refine, CLI::App& command);
+
+/// returns what is wrong with options that are valid by themselves, and the remedy; empty: nothing.
+std::string misuse(const Options& options);
+
+} // namespace program
+
+#endif // INTRINSIC_OPTION_GROUPS_H
