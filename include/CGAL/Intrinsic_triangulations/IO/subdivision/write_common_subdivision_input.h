@@ -14,13 +14,27 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /// One number per vertex of a common subdivision, under a name.
 struct Vertex_field {
-  std::string name;               ///< letters, digits and `_.-`; no name that files use themselves
-  std::span<const double> values; ///< one per vertex
+  std::string name;           ///< letters, digits and `_.-`; no name that files use themselves
+  std::vector<double> values; ///< one per vertex
+
+  /// is a field without name or values.
+  Vertex_field() = default;
+  /// takes name and values.
+  Vertex_field(std::string its_name, std::vector<double> its_values)
+      : name(std::move(its_name)), values(std::move(its_values)) {}
+  /// takes a name and copies values. \tparam Range a range of numbers, such as `Eigen::VectorXd`
+  template <class Range>
+    requires(!std::is_convertible_v<const Range&, std::vector<double>>)
+  Vertex_field(std::string its_name, const Range& its_values)
+      : name(std::move(its_name)), values(its_values.begin(), its_values.end()) {}
 };
 
 namespace internal {

@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
@@ -117,8 +116,7 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
   using namespace internal::tags;
   using Edge = typename Triangulation::edge_descriptor;
   internal::expect_names<edge_is_constrained_map, visitor, maximum_number>(np);
-  const auto constrained =
-      internal::constrained_map<Edge>(np);
+  const auto constrained = internal::constrained_map<Edge>(np);
   auto stored_visitor = internal::object_or<visitor>(np, Flip_to_delaunay_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
   const std::uint64_t cap = internal::value_or<maximum_number>(

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
-
 #include <cstdint>
 #include <type_traits>
 
@@ -50,8 +49,7 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
   using Edge = typename Triangulation::edge_descriptor;
   internal::expect_names<maximum_edge_length, number_of_iterations, maximum_insertions, convergence,
                          edge_is_constrained_map, visitor>(np);
-  const auto constrained =
-      internal::constrained_map<Edge>(np);
+  const auto constrained = internal::constrained_map<Edge>(np);
   auto stored_visitor = internal::object_or<visitor>(np, Odt_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
   const internal::Surface_check<Triangulation> check(t);

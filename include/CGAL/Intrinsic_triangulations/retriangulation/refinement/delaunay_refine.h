@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
-
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
@@ -62,7 +61,7 @@ where rounding has spoilt them.
   - `edge_is_constrained_map(m)`: a property map from edges to `bool`; constrained edges are never
     flipped. If it is writable, it is true of the parts of constrained edges in the end, and false of
     other edges that are new. Default: none is.
-  - `visitor(v)`: see `Refinement_visitor`
+  - `visitor(v)`: derived from `Refinement_visitor`
 \return status, counts, and the faces that do not meet the criteria
 \throws std::invalid_argument if a bound makes no sense
 \complexity linear in the number of vertices inserted, as a rule
@@ -75,10 +74,11 @@ delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
   internal::expect_names<minimum_angle, maximum_circumradius, maximum_edge_length,
                          maximum_insertions, internal::tags::order, conforming,
                          edge_is_constrained_map, visitor>(np);
-  const auto constrained =
-      internal::constrained_map<Edge>(np);
+  const auto constrained = internal::constrained_map<Edge>(np);
   auto stored_visitor = internal::object_or<visitor>(np, Refinement_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
+  static_assert(std::is_base_of_v<Refinement_visitor, std::remove_reference_t<decltype(observed)>>,
+                "a visitor of refinement derives from Refinement_visitor");
   const internal::Surface_check<Triangulation> check(t);
   internal::Delaunay_refiner<Triangulation, std::remove_reference_t<decltype(observed)>> refiner(
       t, np, observed);
