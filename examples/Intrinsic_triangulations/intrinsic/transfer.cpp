@@ -82,8 +82,7 @@ void write_fields(const std::string& path, const Transferred& r, const IT::Commo
   std::vector<IT::Vertex_field> fields;
   const auto add = [&](const std::string& name, const Functions& values) {
     for (Eigen::Index k = 0; k < values.cols(); ++k)
-      fields.push_back({values.cols() == 1 ? name : name + "_" + std::to_string(k),
-                        {values.col(k).data(), static_cast<std::size_t>(values.rows())}});
+      fields.push_back({values.cols() == 1 ? name : name + "_" + std::to_string(k), values.col(k)});
   };
   add("field_on_input", r.input_on_subdivision);
   add("field_on_intrinsic", r.intrinsic_on_subdivision);

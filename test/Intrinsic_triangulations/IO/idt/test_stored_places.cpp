@@ -646,7 +646,7 @@ TEST(Damaged_sections, are_refused) {
     EXPECT_EQ(message.rfind("file.idt:", 0), 0U) << message;
     EXPECT_NE(message.find(what), std::string::npos) << message;
   };
-  expect_refused(replaced(s, "IDT 4", "IDT 4"), "only version 3");
+  expect_refused(replaced(s, "IDT 4", "IDT 3"), "only version 4");
   expect_refused(replaced(s, "scale ", "scale 2000000000"), "exponent");
   expect_refused(replaced(s, "input points", "input squared_lengths"), "");
   expect_refused(replaced(s, "input points", "input none"), "");
