@@ -37,7 +37,7 @@ bool Text_lines::next() {
 std::uint32_t Text_lines::element(std::size_t word, const char* kind, std::size_t count) const {
   std::uint32_t i = 0;
   if (!internal::parse_number(words_[word], i))
-    refuse("\"" + internal::shown(words_[word]) + "\" is not the number of a " + kind +
+    refuse(std::string("\"") + internal::shown(words_[word]) + "\" is not the number of a " + kind +
            "; give whole numbers from 0");
   if (i >= count)
     refuse(std::string(kind) + " " + std::to_string(i) +
@@ -48,7 +48,8 @@ std::uint32_t Text_lines::element(std::size_t word, const char* kind, std::size_
 double Text_lines::number(std::size_t word) const {
   double x = 0;
   if (!internal::parse_number(words_[word], x) || !std::isfinite(x))
-    refuse("\"" + internal::shown(words_[word]) + "\" is no finite number; correct it");
+    refuse(std::string("\"") + internal::shown(words_[word]) +
+           "\" is no finite number; correct it");
   return x;
 }
 
