@@ -24,7 +24,7 @@ bool check_everything() {
       IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_edge_length(1));
   const IT::Common_subdivision s = IT::common_subdivision(t);
   return flipped.flips == 1 && refined.status == IT::Status::done &&
-         refined.counts.inserted_vertices() > 0 && IT::is_delaunay(t) &&
+         refined.counts.inserted_vertices() > 0 && IT::certify_delaunay(t).is_delaunay() &&
          IT::measure_quality(t).minimum_angle >= 25 &&
          s.number_of_vertices() + s.number_of_faces() == s.number_of_edges() + 1;
 }

@@ -47,6 +47,15 @@ public:
   /// Number type of the filter.
   using FT = Interval_nt<false>;
 
+private:
+  using Input_face = std::pair<std::array<FT, 3>, FT>; // squared lengths, quadruple area
+
+  // the values of a face of the input; before its uses, as clang wants a deduced type
+  auto intervals() const {
+    return [this](std::uint32_t f) -> const Input_face& { return faces_[f]; };
+  }
+
+public:
   /*!
   \brief evaluates the input in interval arithmetic.
   \throws Invalid_input if an edge has no length, across which nothing can be unfolded
@@ -151,7 +160,6 @@ public:
 
 private:
   using Side = Face_side;
-  using Input_face = std::pair<std::array<FT, 3>, FT>; // squared lengths, quadruple area
 
   template <class Expression>
   Sign exact_sign(const Unfolded_diamond& d, const Expression& expression,
@@ -171,11 +179,6 @@ private:
     if (!input_->metric().is_in_space()) return false;
     if (!parts_) parts_.emplace(*input_);
     return parts_->part_of(*input_, d.triangles) != internal::Flat_parts::none;
-  }
-
-  // the values of a face of the input
-  auto intervals() const {
-    return [this](std::uint32_t f) -> const Input_face& { return faces_[f]; };
   }
 
   // a diamond of two input faces has their sides, another one is in the unfolder
