@@ -15,6 +15,7 @@
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
+#include "surface_mesh.h"
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -52,14 +53,7 @@ using Choices =
                    Choice<Doubles, IT::Integer_coordinates>, Choice<Doubles, IT::Signposts>>;
 TYPED_TEST_SUITE(Field_transfer, Choices);
 
-Surface_mesh surface_mesh(const meshes::Mesh& m) {
-  Surface_mesh result;
-  for (const auto& p : m.points) result.add_vertex({p[0], p[1], p[2]});
-  for (const auto& f : m.triangles)
-    result.add_face(Surface_mesh::Vertex_index(f[0]), Surface_mesh::Vertex_index(f[1]),
-                    Surface_mesh::Vertex_index(f[2]));
-  return result;
-}
+Surface_mesh surface_mesh(const meshes::Mesh& m) { return meshes::surface_mesh<Surface_mesh>(m); }
 
 IT::Tangent_field random_field(std::size_t size) {
   std::mt19937 random(7);

@@ -12,6 +12,7 @@
 
 #include "mesh_types.h"
 #include "meshes.h"
+#include "surface_mesh.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -38,14 +39,7 @@ using Correspondences =
     testing::Types<IT::Integer_coordinates, IT::Explicit_crossings, IT::Signposts>;
 TYPED_TEST_SUITE(Vector_field, Correspondences);
 
-Surface_mesh surface_mesh(const meshes::Mesh& m) {
-  Surface_mesh result;
-  for (const auto& p : m.points) result.add_vertex({p[0], p[1], p[2]});
-  for (const auto& f : m.triangles)
-    result.add_face(Surface_mesh::Vertex_index(f[0]), Surface_mesh::Vertex_index(f[1]),
-                    Surface_mesh::Vertex_index(f[2]));
-  return result;
-}
+Surface_mesh surface_mesh(const meshes::Mesh& m) { return meshes::surface_mesh<Surface_mesh>(m); }
 
 /// The vector (1, 2, 0) of the plane at every vertex.
 template <class T>

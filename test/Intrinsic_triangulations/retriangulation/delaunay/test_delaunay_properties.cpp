@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "meshes.h"
+#include "surface_mesh.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -38,13 +39,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Exact = IT::Intrinsic_triangulation<>;
 using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
 
-Mesh surface_mesh(const meshes::Mesh& m) {
-  Mesh result;
-  for (const auto& p : m.points) result.add_vertex({p[0], p[1], p[2]});
-  for (const auto& f : m.triangles)
-    result.add_face(Mesh::Vertex_index(f[0]), Mesh::Vertex_index(f[1]), Mesh::Vertex_index(f[2]));
-  return result;
-}
+Mesh surface_mesh(const meshes::Mesh& m) { return meshes::surface_mesh<Mesh>(m); }
 
 std::vector<std::pair<std::string, Mesh>> all_meshes() {
   std::vector<std::pair<std::string, Mesh>> result{
