@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign_impl.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Wedge_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
 
@@ -40,6 +41,8 @@ DIAMOND_EXPRESSION(Left_area_expression);
 FACE_EXPRESSION(Small_angle_expression);
 FACE_EXPRESSION(Large_circumradius_expression);
 FACE_EXPRESSION(Long_side_expression);
+FACE_EXPRESSION(Wedge_sine_expression);
+FACE_EXPRESSION(Wedge_cosine_expression);
 
 template Interval_nt<false> quadruple_area(const Input_metric&, std::uint32_t);
 template std::vector<double> quadruple_areas(const Input_metric&);

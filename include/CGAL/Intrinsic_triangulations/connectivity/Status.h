@@ -16,6 +16,8 @@ All of them use these words. Why a single move was refused, which algorithms mee
 */
 enum class Status : std::uint8_t {
   done,       ///< what was asked for is there, as far as the arithmetic can tell
+  stopped,    ///< the length or the angle to stop at was reached
+  contracted, ///< a loop has shrunk to a vertex
   cap,        ///< a cap that was given, or that makes inexact arithmetic end, was reached before
   stalled,    ///< nothing that is left to do could be done
   cancelled,  ///< the visitor asked to stop

@@ -9,11 +9,13 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Wedge_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -35,7 +37,9 @@ inline constexpr bool has_exact_sign =
     std::is_same_v<Expression, Left_area_expression> ||
     std::is_same_v<Expression, Small_angle_expression> ||
     std::is_same_v<Expression, Large_circumradius_expression> ||
-    std::is_same_v<Expression, Long_side_expression> || requires {
+    std::is_same_v<Expression, Long_side_expression> ||
+    std::is_same_v<Expression, Wedge_sine_expression> ||
+    std::is_same_v<Expression, Wedge_cosine_expression> || requires {
   sizeof(Sign_computation<Expression>);
 };
 
@@ -163,6 +167,9 @@ public:
                                                           const Flip_history& history,
                                                           const std::vector<Side>& sides,
                                                           unsigned bits);
+
+  /// forgets what is remembered of a flip that is undone, the last one.
+  void forget_flip(std::uint32_t flip);
 
 private:
   struct Memory;

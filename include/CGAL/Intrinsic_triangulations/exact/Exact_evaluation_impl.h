@@ -256,6 +256,11 @@ Exact_evaluation::enclosures(const Input_metric& input, const Flip_history& hist
   return internal::intervals(memory().values(input, history, sides));
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Exact_evaluation::forget_flip(std::uint32_t flip) {
+  if (memory_ == nullptr) return;
+  for (auto& [bits, intervals] : memory_->by_precision) intervals.moves.erase(flip);
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_EVALUATION_IMPL_H

@@ -22,6 +22,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -61,6 +62,17 @@ public:
   /// records a flip.
   void flip(const Diamond& d) {
     if (!is_defined_by_places_) versions_.flip(d);
+  }
+  /// returns which versions the faces of a diamond are.
+  std::array<Face_versions::Version, 2> versions_at(const Diamond& d) const {
+    if (is_defined_by_places_) return {};
+    return {versions_.version(d.f), versions_.version(d.g)};
+  }
+  /// takes the last flip out of the history. \param before what `versions_at()` returned before it
+  void forget_flip(const Diamond& d, const std::array<Face_versions::Version, 2>& before) {
+    if (is_defined_by_places_) return;
+    versions_.forget_flip(d, before);
+    evaluation_.forget_flip(versions_.history().number_of_flips());
   }
   /// takes who unfolds the input, which must outlive this object. Copies have none, until they are given one.
   void unfold_by(Input_unfolder& unfolder) { unfolder_.pointer = &unfolder; }

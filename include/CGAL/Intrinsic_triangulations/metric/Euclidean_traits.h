@@ -139,6 +139,17 @@ public:
     quadruple_area_[d.g] = n.area_g;
   }
 
+  /// What a flip replaces.
+  using Before_flip = Flipped;
+  /// returns what a flip of the edge will replace.
+  Before_flip before_flip(const Diamond& d) const {
+    return {squared_length_[d.ij], quadruple_area_[d.f], quadruple_area_[d.g]};
+  }
+  /// stores values that a flip has replaced. Nothing else remembers the flip.
+  void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
+  /// does nothing: there is no history.
+  void forget_flip(const Diamond&, const Before_flip&) {}
+
   /*!
   \brief computes the values at a vertex inserted in a face, and stores them.
   \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one

@@ -162,6 +162,26 @@ public:
     signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
   }
 
+  /// What a flip replaces: values, and which versions the faces are.
+  struct Before_flip : Flipped {
+    /// of the left and the right face; of no meaning if `is_defined_by_places()`
+    std::array<Face_versions::Version, 2> versions;
+  };
+
+  /// returns what a flip of the edge will replace.
+  Before_flip before_flip(const Diamond& d) const { return {stored(d), geometry_.versions_at(d)}; }
+
+  /// stores values that a flip has replaced.
+  void undo_flip(const Diamond& d, const Flipped& n) {
+    store(d, n);
+    signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
+  }
+
+  /// takes the last flip out of the history. \pre `undo_flip()` has restored its values
+  void forget_flip(const Diamond& d, const Before_flip& before) {
+    geometry_.forget_flip(d, before.versions);
+  }
+
   /// see `Exact_geometry::unfold_by()`
   void unfold_by(Input_unfolder& unfolder) { geometry_.unfold_by(unfolder); }
   /// see `Exact_geometry::forget_flips()`

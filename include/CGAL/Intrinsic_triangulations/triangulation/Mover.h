@@ -131,6 +131,22 @@ public:
     return Move_status::done;
   }
 
+  // Takes back the flip of h, the last one: four flips are the identity, and their values are known. Observers, who followed it
+  // there, follow it back.
+  void undo_flip(Halfedge h, const typename Metric::Before_flip& before) {
+    const typename Metric::Flipped then = before,
+                                   now = metric_.before_flip(diamond_of(h, mesh_, number_));
+    for (const auto& values : {then.mirrored(), now.mirrored(), then}) {
+      const Flip move = flip_record(h, mesh_, number_);
+      places_.before(t_, move);
+      correspondence_.before(t_, move);
+      CGAL::Euler::flip_edge(h, mesh_);
+      metric_.undo_flip(move.diamond, values);
+      tell(move);
+    }
+    metric_.forget_flip(diamond_of(h, mesh_, number_), before);
+  }
+
   Insertion insert(Halfedge h, const Weights& weights) {
     return weights[2] == 0 ? insert_on_edge(h, weights) : insert_in_face(h, weights);
   }

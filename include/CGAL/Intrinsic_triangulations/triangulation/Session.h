@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/whole_star.h>
 
 #include <CGAL/Interval_nt.h>
@@ -81,6 +82,25 @@ public:
     return t_.metric().cotangent_weight(number(h), number(jk), number(ki),
                                         t_.index(face(h, t_.mesh())));
   }
+  /*!
+  \brief compares an angle with pi: that at the target of `h` between `h` and `g`, on the left of `h`.
+  \param h a halfedge
+  \param g a halfedge from the target of `h`; the opposite of `h`: the angle is all about the vertex
+  \pre no border is in between
+  \complexity linear in the number of faces in between, quadratic if it is nearly pi
+  */
+  Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
+    internal::Wedge wedge;
+    internal::find_wedge(t_, h, g, wedge);
+    return compare_to_pi(wedge);
+  }
+  /// \cond
+  Comparison_result compare_to_pi(const internal::Wedge& wedge) const {
+    return internal::compare_wedge_to_pi(wedge, [this](const auto& faces, const auto& expression) {
+      return t_.metric().sign(faces, expression);
+    });
+  }
+  /// \endcond
   /// calls a function in the default floating point environment.
   template <class Function>
   auto suspended(Function f) const {
@@ -126,6 +146,23 @@ public:
   Move_status flip_edge(halfedge_descriptor h) {
     const Move_status s = this->flip_status(h);
     return s == Move_status::done ? Mover(t_).flip(h) : s;
+  }
+  /// flips an edge that is known to be flippable. \pre `flip_status(h)` is `done`
+  Move_status flip_convex_edge(halfedge_descriptor h) { return Mover(t_).flip(h); }
+  /// What a flip replaces, see `undo_flip()`.
+  using Before_flip = typename Triangulation::Metric::Before_flip;
+  /// returns what a flip of an edge with two faces will replace.
+  Before_flip before_flip(halfedge_descriptor h) const {
+    return t_.metric().before_flip(t_.diamond(h));
+  }
+  /*!
+  \brief takes back a flip: connectivity, metric and correspondence are what they were, directions of signposts but for rounding.
+  \param h the halfedge that was flipped
+  \param before what `before_flip(h)` returned before that
+  \pre all moves since have been taken back
+  */
+  void undo_flip(halfedge_descriptor h, const Before_flip& before) {
+    Mover(t_).undo_flip(h, before);
   }
   /// flips an edge that is known not to be locally Delaunay, which implies that it can be
   /// flipped. \pre `!is_locally_delaunay(h)`

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -56,6 +57,13 @@ public:
     const std::uint32_t version = history_.record_flip(left_side(d), right_side(d));
     versions_[d.f] = {version, d.ij};
     versions_[d.g] = {version + 1, d.ij};
+  }
+
+  /// forgets the last flip, which made the faces of a diamond of these versions.
+  void forget_flip(const Diamond& d, const std::array<Version, 2>& before) {
+    history_.forget_flip();
+    versions_[d.f] = before[0];
+    versions_[d.g] = before[1];
   }
 
 private:

@@ -60,6 +60,9 @@ public:
     return version;
   }
 
+  /// forgets the last flip. \pre no face has a version that it made
+  void forget_flip() { flips_.pop_back(); }
+
   /*!
   \brief finds where the length of a side was made: slot 0 of a flipped face, or an input side.
   \complexity linear in the number of flips that the side went through as an outer edge

@@ -1,0 +1,296 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SHORTENING_CURVE_SHORTENER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SHORTENING_CURVE_SHORTENER_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Joint_side.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Flip_log.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+
+#include <CGAL/enum.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// when to stop
+struct Shortening_limits {
+  std::uint64_t flips = std::numeric_limits<std::uint64_t>::max();
+  double length = 0;       // of all curves, in scaled units
+  double angle = HUGE_VAL; // of joints, in radians
+};
+
+// Makes curves geodesic (§5.1 of the course, Algorithms 6 and 7), the joint with the smallest angle first.
+//
+// That the angle of a free side of a joint is below pi is decided by the traits, and so is whether an edge in it can be flipped;
+// doubles only choose the order. Every step makes the curves shorter, and there are finitely many geodesic edges below any
+// length (Indermitte et al. 2001), so that exact traits end without a cap.
+//
+// Joint a, b, c of two segments: edges between them are flipped away from b until none has an angle below pi at its other
+// end. What is left about b is convex, inside the triangle a b c: shorter than the two segments (Sharp and Crane 2020,
+// Theorem 4.1). An edge with one face f on both sides cannot be flipped: it leads to a vertex n of degree one, f = b n b,
+// and the third side of f is a loop at b around it, both ends of which are in the wedge (or it carries the curve, and the
+// joint is not flexible). The angles of f at b are below pi / 2; at the face beyond the loop they sum to less than pi, so
+// that one end of the loop has an angle below pi: the loop is flipped before, and n gets a second edge.
+//
+// A loop of one edge, of length l at vertex b, is replaced at once by the closed curve beyond the faces at b, never by the other two
+// sides of its triangle, which are longer. When no edge in its wedge can be flipped, these are the face f = b b n of the loop
+// and faces b n_i n_(i+1), i from 1 to k, n_1 = n_k = n. Unfolded about b, where f comes first and last, the path through f, all
+// n_i, and f is convex inside a triangle with two sides of length l: |b n| + sum |n_i n_(i+1)| + |n b| < 2 l, where the two lengths
+// are those of the two sides of f. They sum to l at least, so the closed curve through all n_i is shorter than l. If there is no
+// such face, k = 1, then f = b n b and the loop contracts to n.
+template <class Triangulation>
+class Curve_shortener {
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Session = typename Triangulation::Session;
+  using Network = Curve_network<Triangulation>;
+  using Side = Joint_side<Triangulation>;
+  static constexpr std::uint32_t none = Curve_segments::none;
+
+public:
+  Curve_shortener(Network& network, Session& session, Flip_log<Triangulation>* log)
+      : network_(network), t_(network.triangulation()), segments_(network.segments_),
+        session_(session), log_(log) {}
+
+  // `go_on(result)` is called now and then
+  template <class Go_on>
+  Shortening_result run(const Shortening_limits& limits, const Go_on& go_on) {
+    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c)
+      network_.for_each_segment(c, [this](std::uint32_t s) {
+        length_ += length(network_.halfedge_of(s));
+        push(s);
+      });
+    limits_ = &limits;
+    while (!queue_.empty() && result_.status == Status::done) {
+      const Joint joint = queue_.top();
+      if (joint.angle >= limits.angle || length_ <= limits.length) {
+        result_.status = Status::stopped;
+        break;
+      }
+      queue_.pop();
+      if (!is_alive(joint)) continue;
+      straighten(joint.segment);
+      if ((++steps_ & 0x3ffU) == 0 && !session_.suspended([&] { return go_on(result_); }))
+        result_.status = Status::cancelled;
+    }
+    return result_;
+  }
+
+private:
+  // between a segment and the next one
+  struct Joint {
+    double angle;
+    std::uint32_t segment, generation, next, next_generation;
+    bool operator<(const Joint& other) const { return angle > other.angle; }
+  };
+
+  bool is_alive(const Joint& j) const {
+    return segments_[j.segment].generation == j.generation && segments_[j.segment].next == j.next &&
+           segments_[j.next].generation == j.next_generation;
+  }
+
+  double length(Halfedge h) const {
+    return std::sqrt(t_.metric().approximate_squared_length(t_.numbers().halfedge(h) / 2));
+  }
+
+  // the joint after a segment, if it may be moved
+  void push(std::uint32_t s) {
+    const std::uint32_t next = segments_[s].next;
+    if (next == none || network_.is_fixed(target(network_.halfedge_of(s), t_.mesh()))) return;
+    double angle = HUGE_VAL;
+    for (const bool is_left : {true, false}) {
+      const Side side(t_, segments_, s, is_left);
+      Wedge wedge;
+      if (side.is_flexible(t_, segments_) && side.find_wedge(t_, segments_, wedge))
+        angle = std::min(angle, wedge.angle);
+    }
+    if (angle < HUGE_VAL)
+      queue_.push({angle, s, segments_[s].generation, next, segments_[next].generation});
+  }
+
+  // joints at a vertex where other curves are, which may have become free
+  void push_joints_at(Halfedge in) {
+    const auto& number = t_.numbers();
+    if (network_.number_of_ends(target(in, t_.mesh())) <= 2) return;
+    Halfedge h = in;
+    do {
+      const std::uint32_t i = number.halfedge(h);
+      for (std::uint32_t s = segments_.outermost(i); s != none; s = segments_.beside(s, i ^ 1U))
+        if (segments_[s].halfedge == i)
+          push(s);
+        else if (segments_[s].previous != none)
+          push(segments_[s].previous);
+      h = opposite(next(h, t_.mesh()), t_.mesh());
+    } while (h != in);
+  }
+
+  void straighten(std::uint32_t s) {
+    for (const bool is_left : {true, false}) {
+      const Side side(t_, segments_, s, is_left);
+      Wedge wedge;
+      if (!side.is_flexible(t_, segments_) || !side.find_wedge(t_, segments_, wedge)) continue;
+      ++result_.wedge_checks;
+      const Comparison_result c = session_.compare_to_pi(wedge);
+      if (c == EQUAL) ++result_.exact_ties;
+      if (c != SMALLER) continue;
+      if (side.first == side.second)
+        shorten_loop(side);
+      else
+        shorten(side);
+      return;
+    }
+  }
+
+  // Flips edges in the wedge from h to g away from its vertex, the first one that can be flipped, until none can.
+  bool flip_out(Halfedge h, Halfedge g) {
+    std::vector<Halfedge>& before = inner_; // edges that cannot be flipped, in order
+    before.clear();
+    Halfedge e = next(h, t_.mesh());
+    while (e != g) {
+      if (result_.flips == limits_->flips) {
+        result_.status = Status::cap;
+        return false;
+      }
+      const Halfedge after = next(opposite(e, t_.mesh()), t_.mesh());
+      const Move_status s = flip(e);
+      if (s == Move_status::done) {
+        ++result_.flips;
+        if (before.empty()) {
+          e = after;
+        } else {
+          e = before.back();
+          before.pop_back();
+        }
+        continue;
+      }
+      if (s != Move_status::not_convex && s != Move_status::same_face) ++result_.refused_flips;
+      before.push_back(e);
+      e = after;
+    }
+    return true;
+  }
+  Move_status flip(Halfedge e) {
+    if (log_ != nullptr) return log_->flip_edge(session_, e);
+    const Move_status s = session_.flip_status(e);
+    return s == Move_status::done ? session_.flip_convex_edge(e) : s;
+  }
+
+  // the sides opposite the vertex in the wedge from h to g, from the source of h to the target of g
+  std::vector<Halfedge> arc(Halfedge h, Halfedge g) const {
+    std::vector<Halfedge> result;
+    for (Halfedge x = h;; x = opposite(x, t_.mesh())) {
+      const Halfedge out = next(x, t_.mesh());
+      result.push_back(opposite(next(out, t_.mesh()), t_.mesh()));
+      if (out == g) return result;
+      x = out;
+    }
+  }
+
+  void shorten(const Side& side) {
+    const bool is_turn = side.is_turn(t_, segments_);
+    if (!is_turn && !flip_out(side.in, side.out)) return;
+    const std::vector<Halfedge> way = is_turn ? std::vector<Halfedge>() : arc(side.in, side.out);
+    replace(side, way);
+  }
+
+  void shorten_loop(const Side& side) {
+    if (!flip_out(side.in, side.out)) return;
+    std::vector<Halfedge> way = arc(side.in, side.out);
+    if (way.size() <= 2) {
+      const std::uint32_t curve = segments_[side.first].curve;
+      network_.curves_[curve].start = target(way.front(), t_.mesh());
+      way.clear();
+    } else {
+      way.erase(way.begin());
+      way.pop_back();
+    }
+    replace(side, way);
+  }
+
+  // Puts a way along the sides of the faces of a wedge in place of two segments, or of one that is a loop. It lies on that
+  // side of its edges where the faces of the wedge are.
+  void replace(const Side& side, const std::vector<Halfedge>& way) {
+    ++result_.shortenings;
+    const std::uint32_t curve = segments_[side.first].curve;
+    const std::uint32_t s = side.is_reversed ? side.second : side.first;
+    const std::uint32_t n = side.is_reversed ? side.first : side.second;
+    std::uint32_t before = segments_[s].previous, after = segments_[n].next;
+    if (s == n || before == n) before = after = none; // all of a loop
+    const Halfedge back = opposite(side.in, t_.mesh());
+    if (way.empty() && before == none && after == none && s != n)
+      network_.curves_[curve].start = target(back, t_.mesh());
+    for (const std::uint32_t x : {s, n}) {
+      if (x == n && s == n) break;
+      length_ -= length(network_.halfedge_of(x));
+      network_.remove_segment(x);
+    }
+    const Chain chain = insert(curve, side.is_reversed, way);
+    link(curve, before, chain, after);
+    if (before != none) push(before);
+    for (std::uint32_t x = chain.first; x != none; x = x == chain.last ? none : segments_[x].next)
+      push(x);
+    for (const Halfedge h : {side.in, side.out, back}) push_joints_at(h);
+  }
+
+  struct Chain {
+    std::uint32_t first, last;
+  };
+  Chain insert(std::uint32_t curve, bool is_reversed, const std::vector<Halfedge>& way) {
+    Chain chain{none, none};
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      const Halfedge seen = is_reversed ? way[way.size() - 1 - i] : way[i];
+      const Halfedge h = is_reversed ? opposite(seen, t_.mesh()) : seen;
+      const std::uint32_t s = segments_.add(t_.numbers().halfedge(h), curve);
+      segments_.stack(s, t_.numbers().halfedge(opposite(seen, t_.mesh())));
+      network_.count_ends(h, 1);
+      length_ += length(h);
+      segments_.link(chain.last, s);
+      if (chain.first == none) chain.first = s;
+      chain.last = s;
+    }
+    return chain;
+  }
+
+  // links new segments with those before and after them; there may be none of either
+  void link(std::uint32_t curve, std::uint32_t before, const Chain& chain, std::uint32_t after) {
+    auto& c = network_.curves_[curve];
+    const bool is_whole_loop = c.is_loop && before == none;
+    const std::uint32_t first = chain.first != none ? chain.first : after;
+    const std::uint32_t last = chain.last != none ? chain.last : before;
+    segments_.link(before, first);
+    segments_.link(last, is_whole_loop ? first : after);
+    if (c.is_loop || before == none) c.first = first;
+    if (c.is_loop)
+      c.last = first == none ? none : segments_[first].previous;
+    else if (after == none)
+      c.last = last;
+  }
+
+  Network& network_;
+  Triangulation& t_;
+  Curve_segments& segments_;
+  Session& session_;
+  Flip_log<Triangulation>* log_;
+  const Shortening_limits* limits_ = nullptr;
+  std::priority_queue<Joint> queue_;
+  std::vector<Halfedge> inner_;
+  Shortening_result result_;
+  double length_ = 0; // of all curves, in scaled units
+  std::uint64_t steps_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SHORTENING_CURVE_SHORTENER_H

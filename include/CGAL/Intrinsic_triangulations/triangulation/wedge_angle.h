@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_WEDGE_ANGLE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_WEDGE_ANGLE_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Wedge_expression.h>
+
+#include <CGAL/enum.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The corners between two sides of a vertex, each the source of the first side of its face, in order; and their
+// angles in doubles, which decide nothing.
+struct Wedge {
+  boost::container::small_vector<Indexed_face, 12> faces;
+  boost::container::small_vector<double, 12> scales; // powers of two near 1 / (|ij| |ik|)
+  double angle = 0;
+  std::size_t first_beyond_pi = 0; // number of corners whose angles seem to sum to pi or more
+
+  // adds a corner; l has the squared lengths of ij, jk, ki
+  void add(const Indexed_face& face, const std::array<double, 3>& l, double quadruple_area) {
+    faces.push_back(face);
+    const double p = l[0] + l[2] - l[1];
+    const double size = std::abs(p) + quadruple_area;
+    scales.push_back(size > 0 && size < HUGE_VAL ? std::ldexp(1., -std::ilogb(size)) : 1.);
+    angle += std::atan2(quadruple_area, p);
+    if (first_beyond_pi == 0 && angle >= std::numbers::pi) first_beyond_pi = faces.size();
+  }
+};
+
+// Compares the angle of a wedge with pi. Every corner is at most pi, so that the angle is smaller iff the sine of the sum of
+// the first m corners is positive for all m, as long as it is not zero (a corner of zero area has angle 0 or pi). A sum
+// whose sine is negative is beyond pi, whatever the others are: one that seems to be is tried first.
+template <class Sign_of>
+Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
+  const std::span<const Indexed_face> faces(w.faces.data(), w.faces.size());
+  const std::span<const double> scales(w.scales.data(), w.scales.size());
+  const auto sine = [&](std::size_t from, std::size_t n) {
+    return sign_of(faces.subspan(from, n), Wedge_sine_expression{scales.subspan(from, n)});
+  };
+  const auto cosine = [&](std::size_t from, std::size_t n) {
+    return sign_of(faces.subspan(from, n), Wedge_cosine_expression{scales.subspan(from, n)});
+  };
+  if (w.first_beyond_pi > 1 && sine(0, w.first_beyond_pi) == NEGATIVE) return LARGER;
+  for (std::size_t m = 1; m <= faces.size(); ++m) {
+    const Sign s = sine(0, m);
+    if (s == NEGATIVE) return LARGER;
+    if (s == POSITIVE || cosine(0, m) == POSITIVE) continue;
+    for (; m < faces.size(); ++m) // exactly pi, so far
+      if (sine(m, 1) != ZERO || cosine(m, 1) == NEGATIVE) return LARGER;
+    return EQUAL;
+  }
+  return SMALLER;
+}
+
+// Finds the wedge at the target of h between h and g, on the left of h: the first corner is in the face of h. If g is the
+// opposite of h, it is all about the vertex. False if a side in between has no face.
+template <class Triangulation>
+bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
+                typename Triangulation::halfedge_descriptor g, Wedge& wedge) {
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  const auto& mesh = t.mesh();
+  const auto edge_number = [&](Halfedge x) { return t.numbers().halfedge(x) / 2; };
+  while (true) {
+    if (face(h, mesh) == boost::graph_traits<typename Triangulation::Mesh>::null_face())
+      return false;
+    const Halfedge ij = next(h, mesh);
+    const Indexed_face f{t.numbers().face(face(h, mesh)),
+                         {edge_number(ij), edge_number(next(ij, mesh)), edge_number(h)}};
+    const auto length = [&](std::size_t k) {
+      return t.metric().approximate_squared_length(f.edges[k]);
+    };
+    wedge.add(f, {length(0), length(1), length(2)}, t.metric().approximate_quadruple_area(f.face));
+    if (ij == g) return true;
+    h = opposite(ij, mesh);
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_WEDGE_ANGLE_H
