@@ -44,6 +44,14 @@ FACE_EXPRESSION(Long_side_expression);
 FACE_EXPRESSION(Wedge_sine_expression);
 FACE_EXPRESSION(Wedge_cosine_expression);
 
+#define UNFOLDED_FACE_EXPRESSION(E)                                                                \
+  template Sign Exact_evaluation::sign(const Input_metric&, const std::vector<Unfolded_diamond>&,  \
+                                       const E&, std::vector<Face_values<Interval_nt<false>>>&,    \
+                                       Predicate_statistics&)
+
+UNFOLDED_FACE_EXPRESSION(Wedge_sine_expression);
+UNFOLDED_FACE_EXPRESSION(Wedge_cosine_expression);
+
 template Interval_nt<false> quadruple_area(const Input_metric&, std::uint32_t);
 template std::vector<double> quadruple_areas(const Input_metric&);
 template std::vector<Interval_nt<false>> quadruple_areas(const Input_metric&);

@@ -14,10 +14,12 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_geometry.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
@@ -29,11 +31,14 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -107,6 +112,10 @@ public:
       if (face(h, t_.mesh_) == boost::graph_traits<Mesh>::null_face()) h = opposite(h, t_.mesh_);
       return t_.geometry_.is_straight(View(t_), t_.correspondence_, t_.number_.halfedge(h),
                                       t_.statistics_);
+    }
+    /// compares an angle with pi; see `Predicate_session::compare_angle_to_pi()`. \pre no border is in between
+    Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
+      return t_.compare_angle_to_pi(h, g);
     }
     /// tells whether an edge can be flipped, and if not, why.
     Move_status flip_status(halfedge_descriptor h) const {
@@ -269,6 +278,28 @@ private:
   Sign sign(halfedge_descriptor h, const Expression& expression) const {
     return geometry_.sign(View(*this), correspondence_, number_.halfedge(h), expression,
                           statistics_);
+  }
+
+  static Face_values<double> midpoints(const Face_values<FT>& v) {
+    const auto& [l, a] = v;
+    return {{CGAL::to_double(l[0]), CGAL::to_double(l[1]), CGAL::to_double(l[2])},
+            CGAL::to_double(a)};
+  }
+
+  Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
+    internal::Wedge wedge;
+    std::vector<std::uint32_t> sides;
+    internal::find_wedge(*this, h, g, wedge, [&](halfedge_descriptor ij, const Indexed_face&) {
+      sides.push_back(number_.halfedge(ij));
+      return midpoints(geometry_.face_values(View(*this), correspondence_, sides.back()));
+    });
+    return internal::compare_wedge_to_pi(wedge, [&](std::span<const Indexed_face> faces,
+                                                    const auto& expression) {
+      const auto first = faces.data() - wedge.faces.data();
+      return geometry_.sign(View(*this), correspondence_,
+                            std::span(sides).subspan(static_cast<std::size_t>(first), faces.size()),
+                            expression, statistics_);
+    });
   }
 
   Mesh mesh_;

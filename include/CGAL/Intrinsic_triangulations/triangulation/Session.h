@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/wedge_angle.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/whole_star.h>
 
 #include <CGAL/Interval_nt.h>

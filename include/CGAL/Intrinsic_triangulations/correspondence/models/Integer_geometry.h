@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -106,6 +107,35 @@ public:
     return s ? *s : exact_sign(view, coordinates, h, d, expression, statistics);
   }
 
+  /*!
+  \brief returns the exact sign of an expression in the values of faces, each from a halfedge on.
+  \tparam Expression a model of `FaceExpression`
+  \complexity linear in the number of input triangles that are unfolded, if the filter decides
+  */
+  template <class View, FaceExpression Expression>
+  Sign sign(const View& view, const Integer_coordinates& coordinates,
+            std::span<const std::uint32_t> halfedges, const Expression& expression,
+            Predicate_statistics& statistics) {
+    internal::check_has_exact_sign<Expression>();
+    std::vector<Unfolded_diamond> faces;
+    std::vector<Face_values<FT>> values;
+    for (const std::uint32_t h : halfedges) {
+      faces.push_back(unfolder_.face(view, coordinates, h));
+      values.push_back(left_values(faces.back().template values<FT>(intervals())));
+    }
+    const auto s = certain_sign(expression(std::span<const Face_values<FT>>(values)));
+    if (s) return *s;
+    ++statistics.filter_failures;
+    return evaluation_.sign(input_->metric(), faces, expression, values, statistics);
+  }
+
+  /// returns intervals that contain the values of the face of a halfedge, from that on, in scaled units.
+  template <class View>
+  Face_values<FT> face_values(const View& view, const Integer_coordinates& coordinates,
+                              std::uint32_t h) {
+    return left_values(unfolder_.face(view, coordinates, h).template values<FT>(intervals()));
+  }
+
   /// tells whether the angles opposite an edge sum to at most pi.
   /// \pre the edge has two faces
   template <class View>
@@ -160,6 +190,10 @@ public:
 
 private:
   using Side = Face_side;
+
+  static Face_values<FT> left_values(const Diamond_values<FT>& v) {
+    return {{v.ij, v.jk, v.ki}, v.area_f};
+  }
 
   template <class Expression>
   Sign exact_sign(const Unfolded_diamond& d, const Expression& expression,

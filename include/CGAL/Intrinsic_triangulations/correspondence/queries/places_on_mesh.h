@@ -43,6 +43,15 @@ using Face_location =
 
 namespace internal {
 
+template <class Mesh>
+void check_is_mesh_of(const Input& input, const Mesh& mesh, const Mesh_adaptor<Mesh>& number) {
+  if (number.vertex_capacity(mesh) != input.number_of_vertices())
+    throw Invalid_input(
+        Element_kind::none, 0,
+        "the mesh is not the one that the triangulation was built from, or has removed "
+        "elements; collect its garbage before the triangulation is built");
+}
+
 // The user's mesh as the names of the input know it.
 template <class Mesh>
 class Named_mesh_elements {
@@ -53,11 +62,7 @@ class Named_mesh_elements {
 public:
   Named_mesh_elements(const Input& input, const Mesh& mesh)
       : input_(input), mesh_(mesh), number_(mesh) {
-    if (number_.vertex_capacity(mesh) != input.number_of_vertices())
-      throw Invalid_input(
-          Element_kind::none, 0,
-          "the mesh is not the one that the triangulation was built from, or has removed "
-          "elements; collect its garbage before the triangulation is built");
+    check_is_mesh_of(input, mesh, number_);
   }
 
   // The halfedge of the input at the user's halfedge of a triangle.
@@ -175,6 +180,23 @@ template <NumberedTriangulation Triangulation>
 Surface_point surface_point(const Triangulation& t,
                             const Face_location<typename Triangulation::Mesh>& p) {
   return {t.numbers().halfedge(halfedge(p.first, t.mesh())), p.second};
+}
+
+/*!
+\brief returns the vertex of the intrinsic triangulation at a vertex of the user's mesh.
+\param t the triangulation
+\param v the vertex
+\param mesh the mesh that `t` was built from; its faces may be polygons
+\throws Invalid_input if the mesh is another one
+\complexity constant; with `CGAL::Polyhedron_3` as mesh, linear
+*/
+template <NumberedTriangulation Triangulation, class Mesh>
+typename Triangulation::vertex_descriptor
+vertex_on_intrinsic(const Triangulation& t, typename boost::graph_traits<Mesh>::vertex_descriptor v,
+                    const Mesh& mesh) {
+  const Mesh_adaptor<Mesh> number(mesh);
+  internal::check_is_mesh_of(t.input(), mesh, number);
+  return t.numbers().vertex_at(t.input().names().vertices.here(number.vertex(v)));
 }
 
 /*!

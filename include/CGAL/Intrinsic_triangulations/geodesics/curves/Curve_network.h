@@ -24,7 +24,9 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 template <class Triangulation>
 class Curve_shortener;
-}
+template <class Triangulation>
+class Network_joints;
+} // namespace internal
 
 /*!
 \brief is a family of paths and loops along the edges of an intrinsic triangulation that do not cross (§5.1 and §5.2 of the course).
@@ -151,6 +153,7 @@ public:
 private:
   /// \cond
   friend class internal::Curve_shortener<Triangulation>;
+  friend class internal::Network_joints<Triangulation>;
   /// \endcond
 
   struct Curve {

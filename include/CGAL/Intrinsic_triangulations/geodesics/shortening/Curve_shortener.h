@@ -6,9 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Joint_side.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <CGAL/enum.h>

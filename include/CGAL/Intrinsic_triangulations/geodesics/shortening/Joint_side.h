@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SHORTENING_JOINT_SIDE_H
 
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_segments.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/wedge_angle.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -26,6 +26,17 @@ struct Shortening_result {
   std::uint64_t exact_ties = 0;
   /// Number of flips refused: the arithmetic made an area that is not positive, or an edge crosses too much of the input.
   std::uint64_t refused_flips = 0;
+
+  /// adds counts; the status is the last one.
+  Shortening_result& operator+=(const Shortening_result& r) {
+    status = r.status;
+    flips += r.flips;
+    shortenings += r.shortenings;
+    wedge_checks += r.wedge_checks;
+    exact_ties += r.exact_ties;
+    refused_flips += r.refused_flips;
+    return *this;
+  }
 };
 
 } // namespace CGAL::Intrinsic_triangulations

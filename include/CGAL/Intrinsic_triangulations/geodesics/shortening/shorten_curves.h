@@ -8,8 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Curve_shortener.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Flip_log.h>
 
 #include <cmath>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_WEDGE_ANGLE_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_WEDGE_ANGLE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_WEDGE_ANGLE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_WEDGE_ANGLE_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Wedge_expression.h>
@@ -65,10 +65,11 @@ Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
 }
 
 // Finds the wedge at the target of h between h and g, on the left of h: the first corner is in the face of h. If g is the
-// opposite of h, it is all about the vertex. False if a side in between has no face.
-template <class Triangulation>
+// opposite of h, it is all about the vertex. False if a side in between has no face. `values` tells what doubles know of
+// a face from a halfedge on.
+template <class Triangulation, class Values>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
-                typename Triangulation::halfedge_descriptor g, Wedge& wedge) {
+                typename Triangulation::halfedge_descriptor g, Wedge& wedge, const Values& values) {
   using Halfedge = typename Triangulation::halfedge_descriptor;
   const auto& mesh = t.mesh();
   const auto edge_number = [&](Halfedge x) { return t.numbers().halfedge(x) / 2; };
@@ -78,15 +79,26 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
     const Halfedge ij = next(h, mesh);
     const Indexed_face f{t.numbers().face(face(h, mesh)),
                          {edge_number(ij), edge_number(next(ij, mesh)), edge_number(h)}};
-    const auto length = [&](std::size_t k) {
-      return t.metric().approximate_squared_length(f.edges[k]);
-    };
-    wedge.add(f, {length(0), length(1), length(2)}, t.metric().approximate_quadruple_area(f.face));
+    const Face_values<double> v = values(ij, f);
+    wedge.add(f, v.squared_lengths, v.quadruple_area);
     if (ij == g) return true;
     h = opposite(ij, mesh);
   }
 }
 
+template <class Triangulation>
+bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
+                typename Triangulation::halfedge_descriptor g, Wedge& wedge) {
+  return find_wedge(t, h, g, wedge,
+                    [&](typename Triangulation::halfedge_descriptor, const Indexed_face& f) {
+                      const auto& m = t.metric();
+                      return Face_values<double>{{m.approximate_squared_length(f.edges[0]),
+                                                  m.approximate_squared_length(f.edges[1]),
+                                                  m.approximate_squared_length(f.edges[2])},
+                                                 m.approximate_quadruple_area(f.face)};
+                    });
+}
+
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_WEDGE_ANGLE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_WEDGE_ANGLE_H

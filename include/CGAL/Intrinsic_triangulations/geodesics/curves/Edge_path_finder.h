@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_EDGE_PATH_FINDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_EDGE_PATH_FINDER_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief finds shortest paths along edges between vertices, by Dijkstra's algorithm from both ends.
+
+Lengths are those of the triangulation, in doubles. Memory is kept from one search to the next, so that a search costs what it visits.
+\tparam Triangulation a model of `GeodesicTriangulation`
+*/
+template <class Triangulation>
+class Edge_path_finder {
+  static_assert(GeodesicTriangulation<Triangulation>);
+
+public:
+  /// Vertex of the triangulation.
+  using vertex_descriptor = typename Triangulation::vertex_descriptor;
+  /// Halfedge of the triangulation.
+  using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
+
+  /// prepares searches. \param t the triangulation, which must outlive the finder; it may change between searches
+  explicit Edge_path_finder(const Triangulation& t) : t_(t) {}
+
+  /*!
+  \brief finds a shortest path along edges.
+  \return its halfedges from `from` to `to`; none if they are the same vertex, or not connected
+  \complexity n log n in the number of vertices nearer to an end than the ends are to each other
+  */
+  std::vector<halfedge_descriptor> operator()(vertex_descriptor from, vertex_descriptor to) {
+    start(t_.index(from), t_.index(to));
+    if (from == to) return {};
+    while (!sides_[0].queue.empty() && !sides_[1].queue.empty() &&
+           sides_[0].queue.top().first + sides_[1].queue.top().first < best_)
+      advance(sides_[0].queue.top().first <= sides_[1].queue.top().first ? 0U : 1U);
+    return path();
+  }
+
+private:
+  static constexpr std::uint32_t none = Gluing::none;
+
+  // what is known of a vertex from one end
+  struct Label {
+    double distance;
+    std::uint32_t halfedge; // the last one to it
+    std::uint32_t search;   // of which it is
+  };
+  using Entry = std::pair<double, std::uint32_t>;
+  struct Side {
+    std::vector<Label> labels;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  };
+
+  void start(std::uint32_t from, std::uint32_t to) {
+    ++search_;
+    best_ = std::numeric_limits<double>::infinity();
+    meeting_ = none;
+    for (const unsigned k : {0U, 1U}) {
+      sides_[k].labels.resize(t_.numbers().vertex_capacity(t_.mesh()), {0, none, 0});
+      sides_[k].queue = {};
+      label(k, k == 0 ? from : to, 0, none);
+    }
+  }
+
+  bool is_labelled(unsigned k, std::uint32_t v) const {
+    return sides_[k].labels[v].search == search_;
+  }
+
+  void label(unsigned k, std::uint32_t v, double distance, std::uint32_t halfedge) {
+    sides_[k].labels[v] = {distance, halfedge, search_};
+    sides_[k].queue.emplace(distance, v);
+    if (!is_labelled(1 - k, v) || distance + sides_[1 - k].labels[v].distance >= best_) return;
+    best_ = distance + sides_[1 - k].labels[v].distance;
+    meeting_ = v;
+  }
+
+  // takes the nearest vertex of a side
+  void advance(unsigned k) {
+    const auto [distance, v] = sides_[k].queue.top();
+    sides_[k].queue.pop();
+    if (distance > sides_[k].labels[v].distance) return;
+    for_each_outgoing(t_.numbers().vertex_at(v), t_.mesh(), [&](halfedge_descriptor h) {
+      const std::uint32_t i = t_.numbers().halfedge(h), w = t_.index(target(h, t_.mesh()));
+      const double d = distance + std::sqrt(t_.metric().approximate_squared_length(i / 2));
+      if (!is_labelled(k, w) || d < sides_[k].labels[w].distance) label(k, w, d, i);
+    });
+  }
+
+  std::vector<halfedge_descriptor> path() const {
+    std::vector<halfedge_descriptor> result;
+    if (meeting_ == none) return result;
+    const auto walk = [&](unsigned k) {
+      for (std::uint32_t v = meeting_; sides_[k].labels[v].halfedge != none;) {
+        const halfedge_descriptor h = t_.numbers().halfedge_at(sides_[k].labels[v].halfedge);
+        result.push_back(k == 0 ? h : opposite(h, t_.mesh()));
+        v = t_.index(source(h, t_.mesh()));
+      }
+    };
+    walk(0);
+    std::reverse(result.begin(), result.end());
+    walk(1);
+    return result;
+  }
+
+  const Triangulation& t_;
+  std::array<Side, 2> sides_;
+  std::uint32_t search_ = 0;
+  double best_ = 0;
+  std::uint32_t meeting_ = none;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_EDGE_PATH_FINDER_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POINT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POINT_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a vertex at a point of the input.
+\tparam Triangulation the type of the triangulation
+*/
+template <class Triangulation>
+struct Vertex_at_point {
+  /// `done`, or why no vertex could be inserted.
+  Move_status status = Move_status::done;
+  /// The vertex.
+  typename Triangulation::vertex_descriptor vertex{};
+  /// Whether it was inserted.
+  bool is_new = false;
+};
+
+/*!
+\brief finds the vertex of the intrinsic triangulation at a point of the input, and inserts one if there is none.
+
+With exact traits the new vertex is where `Intrinsic_triangulation::insert_vertex()` rounds the point.
+\tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
+\param t the triangulation
+\param p the point, on the input
+\complexity that of `locate_on_intrinsic()` and of an insertion
+*/
+template <RefinableTriangulation Triangulation>
+Vertex_at_point<Triangulation> insert_point(Triangulation& t, const Surface_point& p) {
+  const std::optional<Surface_point> q = locate_on_intrinsic(t, p);
+  if (!q) return {Move_status::not_traceable};
+  typename Triangulation::halfedge_descriptor h = t.numbers().halfedge_at(q->halfedge);
+  for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
+    if (q->weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};
+  const auto inserted = t.insert_vertex(h, q->weights);
+  return {inserted.status, inserted.vertex, inserted.status == Move_status::done};
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POINT_H

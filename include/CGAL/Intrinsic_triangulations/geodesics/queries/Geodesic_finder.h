@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_QUERIES_GEODESIC_FINDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_QUERIES_GEODESIC_FINDER_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a geodesic between points, over the input.
+*/
+struct Geodesic_path : Traced_curve {
+  /// Length of the shortest path along edges that it was made of, in the units of the input.
+  double initial_length = 0;
+  /// What was done to make it geodesic.
+  Shortening_result shortening;
+};
+
+/*!
+\brief finds geodesics between points, each from a shortest path along edges (§5.1 of the course, Algorithm 7), and leaves the
+triangulation as it was.
+
+A query flips edges, reads the geodesic off, and takes the flips back: it costs what it touches. Geodesics are locally shortest,
+in the homotopy class of the path along edges; most are shortest. On a triangulation that is Delaunay they are found faster.
+\tparam Triangulation a model of `GeodesicTriangulation` and of `CorrespondingTriangulation`
+*/
+template <class Triangulation>
+class Geodesic_finder {
+  static_assert(GeodesicTriangulation<Triangulation>);
+
+public:
+  /// Vertex of the triangulation.
+  using vertex_descriptor = typename Triangulation::vertex_descriptor;
+  /// Halfedge of the triangulation.
+  using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
+
+  /// prepares queries. \param t the triangulation, which must outlive the finder, and not change between queries \complexity linear
+  explicit Geodesic_finder(Triangulation& t) : t_(t), network_(t), find_edge_path_(t) {}
+
+  /*!
+  \brief finds a geodesic between two vertices.
+  \param from, to vertices of the triangulation; `vertex_on_intrinsic()` finds those of the user's mesh
+  \param np named parameters of `shorten_curves()`
+  \return its way over the input. The status is that of `shorten_curves()`, `stalled` if no path leads from one to the other, or
+  `not_traceable`
+  \complexity that of the search for a path along edges, and of `shorten_curves()`
+  */
+  template <NamedParameters NP = parameters::Parameters<>>
+  Geodesic_path operator()(vertex_descriptor from, vertex_descriptor to,
+                           const NP& np = parameters::default_values()) {
+    return (*this)(std::vector<vertex_descriptor>{from, to}, np);
+  }
+
+  /*!
+  \brief finds geodesics from each of several vertices to the next one, as one path; see above.
+  \param vertices the vertices, two at least; where the path passes one it may turn
+  \param np named parameters of `shorten_curves()`
+  */
+  template <NamedParameters NP = parameters::Parameters<>>
+  Geodesic_path operator()(const std::vector<vertex_descriptor>& vertices,
+                           const NP& np = parameters::default_values()) {
+    Geodesic_path result;
+    for (std::size_t i = 0; i + 1 < vertices.size() && result.status == Status::done; ++i)
+      append(vertices[i], vertices[i + 1], np, result);
+    return result;
+  }
+
+  /*!
+  \brief finds geodesics from each of several points to the next one, as one path. Vertices are inserted for them, and removed again.
+  \param points points of the input, two at least; `surface_point()` finds those of the user's mesh
+  \param np named parameters of `shorten_curves()`
+  \return see above; `stalled`, too, if a vertex cannot be inserted
+  */
+  template <NamedParameters NP = parameters::Parameters<>>
+  Geodesic_path operator()(const std::vector<Surface_point>& points,
+                           const NP& np = parameters::default_values()) requires
+      RefinableTriangulation<Triangulation> {
+    std::vector<vertex_descriptor> vertices, inserted;
+    for (const Surface_point& p : points) {
+      const Vertex_at_point<Triangulation> v = insert_point(t_, p);
+      if (v.status != Move_status::done) break;
+      vertices.push_back(v.vertex);
+      if (v.is_new) inserted.push_back(v.vertex);
+    }
+    Geodesic_path result;
+    if (vertices.size() == points.size())
+      result = (*this)(vertices, np);
+    else
+      result.status = Status::stalled;
+    for (; !inserted.empty(); inserted.pop_back()) t_.remove_vertex(inserted.back());
+    return result;
+  }
+
+private:
+  // straightens a path along edges, reads it off, and takes the flips back
+  template <class NP>
+  void append(vertex_descriptor from, vertex_descriptor to, const NP& np, Geodesic_path& path) {
+    if (from == to) return;
+    const std::vector<halfedge_descriptor> way = find_edge_path_(from, to);
+    if (way.empty()) {
+      path = {};
+      path.status = Status::stalled;
+      return;
+    }
+    const std::uint32_t curve = network_.add_path(way);
+    path.initial_length += network_.length(curve);
+    Flip_log<Triangulation> log;
+    const Shortening_result r = shorten_curves(network_, log, np);
+    for (const halfedge_descriptor h : network_.halfedges(curve))
+      internal::append_edge(t_, h, path);
+    network_.clear();
+    typename Triangulation::Session session(t_);
+    log.undo(session);
+    path.shortening += r;
+    if (path.status == Status::done) path.status = r.status;
+  }
+
+private:
+  Triangulation& t_;
+  Curve_network<Triangulation> network_;
+  Edge_path_finder<Triangulation> find_edge_path_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_QUERIES_GEODESIC_FINDER_H
