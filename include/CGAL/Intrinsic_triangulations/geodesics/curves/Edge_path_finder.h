@@ -75,11 +75,12 @@ private:
     ++search_;
     best_ = std::numeric_limits<double>::infinity();
     meeting_ = none;
-    for (const unsigned k : {0U, 1U}) {
-      sides_[k].labels.resize(t_.numbers().vertex_capacity(t_.mesh()), {0, none, 0});
-      sides_[k].queue = {};
-      label(k, k == 0 ? from : to, 0, none);
+    for (Side& s : sides_) {
+      s.labels.resize(t_.numbers().vertex_capacity(t_.mesh()), {0, none, 0});
+      s.queue = {};
     }
+    label(0, from, 0, none);
+    label(1, to, 0, none);
   }
 
   bool is_labelled(unsigned k, std::uint32_t v) const {
