@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Joint_side.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Wedge_flipper.h>
 
 #include <CGAL/enum.h>
 
@@ -62,7 +62,7 @@ class Curve_shortener {
 public:
   Curve_shortener(Network& network, Session& session, Flip_log<Triangulation>* log)
       : network_(network), t_(network.triangulation()), segments_(network.segments_),
-        session_(session), log_(log) {}
+        session_(session), flip_wedge_(t_, session, log) {}
 
   // `go_on(result)` is called now and then
   template <class Go_on>
@@ -153,38 +153,9 @@ private:
     }
   }
 
-  // Flips edges in the wedge from h to g away from its vertex, the first one that can be flipped, until none can.
+  // Flips edges in the wedge from h to g, on the left of h, away from its vertex.
   bool flip_out(Halfedge h, Halfedge g) {
-    std::vector<Halfedge>& before = inner_; // edges that cannot be flipped, in order
-    before.clear();
-    Halfedge e = next(h, t_.mesh());
-    while (e != g) {
-      if (result_.flips == limits_->flips) {
-        result_.status = Status::cap;
-        return false;
-      }
-      const Halfedge after = next(opposite(e, t_.mesh()), t_.mesh());
-      const Move_status s = flip(e);
-      if (s == Move_status::done) {
-        ++result_.flips;
-        if (before.empty()) {
-          e = after;
-        } else {
-          e = before.back();
-          before.pop_back();
-        }
-        continue;
-      }
-      if (s != Move_status::not_convex && s != Move_status::same_face) ++result_.refused_flips;
-      before.push_back(e);
-      e = after;
-    }
-    return true;
-  }
-  Move_status flip(Halfedge e) {
-    if (log_ != nullptr) return log_->flip_edge(session_, e);
-    const Move_status s = session_.flip_status(e);
-    return s == Move_status::done ? session_.flip_convex_edge(e) : s;
+    return flip_wedge_(opposite(h, t_.mesh()), g, true, limits_->flips, result_, [](Halfedge) {});
   }
 
   // the sides opposite the vertex in the wedge from h to g, from the source of h to the target of g
@@ -282,10 +253,9 @@ private:
   Triangulation& t_;
   Curve_segments& segments_;
   Session& session_;
-  Flip_log<Triangulation>* log_;
+  Wedge_flipper<Triangulation> flip_wedge_;
   const Shortening_limits* limits_ = nullptr;
   std::priority_queue<Joint> queue_;
-  std::vector<Halfedge> inner_;
   Shortening_result result_;
   double length_ = 0; // of all curves, in scaled units
   std::uint64_t steps_ = 0;

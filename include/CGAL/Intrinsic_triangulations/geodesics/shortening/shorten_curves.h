@@ -33,6 +33,13 @@ struct Shortening_visitor {
 namespace internal {
 
 template <class Triangulation, class NamedParameters>
+std::uint64_t maximum_flips(const Triangulation& t, const NamedParameters& np) {
+  return value_or<tags::maximum_number>(
+      np, Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
+                                          : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
+}
+
+template <class Triangulation, class NamedParameters>
 Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
                                     const NamedParameters& np) {
   const Triangulation& t = network.triangulation();
@@ -44,9 +51,7 @@ Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
     throw std::invalid_argument("joint_angle must be in [0, 180] degrees");
   if (part > 0) limits.length = std::ldexp(part * network.length(), t.metric().scale_exponent());
   if (angle < 180) limits.angle = angle * std::numbers::pi / 180;
-  limits.flips = value_or<tags::maximum_number>(
-      np, Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
-                                          : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
+  limits.flips = maximum_flips(t, np);
   return limits;
 }
 
