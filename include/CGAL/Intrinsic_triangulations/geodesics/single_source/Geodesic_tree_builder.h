@@ -49,12 +49,14 @@ class Geodesic_tree_builder {
   using Tree = Geodesic_tree<Triangulation>;
   static constexpr std::uint32_t none = Gluing::none;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
   static constexpr double least_gain = 1e-10; // relative
 
 public:
   Geodesic_tree_builder(const Triangulation& t, Session& session, Flip_log<Triangulation>* log)
       : t_(t), session_(session), flip_wedge_(t, session, log),
-        labels_(t.numbers().vertex_capacity(t.mesh())) {}
+        labels_(t.numbers().vertex_capacity(t.mesh())),
+        flips_when_bent_(2 * t.numbers().edge_capacity(t.mesh()), never) {}
 
   // `go_on(result)` is called now and then
   template <class Go_on>
@@ -79,7 +81,7 @@ public:
     std::vector<std::uint32_t> way;
     for (const Vertex vertex : vertices(t_.mesh())) {
       std::uint32_t v = t_.index(vertex);
-      for (; labels_[v].is_in_tree && branches_unknown(branches[v]); v = parent(v)) {
+      for (; labels_[v].is_in_tree && branches[v].length == infinity; v = parent(v)) {
         if (labels_[v].halfedge == none) {
           branches[v].length = 0;
           break;
@@ -106,8 +108,6 @@ private:
     std::uint32_t halfedge;
     bool operator<(const Candidate& c) const { return distance > c.distance; }
   };
-
-  static bool branches_unknown(const typename Tree::Branch& b) { return b.length == infinity; }
 
   Halfedge halfedge_at(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
   std::uint32_t source_of(std::uint32_t h) const {
@@ -143,11 +143,11 @@ private:
     to.bound = d;
     queue_.push({d, h});
   }
-  // looks for ways to a vertex, but for one
-  void search(std::uint32_t v, std::uint32_t but) {
+  // looks for ways to a vertex, but for those that were found to be bent since the last flip
+  void search(std::uint32_t v) {
     labels_[v].bound = labels_[v].distance;
     for_each_out(v, [&](std::uint32_t h) {
-      if ((h ^ 1U) != but) relax(h ^ 1U);
+      if (flips_when_bent_[h ^ 1U] != result_.flips) relax(h ^ 1U);
     });
   }
 
@@ -156,7 +156,8 @@ private:
     if (labels_[u].halfedge == none || is_straight(u, c.halfedge)) {
       accept(v, c.distance, c.halfedge);
     } else {
-      search(v, c.halfedge);
+      flips_when_bent_[c.halfedge] = result_.flips;
+      search(v);
     }
   }
 
@@ -209,13 +210,13 @@ private:
     }
     out.insert(out.end(), near.begin(), near.end());
     for (const std::uint32_t v : out)
-      if (v != root) search(v, none);
+      if (v != root) search(v);
   }
 
   // Looks again for ways to vertices that should have one: those to which all known ways have been lost by rounding.
   bool finds_more() {
     for (const Vertex v : vertices(t_.mesh()))
-      if (!labels_[t_.index(v)].is_in_tree && !is_isolated(v)) search(t_.index(v), none);
+      if (!labels_[t_.index(v)].is_in_tree && !is_isolated(v)) search(t_.index(v));
     if (queue_.empty()) return false;
     const std::uint64_t progress = result_.flips + accepted_;
     if (progress == progress_before_) result_.status = Status::stalled;
@@ -230,6 +231,7 @@ private:
   Session& session_;
   Wedge_flipper<Triangulation> flip_wedge_;
   std::vector<Label> labels_;
+  std::vector<std::uint64_t> flips_when_bent_; // per halfedge
   std::priority_queue<Candidate> queue_;
   Shortening_result result_;
   std::uint64_t cap_ = 0, steps_ = 0, accepted_ = 0, progress_before_ = 0;
