@@ -176,14 +176,20 @@ private:
     sides_[i].to = m;
     sides_.push_back(std::move(second));
   }
+  // A point that is rounded off its edge may be beyond a vertex close by: then the other face is tried, and places near it.
   Midpoint split_at_edge(std::size_t i, std::size_t k, double x) {
-    const Halfedge h = sides_[i].way[k];
-    const auto inserted = t_.split_edge(h, x);
-    if (inserted.status != Move_status::done) return {inserted.vertex, -1, false};
-    const std::pair<Halfedge, Halfedge> halves = halves_of(h, inserted.vertex);
-    const std::size_t place = replace(h, halves, i, k);
-    split_before(i, place + 1, inserted.vertex);
-    return {inserted.vertex, x, true};
+    const Halfedge h = sides_[i].way[k], back = opposite(h, t_.mesh());
+    for (const double nudge : {0., 0x1p-44, -0x1p-44, 0x1p-38, -0x1p-38, 0x1p-32, -0x1p-32}) {
+      const double y = x * (1 + nudge);
+      for (const Halfedge g : {h, back}) {
+        const auto inserted = t_.split_edge(g, g == h ? y : 1 - y);
+        if (inserted.status != Move_status::done) continue;
+        const std::size_t place = replace(g, halves_of(g, inserted.vertex), i, k);
+        split_before(i, place + 1, inserted.vertex);
+        return {inserted.vertex, y, true};
+      }
+    }
+    return {sides_[i].from, -1, false};
   }
 
   // The halves of an edge that was split at p: its halfedge h = ij has become ip on the border, else it leads to p, or from it,

@@ -15,13 +15,14 @@ namespace CGAL::Intrinsic_triangulations {
 \brief flips edges until a geodesic from a source to every vertex is among them (§5.5 of the course).
 
 Dijkstra's algorithm, where a path that is bent is replaced by shorter ones, see `shorten_curves()`, before it is accepted. Every path of the
-tree has an angle of at least pi on both sides of all its vertices, or the border there. Nearly all are shortest paths: a
-longer one is kept where the shortest one passes on another side of something that is not in the way of any edge.
+tree has an angle of at least pi on both sides of all its vertices, or the border there. Lengths are nearly those of shortest paths, but
+not always the same: a shortest path may pass a vertex on the side where all ways along edges are longer.
 
 \tparam Triangulation a model of `GeodesicTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation
 \param source the source
+\pre the surface is manifold at all vertices
 \param np optional named parameters:
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100 per edge and a million.
   - `visitor(v)`: see `Shortening_visitor`
