@@ -47,8 +47,8 @@ public:
 
   /// tells what was done to build it, and how that ended.
   const Shortening_result& shortening() const { return counts_; }
-  /// returns the length of the path to a vertex, in the units of the input, with exact traits to 1e-12 of it; infinite
-  /// if there is no path.
+  /// returns the length of the path to a vertex, in the units of the input; infinite if there is no path. It is the sum of what doubles
+  /// have kept of lengths in the flips; with exact traits the lengths of the edges of `path_to()` are told to 1e-12.
   double length(vertex_descriptor v) const { return branches_[t_->index(v)].length; }
   /// returns the last halfedge of the path to a vertex; a null halfedge at the source, and if there is no path.
   halfedge_descriptor halfedge_to(vertex_descriptor v) const {

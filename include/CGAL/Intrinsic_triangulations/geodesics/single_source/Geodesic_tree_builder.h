@@ -38,8 +38,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // When u n_j is flipped, all edges before it have angles of at least pi at their other ends: the path p n_1 ... n_j is convex
 // in the triangle p u n_j and shorter than p u n_j, so that no d increases. When none can be flipped, d(v) is less than by
 // way of u, where it was attained. There are finitely many geodesic edges below a length, so that the sum of all d decreases
-// finitely often. The sums of lengths are those of doubles here, and paths whose lengths differ by rounding only are not told
-// apart: a vertex of the tree is taken out only if it becomes nearer by `least_gain`.
+// finitely often. This holds as far as sums of lengths in doubles tell apart what differs: a vertex of the tree is taken out only
+// if it becomes nearer by `least_gain`, so that rounding does not take one out again and again.
 template <class Triangulation>
 class Geodesic_tree_builder {
   using Mesh = typename Triangulation::Mesh;
@@ -75,24 +75,11 @@ public:
     return result_;
   }
 
-  // the tree, lengths measured anew
   Tree tree() const {
-    std::vector<typename Tree::Branch> branches(labels_.size());
-    std::vector<std::uint32_t> way;
-    for (const Vertex vertex : vertices(t_.mesh())) {
-      std::uint32_t v = t_.index(vertex);
-      for (; labels_[v].is_in_tree && branches[v].length == infinity; v = parent(v)) {
-        if (labels_[v].halfedge == none) {
-          branches[v].length = 0;
-          break;
-        }
-        way.push_back(v);
-      }
-      for (; !way.empty(); way.pop_back()) {
-        const std::uint32_t w = way.back(), h = labels_[w].halfedge;
-        branches[w] = {branches[parent(w)].length + t_.length(edge(halfedge_at(h), t_.mesh())), h};
-      }
-    }
+    std::vector<typename Tree::Branch> branches;
+    branches.reserve(labels_.size());
+    for (const Label& l : labels_)
+      branches.push_back({std::ldexp(l.distance, -t_.metric().scale_exponent()), l.halfedge});
     return Tree(t_, std::move(branches), result_);
   }
 
@@ -116,7 +103,6 @@ private:
   std::uint32_t target_of(std::uint32_t h) const {
     return t_.index(target(halfedge_at(h), t_.mesh()));
   }
-  std::uint32_t parent(std::uint32_t v) const { return source_of(labels_[v].halfedge); }
   double distance_along(std::uint32_t h) const {
     return labels_[source_of(h)].distance +
            std::sqrt(t_.metric().approximate_squared_length(h / 2));

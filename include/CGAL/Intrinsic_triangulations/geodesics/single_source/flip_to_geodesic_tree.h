@@ -42,7 +42,7 @@ Geodesic_tree<Triangulation> flip_to_geodesic_tree(Triangulation& t,
   typename Triangulation::Session session(t);
   internal::Geodesic_tree_builder<Triangulation> builder(t, session, nullptr);
   builder.run(source, cap, [&](const Shortening_result& r) { return observed.progress(r); });
-  return session.suspended([&] { return builder.tree(); });
+  return builder.tree();
 }
 
 } // namespace CGAL::Intrinsic_triangulations
