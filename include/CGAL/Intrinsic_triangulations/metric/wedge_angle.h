@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_WEDGE_ANGLE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_WEDGE_ANGLE_H
 
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Wedge_expression.h>
 
@@ -38,6 +39,11 @@ struct Wedge {
     if (first_beyond_pi == 0 && angle >= std::numbers::pi) first_beyond_pi = faces.size();
   }
 };
+
+// Two corners of a wedge are those at the source of a diamond; the sine of their sum is `Convexity_at_source_expression`.
+inline Diamond diamond_of_corners(const Indexed_face& f, const Indexed_face& g) {
+  return {f.edges[0], f.edges[1], f.edges[2], g.edges[0], g.edges[1], f.face, g.face};
+}
 
 // Compares the angle of a wedge with pi. Every corner is at most pi, so that the angle is smaller iff the sine of the sum of
 // the first m corners is positive for all m, as long as it is not zero (a corner of zero area has angle 0 or pi). A sum

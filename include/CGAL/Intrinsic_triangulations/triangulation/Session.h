@@ -7,11 +7,11 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Whole_star.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
-#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/whole_star.h>
 
 #include <CGAL/Interval_nt.h>
@@ -22,6 +22,7 @@
 
 #include <array>
 #include <optional>
+#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -96,8 +97,14 @@ public:
   }
   /// \cond
   Comparison_result compare_to_pi(const internal::Wedge& wedge) const {
-    return internal::compare_wedge_to_pi(wedge, [this](const auto& faces, const auto& expression) {
-      return t_.metric().sign(faces, expression);
+    const auto& metric = t_.metric();
+    return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
+      using Expression = std::decay_t<decltype(expression)>;
+      if constexpr (std::is_same_v<Expression, Wedge_sine_expression>)
+        if (faces.size() == 2)
+          return metric.sign(internal::diamond_of_corners(faces[0], faces[1]),
+                             Convexity_at_source_expression());
+      return metric.sign(faces, expression);
     });
   }
   /// \endcond

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <queue>
 #include <vector>
 
@@ -141,6 +142,11 @@ private:
       const Side side(t_, segments_, s, is_left);
       Wedge wedge;
       if (!side.is_flexible(t_, segments_) || !side.find_wedge(t_, segments_, wedge)) continue;
+      if (wedge.faces.size() > 2 && is_nearly_pi(wedge.angle)) {
+        if (!flip_out(side.in, side.out)) return;
+        wedge = {};
+        side.find_wedge(t_, segments_, wedge);
+      }
       ++result_.wedge_checks;
       const Comparison_result c = session_.compare_to_pi(wedge);
       if (c == EQUAL) ++result_.exact_ties;
@@ -152,6 +158,11 @@ private:
       return;
     }
   }
+
+  // Where the angle of a wedge is nearly pi, edges in it are flipped away before it is compared with pi: that leaves two corners,
+  // whose sum takes far less to decide than that of many. (If it leaves more, the angle is below pi: the polygon of b, a, c and
+  // the far ends of k - 1 edges has k + 2 corners, which sum to k pi; those of the edges have pi at least, so that b has less.)
+  static bool is_nearly_pi(double angle) { return std::abs(angle - std::numbers::pi) < 1e-6; }
 
   // Flips edges in the wedge from h to g away from its vertex, the first one that can be flipped, until none can.
   bool flip_out(Halfedge h, Halfedge g) {
