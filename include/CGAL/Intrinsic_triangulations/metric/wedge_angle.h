@@ -71,7 +71,8 @@ Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
 }
 
 // Finds the wedge at the target of h between h and g, on the left of h: the first corner is in the face of h. If g is the
-// opposite of h, it is all about the vertex. False if a side in between has no face. `values` tells what doubles know of
+// opposite of h, it is all about the vertex. False if a side in between has no face, or g is in another fan of a vertex that is
+// not manifold. `values` tells what doubles know of
 // a face from a halfedge on.
 template <class Triangulation, class Values>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
@@ -79,6 +80,7 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
   using Halfedge = typename Triangulation::halfedge_descriptor;
   const auto& mesh = t.mesh();
   const auto edge_number = [&](Halfedge x) { return t.numbers().halfedge(x) / 2; };
+  const Halfedge first = h;
   while (true) {
     if (face(h, mesh) == boost::graph_traits<typename Triangulation::Mesh>::null_face())
       return false;
@@ -89,6 +91,7 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
     wedge.add(f, v.squared_lengths, v.quadruple_area);
     if (ij == g) return true;
     h = opposite(ij, mesh);
+    if (h == first) return false;
   }
 }
 
