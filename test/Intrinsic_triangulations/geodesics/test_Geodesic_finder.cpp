@@ -164,7 +164,7 @@ TYPED_TEST(GeodesicFinder, PathsOverTheInputAreStraightInItsFaces) {
 TEST(GeodesicFinderOfPoints, GeodesicsInAPlaneAreSegments) {
   const meshes::Mesh mesh = meshes::random_planar(200, 64, 2);
   Triangulation t = unnumbered<Triangulation>(mesh);
-  const std::size_t vertices_before = num_vertices(t.mesh());
+  const std::uint32_t vertices_before = t.number_of_vertices();
   IT::Geodesic_finder<Triangulation> find(t);
   std::mt19937 random(2);
   unsigned convex = 0;
@@ -182,7 +182,7 @@ TEST(GeodesicFinderOfPoints, GeodesicsInAPlaneAreSegments) {
     // round corners of the border, else along the segment
     EXPECT_GE(path.length, straight * (1 - 1e-9));
     if (path.length < straight * (1 + 1e-9)) ++convex;
-    EXPECT_EQ(num_vertices(t.mesh()), vertices_before);
+    EXPECT_EQ(t.number_of_vertices(), vertices_before);
   }
   EXPECT_GT(convex, 40U);
 }
