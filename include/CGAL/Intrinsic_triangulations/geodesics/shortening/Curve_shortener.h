@@ -29,6 +29,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // when to stop
 struct Shortening_limits {
   std::uint64_t flips = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t shortenings = std::numeric_limits<std::uint64_t>::max();
   double length = -HUGE_VAL; // of all curves, in scaled units
   double angle = HUGE_VAL;   // of joints, in radians
 };
@@ -257,7 +258,7 @@ private:
   // Puts a way along the sides of the faces of a wedge in place of two segments, or of one that is a loop. It lies on that
   // side of its edges where the faces of the wedge are.
   void replace(const Side& side, const std::vector<Halfedge>& way) {
-    ++result_.shortenings;
+    if (++result_.shortenings == limits_->shortenings) result_.status = Status::cap;
     const std::uint32_t curve = segments_[side.first].curve;
     const std::uint32_t s = side.is_reversed ? side.second : side.first;
     const std::uint32_t n = side.is_reversed ? side.first : side.second;

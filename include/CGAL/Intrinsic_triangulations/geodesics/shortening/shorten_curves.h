@@ -44,9 +44,10 @@ Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
     throw std::invalid_argument("joint_angle must be in [0, 180] degrees");
   if (part > 0) limits.length = std::ldexp(part * network.length(), t.metric().scale_exponent());
   if (angle < 180) limits.angle = angle * std::numbers::pi / 180;
-  limits.flips = value_or<tags::maximum_number>(
-      np, Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
-                                          : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
+  // with inexact numbers, rounding may make curves go round without a flip
+  if (!Triangulation::Metric::is_exact)
+    limits.shortenings = 1000000 + 100 * std::uint64_t{num_edges(t.mesh())};
+  limits.flips = value_or<tags::maximum_number>(np, limits.shortenings);
   return limits;
 }
 
@@ -73,7 +74,7 @@ end each free joint has an angle of at least pi on both sides, except on sides w
 pi is straight. A loop that can be shrunk to a vertex ends there: `Curve_network::is_point()`.
 
 With exact traits it ends by proof, loops of one edge included: the length of all curves decreases in every step, and there are
-finitely many geodesic edges below a length. With inexact ones a cap on the number of flips makes it end.
+finitely many geodesic edges below a length. With inexact ones caps on the numbers of flips and of shortenings make it end.
 
 \tparam Triangulation a model of `GeodesicTriangulation`
 \tparam NP a chain of named parameters
