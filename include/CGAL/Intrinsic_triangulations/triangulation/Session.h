@@ -93,10 +93,6 @@ public:
   Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
     internal::Wedge wedge;
     internal::find_wedge(t_, h, g, wedge);
-    return compare_to_pi(wedge);
-  }
-  /// \cond
-  Comparison_result compare_to_pi(const internal::Wedge& wedge) const {
     const auto& metric = t_.metric();
     return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
       using Expression = std::decay_t<decltype(expression)>;
@@ -107,7 +103,6 @@ public:
       return metric.sign(faces, expression);
     });
   }
-  /// \endcond
   /// calls a function in the default floating point environment.
   template <class Function>
   auto suspended(Function f) const {
@@ -157,9 +152,10 @@ public:
   /// flips an edge that is known to be flippable. \pre `flip_status(h)` is `done`
   Move_status flip_convex_edge(halfedge_descriptor h) { return Mover(t_).flip(h); }
   /// What a flip replaces, see `undo_flip()`.
-  using Before_flip = typename Triangulation::Metric::Before_flip;
+  using Before_flip = internal::Before_flip_of<typename Triangulation::Metric>;
   /// returns what a flip of an edge with two faces will replace.
-  Before_flip before_flip(halfedge_descriptor h) const {
+  Before_flip before_flip(halfedge_descriptor h)
+      const requires internal::Remembers_flips<typename Triangulation::Metric> {
     return t_.metric().before_flip(t_.diamond(h));
   }
   /*!
@@ -168,7 +164,8 @@ public:
   \param before what `before_flip(h)` returned before that
   \pre all moves since have been taken back
   */
-  void undo_flip(halfedge_descriptor h, const Before_flip& before) {
+  void undo_flip(halfedge_descriptor h, const Before_flip& before) requires
+      internal::Remembers_flips<typename Triangulation::Metric> {
     Mover(t_).undo_flip(h, before);
   }
   /// flips an edge that is known not to be locally Delaunay, which implies that it can be

@@ -151,7 +151,8 @@ private:
         side.find_wedge(t_, segments_, wedge);
       }
       ++result_.wedge_checks;
-      const Comparison_result c = session_.compare_to_pi(wedge);
+      const Comparison_result c =
+          side.is_turn(t_, segments_) ? SMALLER : session_.compare_angle_to_pi(side.in, side.out);
       if (c == EQUAL) ++result_.exact_ties;
       if (c != SMALLER) continue;
       if (side.first == side.second)
