@@ -85,19 +85,25 @@ public:
     return (length_[jk] + length_[ki] - length_[ij]) / (2 * area_[f]);
   }
 
+  /// tells whether the length of an edge is known precisely enough for users.
+  bool is_narrow(std::uint32_t e) const {
+    return is_narrow(squared_length_[e], squared_length_[e].sup());
+  }
   /// tells whether a face is known precisely enough to place points by it; lengths are those of an ordinary face.
   bool is_narrow(const Indexed_face& face) const {
-    const auto is = [](const FT& x, double size) {
-      return x.sup() - x.inf() <= 0x1p-41 * size && CGAL::is_finite(x);
-    };
-    const Face_values<FT> f = enclosure(face);
     double longest = 0;
-    for (const FT& x : f.squared_lengths) {
-      if (!is(x, x.sup())) return false;
-      longest = std::max(longest, x.sup());
+    for (const std::uint32_t e : face.edges) {
+      if (!is_narrow(e)) return false;
+      longest = std::max(longest, squared_length_[e].sup());
     }
     // zero never gets narrow relative to itself
-    return is(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
+    const FT& area = quadruple_area_[face.face];
+    return is_narrow(area, std::max(area.sup(), 0x1p-1000 * longest));
+  }
+
+private:
+  static bool is_narrow(const FT& x, double size) {
+    return x.sup() - x.inf() <= 0x1p-41 * size && CGAL::is_finite(x);
   }
 
 protected:

@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <span>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -14,6 +16,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <class Metric>
 concept Has_enclosures = requires(const Metric& m, std::span<const Indexed_face> faces) {
   m.is_narrow(faces.front());
+  m.is_narrow(faces.front().edges[0]);
   m.sharpen(faces);
   typename Metric::Scope;
 };
@@ -53,6 +56,21 @@ Face_values<double> accurate_values(const Triangulation& t,
     }
   }
   return approximate_values(t.metric(), face);
+}
+
+// The squared length of an edge in scaled units, for users; see accurate_values().
+template <class Triangulation>
+double accurate_squared_length(const Triangulation& t, typename Triangulation::edge_descriptor e) {
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+  bool is_accurate = true;
+  if constexpr (Has_enclosures<typename Triangulation::Metric>)
+    is_accurate = t.metric().is_narrow(t.index(e));
+  if (!is_accurate) {
+    const auto h = halfedge(e, t.mesh());
+    const auto f = face(h, t.mesh());
+    accurate_values(t, f != null ? f : face(opposite(h, t.mesh()), t.mesh()));
+  }
+  return t.metric().approximate_squared_length(t.index(e));
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

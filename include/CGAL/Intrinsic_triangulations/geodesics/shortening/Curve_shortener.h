@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Joint_side.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Wedge_flipper.h>
 
 #include <CGAL/enum.h>
 
@@ -67,7 +67,7 @@ class Curve_shortener {
 public:
   Curve_shortener(Network& network, Session& session, Flip_log<Triangulation>* log)
       : network_(network), t_(network.triangulation()), segments_(network.segments_),
-        session_(session), log_(log) {}
+        session_(session), flip_wedge_(t_, session, log) {}
 
   // `go_on(result)` is called now and then
   template <class Go_on>
@@ -169,41 +169,15 @@ private:
   // corner: where b has loops, flips at an angle of pi need not end.
   static bool is_nearly_pi(double angle) { return std::abs(angle - std::numbers::pi) < 1e-6; }
 
-  // Flips edges in the wedge from h to g away from its vertex, the first one that can be flipped, until none can, or `most`
-  // have been flipped. False if the cap is reached.
+  // Flips edges in the wedge from h to g, on the left of h, away from its vertex, `most` at most. False if the cap is reached.
   bool flip_out(Halfedge h, Halfedge g,
                 std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
-    std::vector<Halfedge>& before = inner_; // edges that cannot be flipped, in order
-    before.clear();
-    Halfedge e = next(h, t_.mesh());
-    while (e != g && most > 0) {
-      if (result_.flips == limits_->flips) {
-        result_.status = Status::cap;
-        return false;
-      }
-      const Halfedge after = next(opposite(e, t_.mesh()), t_.mesh());
-      const Move_status s = flip(e);
-      if (s == Move_status::done) {
-        ++result_.flips;
-        --most;
-        if (before.empty()) {
-          e = after;
-        } else {
-          e = before.back();
-          before.pop_back();
-        }
-        continue;
-      }
-      if (s != Move_status::not_convex && s != Move_status::same_face) ++result_.refused_flips;
-      before.push_back(e);
-      e = after;
-    }
-    return true;
-  }
-  Move_status flip(Halfedge e) {
-    if (log_ != nullptr) return log_->flip_edge(session_, e);
-    const Move_status s = session_.flip_status(e);
-    return s == Move_status::done ? session_.flip_convex_edge(e) : s;
+    const std::uint64_t left = limits_->flips - result_.flips;
+    const bool is_done = flip_wedge_(opposite(h, t_.mesh()), g, true, std::min(left, most), result_,
+                                     [](Halfedge) {});
+    if (is_done || most < left) return true;
+    result_.status = Status::cap;
+    return false;
   }
 
   // the sides opposite the vertex in the wedge from h to g, from the source of h to the target of g
@@ -247,7 +221,7 @@ private:
   bool flip_first(Halfedge e) {
     if (result_.flips == limits_->flips) {
       result_.status = Status::cap;
-    } else if (flip(e) == Move_status::done) {
+    } else if (flip_wedge_.flip(e) == Move_status::done) {
       ++result_.flips;
       return true;
     } else {
@@ -324,10 +298,9 @@ private:
   Triangulation& t_;
   Curve_segments& segments_;
   Session& session_;
-  Flip_log<Triangulation>* log_;
+  Wedge_flipper<Triangulation> flip_wedge_;
   const Shortening_limits* limits_ = nullptr;
   std::priority_queue<Joint> queue_;
-  std::vector<Halfedge> inner_;
   Shortening_result result_;
   double length_ = 0; // of all curves, in scaled units
   std::uint64_t steps_ = 0;

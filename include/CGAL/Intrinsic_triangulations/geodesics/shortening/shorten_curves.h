@@ -32,6 +32,17 @@ struct Shortening_visitor {
 
 namespace internal {
 
+template <class Triangulation>
+std::uint64_t default_cap(const Triangulation& t) {
+  return Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
+                                         : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())};
+}
+
+template <class Triangulation, class NamedParameters>
+std::uint64_t maximum_flips(const Triangulation& t, const NamedParameters& np) {
+  return value_or<tags::maximum_number>(np, default_cap(t));
+}
+
 template <class Triangulation, class NamedParameters>
 Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
                                     const NamedParameters& np) {
@@ -45,9 +56,8 @@ Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
   if (part > 0) limits.length = std::ldexp(part * network.length(), t.metric().scale_exponent());
   if (angle < 180) limits.angle = angle * std::numbers::pi / 180;
   // with inexact numbers, rounding may make curves go round without a flip
-  if (!Triangulation::Metric::is_exact)
-    limits.shortenings = 1000000 + 100 * std::uint64_t{num_edges(t.mesh())};
-  limits.flips = value_or<tags::maximum_number>(np, limits.shortenings);
+  limits.shortenings = default_cap(t);
+  limits.flips = maximum_flips(t, np);
   return limits;
 }
 

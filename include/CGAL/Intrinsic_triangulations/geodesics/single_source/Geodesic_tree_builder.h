@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SINGLE_SOURCE_GEODESIC_TREE_BUILDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SINGLE_SOURCE_GEODESIC_TREE_BUILDER_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Wedge_flipper.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/single_source/Geodesic_tree.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
+
+#include <CGAL/enum.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Dijkstra's algorithm along edges, where a path is taken only if it is geodesic. One that is not is bent where it
+// leaves the tree: the edges in the wedge there are flipped out, and shorter paths appear.
+//
+// All paths in the tree are geodesic. So a wedge below pi between the edge to a vertex u of the tree and an edge from it has no
+// other edge of the tree: the wedge of that would be smaller still. Hence edges of the tree are never flipped.
+//
+// Why it ends: let d(v) be the distance of v along all edges; vertices in the tree have their d there, as one that is found to be
+// nearer than it was taken for is taken out with all behind it. Edges are flipped in their order from the edge p u of the tree.
+// When u n_j is flipped, all edges before it have angles of at least pi at their other ends: the path p n_1 ... n_j is convex
+// in the triangle p u n_j and shorter than p u n_j, so that no d increases. When none can be flipped, d(v) is less than by
+// way of u, where it was attained. There are finitely many geodesic edges below a length, so that the sum of all d decreases
+// finitely often. The sums of lengths are those of doubles here, and paths whose lengths differ by rounding only are not told
+// apart: a vertex of the tree is taken out only if it becomes nearer by `least_gain`.
+template <class Triangulation>
+class Geodesic_tree_builder {
+  using Mesh = typename Triangulation::Mesh;
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Session = typename Triangulation::Session;
+  using Tree = Geodesic_tree<Triangulation>;
+  static constexpr std::uint32_t none = Gluing::none;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+  static constexpr double least_gain = 1e-10; // relative
+
+public:
+  Geodesic_tree_builder(const Triangulation& t, Session& session, Flip_log<Triangulation>* log)
+      : t_(t), session_(session), flip_wedge_(t, session, log),
+        labels_(t.numbers().vertex_capacity(t.mesh())),
+        flips_when_bent_(2 * t.numbers().edge_capacity(t.mesh()), never) {}
+
+  // `go_on(result)` is called now and then
+  template <class Go_on>
+  Shortening_result run(Vertex source, std::uint64_t cap, const Go_on& go_on) {
+    cap_ = cap;
+    accept(t_.index(source), 0, none);
+    do {
+      while (!queue_.empty() && result_.status == Status::done) {
+        const Candidate c = queue_.top();
+        queue_.pop();
+        if (is_current(c)) take(c);
+        if ((++steps_ & 0xfffU) == 0 && !session_.suspended([&] { return go_on(result_); }))
+          result_.status = Status::cancelled;
+      }
+    } while (result_.status == Status::done && finds_more());
+    return result_;
+  }
+
+  // the tree, lengths measured anew
+  Tree tree() const {
+    std::vector<typename Tree::Branch> branches(labels_.size());
+    std::vector<std::uint32_t> way;
+    for (const Vertex vertex : vertices(t_.mesh())) {
+      std::uint32_t v = t_.index(vertex);
+      for (; labels_[v].is_in_tree && branches[v].length == infinity; v = parent(v)) {
+        if (labels_[v].halfedge == none) {
+          branches[v].length = 0;
+          break;
+        }
+        way.push_back(v);
+      }
+      for (; !way.empty(); way.pop_back()) {
+        const std::uint32_t w = way.back(), h = labels_[w].halfedge;
+        branches[w] = {branches[parent(w)].length + t_.length(edge(halfedge_at(h), t_.mesh())), h};
+      }
+    }
+    return Tree(t_, std::move(branches), result_);
+  }
+
+private:
+  struct Label {
+    double bound = infinity;       // of paths that are worth to be looked at
+    double distance = infinity;    // in the tree
+    std::uint32_t halfedge = none; // to it in the tree
+    bool is_in_tree = false;
+  };
+  struct Candidate {
+    double distance;
+    std::uint32_t halfedge;
+    bool operator<(const Candidate& c) const { return distance > c.distance; }
+  };
+
+  Halfedge halfedge_at(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
+  std::uint32_t source_of(std::uint32_t h) const {
+    return t_.index(source(halfedge_at(h), t_.mesh()));
+  }
+  std::uint32_t target_of(std::uint32_t h) const {
+    return t_.index(target(halfedge_at(h), t_.mesh()));
+  }
+  std::uint32_t parent(std::uint32_t v) const { return source_of(labels_[v].halfedge); }
+  double distance_along(std::uint32_t h) const {
+    return labels_[source_of(h)].distance +
+           std::sqrt(t_.metric().approximate_squared_length(h / 2));
+  }
+  template <class Function>
+  void for_each_out(std::uint32_t v, const Function& f) const {
+    for_each_outgoing(t_.numbers().vertex_at(v), t_.mesh(),
+                      [&](Halfedge h) { f(t_.numbers().halfedge(h)); });
+  }
+
+  // the edge may have been flipped, or its source taken out, since
+  bool is_current(const Candidate& c) const {
+    const std::uint32_t u = source_of(c.halfedge), v = target_of(c.halfedge);
+    return labels_[u].is_in_tree && labels_[v].bound == c.distance &&
+           distance_along(c.halfedge) == c.distance;
+  }
+
+  // takes note of a way along a halfedge
+  void relax(std::uint32_t h) {
+    if (!labels_[source_of(h)].is_in_tree) return;
+    Label& to = labels_[target_of(h)];
+    const double d = distance_along(h);
+    if (!(d < to.bound) || (to.is_in_tree && !(d < to.distance * (1 - least_gain)))) return;
+    to.bound = d;
+    queue_.push({d, h});
+  }
+  // looks for ways to a vertex, but for those that were found to be bent since the last flip
+  void search(std::uint32_t v) {
+    labels_[v].bound = labels_[v].distance;
+    for_each_out(v, [&](std::uint32_t h) {
+      if (flips_when_bent_[h ^ 1U] != result_.flips) relax(h ^ 1U);
+    });
+  }
+
+  void take(const Candidate& c) {
+    const std::uint32_t u = source_of(c.halfedge), v = target_of(c.halfedge);
+    if (labels_[u].halfedge == none || is_straight(u, c.halfedge)) {
+      accept(v, c.distance, c.halfedge);
+    } else {
+      flips_when_bent_[c.halfedge] = result_.flips;
+      search(v);
+    }
+  }
+
+  // whether the path goes on straight from u along h; if not, edges are flipped
+  bool is_straight(std::uint32_t u, std::uint32_t h) {
+    const auto& mesh = t_.mesh();
+    const Halfedge in = halfedge_at(labels_[u].halfedge), out = halfedge_at(h);
+    std::array<Wedge, 2> wedges; // on the left and on the right
+    const std::array<bool, 2> is_whole{
+        find_wedge(t_, in, out, wedges[0]),
+        find_wedge(t_, opposite(out, mesh), opposite(in, mesh), wedges[1])};
+    const std::size_t first = wedges[1].angle < wedges[0].angle ? 1 : 0;
+    for (const std::size_t side : {first, 1 - first}) {
+      if (!is_whole[side]) continue;
+      ++result_.wedge_checks;
+      const Comparison_result c =
+          side == 0 ? session_.compare_angle_to_pi(in, out)
+                    : session_.compare_angle_to_pi(opposite(out, mesh), opposite(in, mesh));
+      if (c == EQUAL) ++result_.exact_ties;
+      if (c != SMALLER) continue;
+      ++result_.shortenings;
+      const std::uint64_t left = cap_ - result_.flips;
+      const bool is_done =
+          flip_wedge_(opposite(in, mesh), out, side == 0, left, result_, [this](Halfedge e) {
+            const std::uint32_t i = t_.numbers().halfedge(e);
+            relax(i);
+            relax(i ^ 1U);
+          });
+      if (!is_done) result_.status = Status::cap;
+      return false;
+    }
+    return true;
+  }
+
+  void accept(std::uint32_t v, double distance, std::uint32_t h) {
+    if (labels_[v].is_in_tree) take_out(v);
+    labels_[v] = {distance, distance, h, true};
+    ++accepted_;
+    if (!is_isolated(t_.numbers().vertex_at(v)))
+      for_each_out(v, [this](std::uint32_t g) { relax(g); });
+  }
+
+  // takes a vertex and all behind it out of the tree
+  void take_out(std::uint32_t root) {
+    std::vector<std::uint32_t> out{root}, near;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      labels_[out[i]] = {};
+      for_each_out(out[i], [&](std::uint32_t h) {
+        const std::uint32_t w = target_of(h);
+        if (labels_[w].halfedge == h)
+          out.push_back(w);
+        else
+          near.push_back(w);
+      });
+    }
+    out.insert(out.end(), near.begin(), near.end());
+    for (const std::uint32_t v : out)
+      if (v != root) search(v);
+  }
+
+  // Looks again for ways to vertices that should have one: those to which all known ways have been lost by rounding.
+  bool finds_more() {
+    for (const Vertex v : vertices(t_.mesh()))
+      if (!labels_[t_.index(v)].is_in_tree && !is_isolated(v)) search(t_.index(v));
+    if (queue_.empty()) return false;
+    const std::uint64_t progress = result_.flips + accepted_;
+    if (progress == progress_before_) result_.status = Status::stalled;
+    progress_before_ = progress;
+    return result_.status == Status::done;
+  }
+  bool is_isolated(Vertex v) const {
+    return halfedge(v, t_.mesh()) == boost::graph_traits<Mesh>::null_halfedge();
+  }
+
+  const Triangulation& t_;
+  Session& session_;
+  Wedge_flipper<Triangulation> flip_wedge_;
+  std::vector<Label> labels_;
+  std::vector<std::uint64_t> flips_when_bent_; // per halfedge
+  std::priority_queue<Candidate> queue_;
+  Shortening_result result_;
+  std::uint64_t cap_ = 0, steps_ = 0, accepted_ = 0, progress_before_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SINGLE_SOURCE_GEODESIC_TREE_BUILDER_H

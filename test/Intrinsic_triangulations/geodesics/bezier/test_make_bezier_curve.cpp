@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/bezier/make_bezier_curve.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/certify_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/is_geodesic.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                          IT::Integer_coordinates>;
+using Curve = IT::Bezier_curve<Exact>;
+using meshes::Point;
+
+// Lengths up to 20 are told to 1e-12 of them, and so are midpoints.
+constexpr double midpoint_error = 2e-11;
+
+Exact::vertex_descriptor vertex_of_input(const Exact& t, std::uint32_t i) {
+  for (const auto v : vertices(t.mesh()))
+    if (t.input_vertex(v) == i) return v;
+  throw i;
+}
+
+std::uint32_t vertex_at(const meshes::Mesh& m, double x, double y) {
+  for (std::uint32_t i = 0; i < m.points.size(); ++i)
+    if (m.points[i][0] == x && m.points[i][1] == y) return i;
+  throw std::out_of_range("no such vertex");
+}
+
+Curve curve_of(Exact& t, const std::vector<std::uint32_t>& control, unsigned rounds) {
+  std::vector<Exact::vertex_descriptor> v;
+  for (const std::uint32_t i : control) v.push_back(vertex_of_input(t, i));
+  return IT::make_bezier_curve(t, v, IT::parameters::maximum_rounds(rounds));
+}
+
+Point on_input(const Exact& t, const meshes::Mesh& m, const IT::Surface_point& p) {
+  const IT::Input& input = t.input();
+  Point at{0, 0, 0};
+  std::uint32_t h = p.halfedge;
+  for (std::size_t k = 0; k < 3; ++k, h = input.next(h))
+    for (std::size_t c = 0; c < 3; ++c)
+      at[c] += p.weights[k] * m.points[input.names().vertices.user(input.source(h))][c];
+  return at;
+}
+
+// the places of the control points, in order
+std::vector<Point> places(const Exact& t, const meshes::Mesh& m, const Curve& c) {
+  std::vector<Point> result;
+  std::size_t next = 0;
+  const auto reach = [&](Exact::vertex_descriptor v, const Point& p) {
+    for (; next < c.control_points.size() && c.control_points[next] == v; ++next)
+      result.push_back(p);
+  };
+  for (const auto h : c.halfedges) {
+    const IT::Traced_curve edge = IT::trace_curve(t, std::vector{h});
+    reach(source(h, t.mesh()), on_input(t, m, edge.points.front()));
+    reach(target(h, t.mesh()), on_input(t, m, edge.points.back()));
+  }
+  return result;
+}
+
+Point planar(std::vector<Point> b, double t) {
+  for (; b.size() > 1; b.pop_back())
+    for (std::size_t i = 0; i + 1 < b.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c) b[i][c] = (1 - t) * b[i][c] + t * b[i + 1][c];
+  return b.front();
+}
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+void expect_certified(Exact& t, const Curve& c) {
+  ASSERT_EQ(c.status, IT::Status::done);
+  IT::Curve_network<Exact> network(t);
+  for (const auto v : c.control_points) network.fix(v);
+  network.add_path(c.halfedges);
+  EXPECT_TRUE(IT::is_geodesic(network).is_geodesic());
+  EXPECT_TRUE(IT::certify_geodesic(network).is_geodesic());
+  for (const auto& j : IT::is_geodesic(network).joints) EXPECT_TRUE(j.is_fixed || j.is_straight());
+}
+
+const std::vector<std::array<double, 2>> cubic{{0, 0}, {2, 7}, {9, 8}, {10, 1}};
+
+std::vector<std::uint32_t> numbers(const meshes::Mesh& m,
+                                   const std::vector<std::array<double, 2>>& points) {
+  std::vector<std::uint32_t> n;
+  for (const auto& p : points) n.push_back(vertex_at(m, p[0], p[1]));
+  return n;
+}
+
+} // namespace
+
+TEST(Make_bezier_curve, is_the_planar_curve_in_a_plane) {
+  const meshes::Mesh m = meshes::grid(10, 10);
+  for (const auto& control : {cubic,
+                              {{0, 0}, {5, 10}, {10, 0}},
+                              {{0, 0}, {3, 7}},
+                              {{0, 3}, {1, 10}, {6, 9}, {8, 2}, {10, 6}}}) {
+    std::vector<Point> points;
+    for (const auto& p : control) points.push_back({p[0], p[1], 0});
+    Exact t(m.input());
+    const Curve c = curve_of(t, numbers(m, control), 4);
+    expect_certified(t, c);
+    const std::vector<Point> at = places(t, m, c);
+    ASSERT_EQ(at.size(), c.control_points.size());
+    EXPECT_EQ(at.size(), (control.size() - 1) * (std::size_t{1} << c.rounds) + 1);
+    for (std::size_t k = 0; k < at.size(); k += c.degree) {
+      const double x = static_cast<double>(k) / static_cast<double>(at.size() - 1);
+      EXPECT_LT(distance(at[k], planar(points, x)), midpoint_error);
+    }
+  }
+}
+
+TEST(Make_bezier_curve, converges_with_the_square_of_the_step) {
+  const meshes::Mesh m = meshes::grid(10, 10);
+  std::vector<Point> points;
+  for (const auto& p : cubic) points.push_back({p[0], p[1], 0});
+  double length = 0;
+  Point before = points.front();
+  for (int i = 1; i <= 100000; ++i) {
+    const Point p = planar(points, i / 100000.);
+    length += distance(before, p);
+    before = p;
+  }
+  std::vector<double> errors;
+  for (const unsigned rounds : {2U, 3U, 4U, 5U}) {
+    Exact t(m.input());
+    errors.push_back(curve_of(t, numbers(m, cubic), rounds).length - length);
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    EXPECT_GT(errors[i - 1] / errors[i], 3.5);
+    EXPECT_LT(errors[i - 1] / errors[i], 4.5);
+  }
+}
+
+TEST(Make_bezier_curve, is_certified_on_surfaces_and_shorter_in_every_round) {
+  for (const meshes::Mesh& m : {meshes::potato(3, 2), meshes::rough_grid(10, 1),
+                                meshes::box(3, 4, 5), meshes::integer_height_field(9, 4, 3)}) {
+    const auto n = static_cast<std::uint32_t>(m.points.size());
+    double before = 1e300;
+    for (const unsigned rounds : {0U, 1U, 2U, 3U}) {
+      Exact t(m.input());
+      const Curve c = curve_of(t, {0, n / 3, n / 2, n - 1}, rounds);
+      expect_certified(t, c);
+      EXPECT_LT(c.length, before);
+      before = c.length;
+      EXPECT_EQ(c.control_points.front(), vertex_of_input(t, 0));
+      EXPECT_EQ(c.control_points.back(), vertex_of_input(t, n - 1));
+    }
+  }
+}
+
+TEST(Make_bezier_curve, starts_and_ends_in_the_direction_of_its_control_polygon) {
+  // the first side is halved in every round, and stays where it is
+  const meshes::Mesh m = meshes::potato(3, 2);
+  Exact t(m.input()), u(m.input());
+  const auto n = static_cast<std::uint32_t>(m.points.size());
+  const std::vector<std::uint32_t> control{0, n / 3, n / 2, n - 1};
+  const Curve c = curve_of(t, control, 0), d = curve_of(u, control, 3);
+  const auto first = [&](const Exact& s, const Curve& x, bool is_last) {
+    const IT::Traced_curve way = IT::trace_curve(s, x.halfedges);
+    const auto& p = way.points;
+    const Point from = on_input(s, m, is_last ? p[p.size() - 1] : p[0]);
+    const Point to = on_input(s, m, is_last ? p[p.size() - 2] : p[1]);
+    const double l = distance(from, to);
+    return Point{(to[0] - from[0]) / l, (to[1] - from[1]) / l, (to[2] - from[2]) / l};
+  };
+  for (const bool is_last : {false, true})
+    EXPECT_LT(distance(first(t, c, is_last), first(u, d, is_last)), 1e-9);
+}
+
+TEST(Make_bezier_curve, is_moved_by_interior_control_points) {
+  const meshes::Mesh m = meshes::grid(10, 10);
+  Exact t(m.input()), u(m.input());
+  const Curve c = curve_of(t, numbers(m, cubic), 3);
+  const Curve d = curve_of(u, numbers(m, {cubic[0], {2, 3}, cubic[2], cubic[3]}), 3);
+  const Point a = places(t, m, c)[12], b = places(u, m, d)[12];
+  EXPECT_NEAR(distance(a, b), 4 * 3 / 8., midpoint_error);
+}
+
+TEST(Make_bezier_curve, does_not_depend_on_the_triangulation_of_the_input) {
+  const meshes::Mesh m = meshes::potato(2, 2), fine = meshes::subdivided(m);
+  Exact t(m.input()), u(fine.input());
+  const auto n = static_cast<std::uint32_t>(m.points.size());
+  const std::vector<std::uint32_t> control{0, n / 3, n / 2, n - 1};
+  const Curve c = curve_of(t, control, 2), d = curve_of(u, control, 2);
+  const std::vector<Point> a = places(t, m, c), b = places(u, fine, d);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LT(distance(a[i], b[i]), 1e-9) << i;
+}
+
+TEST(Make_bezier_curve, does_not_jump_across_a_bump) {
+  // a spike between the lines of control points on both sides: one step in space follows each step along the curve
+  meshes::Mesh m = meshes::grid(10, 10);
+  m.points[vertex_at(m, 5, 5)][2] = 12;
+  Exact t(m.input());
+  const Curve c = curve_of(t, numbers(m, {{0, 5}, {4, 8}, {6, 2}, {10, 5}}), 5);
+  expect_certified(t, c);
+  const std::vector<Point> at = places(t, m, c);
+  const double step = c.length / static_cast<double>(at.size() - 1);
+  for (std::size_t i = 1; i < at.size(); ++i) EXPECT_LT(distance(at[i - 1], at[i]), 4 * step);
+}
+
+TEST(Make_bezier_curve, stops_at_a_tolerance_and_takes_coinciding_control_points) {
+  const meshes::Mesh m = meshes::grid(10, 10);
+  Exact t(m.input());
+  std::vector<Exact::vertex_descriptor> v;
+  for (const std::uint32_t i : numbers(m, cubic)) v.push_back(vertex_of_input(t, i));
+  const Curve c = IT::make_bezier_curve(t, v, IT::parameters::tolerance(0.1).maximum_rounds(20U));
+  EXPECT_EQ(c.status, IT::Status::done);
+  EXPECT_LT(c.rounds, 6U);
+  Exact u(m.input());
+  const Curve d = curve_of(u, numbers(m, {{0, 0}, {5, 5}, {5, 5}, {9, 1}}), 3);
+  expect_certified(u, d);
+  const std::vector<Point> at = places(u, m, d);
+  EXPECT_LT(distance(at[12], planar({{0, 0, 0}, {5, 5, 0}, {5, 5, 0}, {9, 1, 0}}, 0.5)),
+            midpoint_error);
+  EXPECT_THROW(curve_of(u, {0}, 3), std::invalid_argument);
+}
