@@ -68,12 +68,20 @@ struct Distance_field {
   double offset(std::uint32_t source) const {
     return source < vertices.size() ? vertices[source].distance : 0;
   }
+  /// returns the number of bytes held.
+  std::size_t bytes() const {
+    return table.corners.size() * sizeof(Face_corner) +
+           vertices.size() * (sizeof(Distance_and_arrival) + sizeof(std::uint32_t)) +
+           windows.bytes();
+  }
   /// returns the sources in a face.
   std::span<const std::uint32_t> sources_in_face(std::uint32_t face) const;
   /// returns a point of a face in the frame of another side of it.
   Planar_point in_frame(const Point_in_face& p, std::uint32_t side) const;
   /// returns the point of the face of a side with given weights of the source of the side, its target, and the apex.
   Point_in_face point(std::uint32_t side, const std::array<double, 3>& weights) const;
+  /// returns the weights of a point: of the source of its side, the target, and the apex.
+  std::array<double, 3> weights(const Point_in_face& p) const;
   /// finds the distance of a point of a face.
   Distance_and_arrival at(const Point_in_face& p) const;
 

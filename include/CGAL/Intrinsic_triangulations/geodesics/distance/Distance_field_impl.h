@@ -45,6 +45,14 @@ Distance_field::point(std::uint32_t side, const std::array<double, 3>& weights) 
           {weights[1] * face.base.length + weights[2] * face.apex.x, weights[2] * face.apex.y}};
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::array<double, 3>
+Distance_field::weights(const Point_in_face& p) const {
+  const Window_face face(table, p.side);
+  const double apex = face.apex.y > 0 ? p.point.y / face.apex.y : 0;
+  const double target = (p.point.x - apex * face.apex.x) / face.base.length;
+  return {1 - target - apex, target, apex};
+}
+
 // Through the windows of a side.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
 Distance_field::look_through(std::uint32_t side, Planar_point p, Distance_and_arrival& best) const {

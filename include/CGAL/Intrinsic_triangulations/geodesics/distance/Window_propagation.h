@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <span>
 #include <vector>
 
 /*!
@@ -44,9 +43,16 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 /// What stops a propagation early.
 struct Propagation_limits {
-  double radius = std::numeric_limits<double>::infinity(); ///< in scaled units
-  std::uint64_t windows = std::numeric_limits<std::uint64_t>::max();
-  std::vector<Point_in_face> targets; ///< if there are any, it stops once their distances are known
+  double radius = std::numeric_limits<double>::infinity();           ///< in scaled units
+  std::uint64_t windows = std::numeric_limits<std::uint64_t>::max(); ///< number to look through
+  std::vector<std::uint32_t>
+      vertices; ///< targets: if there are any, it stops once their distances are known
+  std::vector<Point_in_face> points; ///< targets, too
+
+  /// adds a vertex to the targets.
+  void add_target(std::uint32_t v) { vertices.push_back(v); }
+  /// adds a point in a face to the targets.
+  void add_target(const Point_in_face& p) { points.push_back(p); }
 };
 
 /*!
@@ -75,7 +81,8 @@ private:
   // The nearest window of a side that shows the far corner.
   struct Split {
     double distance = std::numeric_limits<double>::infinity();
-    double crossing = 0; // of its line to the corner and the side
+    double crossing =
+        std::numeric_limits<double>::infinity(); // of its line to the corner and the side
   };
   // A face around a vertex, and what of its angle is meant.
   struct Wedge {
@@ -96,7 +103,7 @@ private:
   unsigned split(const Window& w, Window& left, Window& right);
   void show_apex(const Window& w, const Window_face& face, const Apex_view& apex, bool& left,
                  bool& right);
-  bool knows(std::span<const Point_in_face> targets) const;
+  bool knows_targets(const Propagation_limits& limits) const;
 
   Distance_field& field_;
   const Corner_table& table_;

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
-#include <span>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -194,25 +193,25 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_window(const W
   if (key <= radius_ && !is_useless(w)) queue_.push_window(key, w);
 }
 
-// A window shows the far corner. Decides to which sides it goes on. Windows that are the same up to rounding, as on both hands of
-// a flat vertex, do not compete: each goes on to the side where most of it is.
+// A window shows the far corner. Decides to which sides it goes on. Where its line to the corner is the same as that of the
+// nearest, none of the two crosses paths of the other: it goes on to the sides where more of it is than rounding makes.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::show_apex(const Window& w,
                                                                         const Window_face& face,
                                                                         const Apex_view& apex,
                                                                         bool& left, bool& right) {
   Split& nearest = split_[w.side];
   const double distance = w.offset + apex.distance;
+  const bool is_nearest = distance < nearest.distance;
   reach(face.left.origin, distance, {w.image, w.side, w.source, Arrival::Kind::straight});
-  const bool is_same = std::abs(apex.crossing - nearest.crossing) <= apex.tolerance &&
-                       std::abs(distance - nearest.distance) <= 0x1p-40 * distance;
-  if (is_same) {
-    left = !apex.is_near_begin;
-    right = !apex.is_near_end;
-  } else if (distance >= nearest.distance) {
+  if (std::abs(apex.crossing - nearest.crossing) <= apex.tolerance) {
+    const bool is_thin = apex.is_near_begin && apex.is_near_end;
+    left = is_thin ? is_nearest : !apex.is_near_begin;
+    right = is_thin ? is_nearest : !apex.is_near_end;
+  } else if (!is_nearest) {
     left = apex.crossing < nearest.crossing;
     right = !left;
   }
-  if (distance < nearest.distance) nearest = {distance, apex.crossing};
+  if (is_nearest) nearest = {distance, apex.crossing};
 }
 
 // What a window shows of the other sides of its face: bit 0 is set if there is something on the left, bit 1 on the right.
@@ -258,11 +257,13 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::look_through(Windo
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
-Window_propagation::knows(std::span<const Point_in_face> targets) const {
-  return !targets.empty() &&
-         std::all_of(targets.begin(), targets.end(), [this](const Point_in_face& p) {
-           return field_.at(p).distance <= queue_.least();
-         });
+Window_propagation::knows_targets(const Propagation_limits& limits) const {
+  if (limits.vertices.empty() && limits.points.empty()) return false;
+  const double least = queue_.least();
+  return std::all_of(limits.vertices.begin(), limits.vertices.end(),
+                     [&](std::uint32_t v) { return field_.vertices[v].distance <= least; }) &&
+         std::all_of(limits.points.begin(), limits.points.end(),
+                     [&](const Point_in_face& p) { return field_.at(p).distance <= least; });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Window_propagation::run(
@@ -272,7 +273,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Window_propagation::run(
   Window w;
   std::uint32_t v = 0;
   for (std::uint64_t step = 1; !queue_.is_empty(); ++step) {
-    const bool is_known = step % 1024 == 0 && knows(limits.targets);
+    const bool is_known = step % 1024 == 0 && knows_targets(limits);
     const bool is_cap = count_ >= limits.windows;
     if (is_known || is_cap || (step % 65536 == 0 && !progress(count_, queue_.least()))) {
       field_.radius = std::min(limits.radius, queue_.least());
