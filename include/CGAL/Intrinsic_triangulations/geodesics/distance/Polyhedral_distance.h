@@ -61,8 +61,8 @@ struct Polyhedral_distance_visitor {
 
 Distances are those on the surface, along shortest paths through faces and across edges: nothing is discretized, errors are those of
 rounding. The triangulation is read once, in doubles: only lengths and areas count, so that it need not lie in
-space. Any Delta-complex will do, with or without border; a shortest path may run along the border. The distances do not depend on the
-triangulation of a surface, but the effort does: where triangles are needles, flip to Delaunay first.
+space. Any Delta-complex will do, with or without border; a shortest path may run along the border. The distances do
+not depend on the triangulation of a surface; the effort does.
 
 The search is that of Chen and Han (1990), by distance and pruned as by Xin and Wang (2009): intervals of edges that a source
 sees, *windows*, spread over the faces, 32 bytes each.

@@ -99,6 +99,7 @@ private:
   double find_arrival(std::uint32_t v, std::size_t& index) const;
   bool is_useless(const Window& w) const;
   void add_window(const Window& w);
+  void part_at_sources(Window& w);
   void look_through(Window w);
   unsigned split(const Window& w, Window& left, Window& right);
   void show_apex(const Window& w, const Window_face& face, const Apex_view& apex, bool& left,

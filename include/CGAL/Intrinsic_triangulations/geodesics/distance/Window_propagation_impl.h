@@ -237,11 +237,26 @@ Window_propagation::split(const Window& w, Window& left, Window& right) {
   return result;
 }
 
+// Parts a window by the ray through a source in its face, as a vertex there would do: what it shows is as empty of sources as
+// of vertices.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::part_at_sources(Window& w) {
+  for (const std::uint32_t s : field_.sources_in_face(w.side / 3)) {
+    const Planar_point p = field_.in_frame(field_.face_sources[s], w.side);
+    const double cut = w.image.x - (p.x - w.image.x) * (w.image.y / (p.y - w.image.y));
+    if (!(cut > w.begin && cut < w.end)) continue;
+    Window right = w;
+    right.begin = w.end = cut;
+    right.begin_distance = w.end_distance = planar_distance(w.image, {cut, 0});
+    add_window(right);
+  }
+}
+
 // Looks through a window, and through what it shows as long as nothing is nearer.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::look_through(Window w) {
   Window left, right;
   while (!is_useless(w)) {
     ++count_;
+    if (!field_.face_sources.empty()) part_at_sources(w);
     field_.windows.add(w, table_.corners[w.side].length);
     const unsigned shown = split(w, left, right);
     if (shown == 0) return;
