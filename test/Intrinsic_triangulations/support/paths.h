@@ -55,13 +55,21 @@ std::vector<Weights> seen_from(const Triangulation& t,
   return result;
 }
 
-/// The distance in the plane of points of a face with given weights: |x|^2 = - sum L_ij x_i x_j of differences x.
+/// The distance in the plane of points of a face with given weights; laid out along its longest side, as that is accurate in
+/// needles.
 template <class Triangulation>
 double distance_in_face(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
-                        const Weights& p, const Weights& q) {
+                        Weights p, Weights q) {
   const auto& mesh = t.mesh();
-  const double a = t.length(edge(h, mesh)), b = t.length(edge(next(h, mesh), mesh)),
-               c = t.length(edge(next(next(h, mesh), mesh), mesh));
+  const auto length = [&](typename Triangulation::halfedge_descriptor g) {
+    return t.length(edge(g, mesh));
+  };
+  while (length(h) < length(next(h, mesh)) || length(h) < length(next(next(h, mesh), mesh))) {
+    h = next(h, mesh);
+    std::rotate(p.begin(), p.begin() + 1, p.end());
+    std::rotate(q.begin(), q.begin() + 1, q.end());
+  }
+  const double a = length(h), b = length(next(h, mesh)), c = length(next(next(h, mesh), mesh));
   const double x = ((a - b) * (a + b) + c * c) / (2 * a), y = 2 * t.area(face(h, mesh)) / a;
   return std::hypot((p[1] - q[1]) * a + (p[2] - q[2]) * x, (p[2] - q[2]) * y);
 }

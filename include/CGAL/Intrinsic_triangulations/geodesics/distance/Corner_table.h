@@ -10,6 +10,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -94,9 +95,9 @@ inline std::pair<double, double> corner_direction(double left, double right, dou
 template <NumberedTriangulation Triangulation>
 void write_corners(const Triangulation& t, typename Triangulation::face_descriptor f,
                    const std::vector<std::uint32_t>& corner_of_halfedge, Corner_table& table) {
-  const auto values = accurate_values(t, f);
-  const auto& l = values.squared_lengths;
-  auto h = halfedge(f, t.mesh());
+  const Face_values<double> values = accurate_values(t, f);
+  const std::array<double, 3>& l = values.squared_lengths;
+  typename Triangulation::halfedge_descriptor h = halfedge(f, t.mesh());
   for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh())) {
     const auto [cosine, sine] =
         corner_direction(l[k], l[(k + 2) % 3], l[(k + 1) % 3], values.quadruple_area);
@@ -110,13 +111,14 @@ void write_corners(const Triangulation& t, typename Triangulation::face_descript
 // Reads a triangulation once: nothing else asks it for numbers.
 template <NumberedTriangulation Triangulation>
 Corner_table corner_table(const Triangulation& t) {
-  const auto& mesh = t.mesh();
+  const typename Triangulation::Mesh& mesh = t.mesh();
   std::vector<std::uint32_t> corner_of_halfedge(2 * std::size_t{t.numbers().edge_capacity(mesh)},
                                                 Gluing::none);
   std::uint32_t vertex_bound = 0;
-  for (const auto v : vertices(mesh)) vertex_bound = std::max(vertex_bound, t.index(v) + 1);
-  for (const auto f : faces(mesh)) {
-    auto h = halfedge(f, mesh);
+  for (const typename Triangulation::vertex_descriptor v : vertices(mesh))
+    vertex_bound = std::max(vertex_bound, t.index(v) + 1);
+  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
+    typename Triangulation::halfedge_descriptor h = halfedge(f, mesh);
     for (std::uint32_t k = 0; k < 3; ++k, h = next(h, mesh))
       corner_of_halfedge[t.numbers().halfedge(h)] = 3 * t.index(f) + k;
   }
@@ -124,7 +126,8 @@ Corner_table corner_table(const Triangulation& t) {
   table.unit = std::ldexp(1.0, -t.metric().scale_exponent());
   table.corners.resize(3 * std::size_t{t.numbers().face_capacity(mesh)});
   table.first_corner.assign(vertex_bound, Gluing::none);
-  for (const auto f : faces(mesh)) write_corners(t, f, corner_of_halfedge, table);
+  for (const typename Triangulation::face_descriptor f : faces(mesh))
+    write_corners(t, f, corner_of_halfedge, table);
   table.find_fans();
   return table;
 }

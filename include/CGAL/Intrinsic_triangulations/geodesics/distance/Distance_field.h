@@ -19,10 +19,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-/// A point of a face: the side whose frame is used, and the place there.
+/// A point of a face.
 struct Point_in_face {
-  std::uint32_t side; ///< a corner
-  Planar_point point; ///< in the frame of the side
+  std::uint32_t side;            ///< a corner
+  Planar_point point;            ///< in the frame of the side
+  std::array<double, 3> weights; ///< of the source of the side, its target, and the apex
 };
 
 /// How the last piece of a shortest path comes to a point.
@@ -76,12 +77,10 @@ struct Distance_field {
   }
   /// returns the sources in a face.
   std::span<const std::uint32_t> sources_in_face(std::uint32_t face) const;
-  /// returns a point of a face in the frame of another side of it.
-  Planar_point in_frame(const Point_in_face& p, std::uint32_t side) const;
+  /// returns a point in the frame of a side in that of another side of the face.
+  Planar_point turned_to(std::uint32_t side, Planar_point p, std::uint32_t from) const;
   /// returns the point of the face of a side with given weights of the source of the side, its target, and the apex.
   Point_in_face point(std::uint32_t side, const std::array<double, 3>& weights) const;
-  /// returns the weights of a point: of the source of its side, the target, and the apex.
-  std::array<double, 3> weights(const Point_in_face& p) const;
   /// finds the distance of a point of a face.
   Distance_and_arrival at(const Point_in_face& p) const;
 

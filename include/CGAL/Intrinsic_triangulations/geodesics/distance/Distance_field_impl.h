@@ -25,32 +25,23 @@ Distance_field::sources_in_face(std::uint32_t face) const {
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Planar_point
-Distance_field::in_frame(const Point_in_face& p, std::uint32_t side) const {
-  Planar_point q = p.point;
-  for (std::uint32_t s = p.side; s != side;) {
-    const std::uint32_t n = Corner_table::next(s);
-    // turned about the target of s, where n starts
-    const Face_corner& c = table.corners[n];
-    const Planar_point back = turned({table.corners[s].length - q.x, q.y}, c);
-    q = {back.x, -back.y};
-    s = n;
+Distance_field::turned_to(std::uint32_t side, Planar_point p, std::uint32_t from) const {
+  while (from != side) {
+    const std::uint32_t n = Corner_table::next(from);
+    // seen in the mirror, and turned about the target, where n starts
+    const Planar_point back = turned({table.corners[from].length - p.x, p.y}, table.corners[n]);
+    p = {back.x, -back.y};
+    from = n;
   }
-  return q;
+  return p;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Point_in_face
 Distance_field::point(std::uint32_t side, const std::array<double, 3>& weights) const {
   const Window_face face(table, side);
   return {side,
-          {weights[1] * face.base.length + weights[2] * face.apex.x, weights[2] * face.apex.y}};
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::array<double, 3>
-Distance_field::weights(const Point_in_face& p) const {
-  const Window_face face(table, p.side);
-  const double apex = face.apex.y > 0 ? p.point.y / face.apex.y : 0;
-  const double target = (p.point.x - apex * face.apex.x) / face.base.length;
-  return {1 - target - apex, target, apex};
+          {weights[1] * face.base.length + weights[2] * face.apex.x, weights[2] * face.apex.y},
+          weights};
 }
 
 // Through the windows of a side.
@@ -82,13 +73,14 @@ Distance_field::at(const Point_in_face& p) const {
   Distance_and_arrival best;
   const std::uint32_t face = p.side / 3;
   for (const std::uint32_t s : sources_in_face(face)) {
-    const Planar_point q = in_frame(face_sources[s], p.side);
+    const Point_in_face& source = face_sources[s];
+    const Planar_point q = turned_to(p.side, source.point, source.side);
     const double distance = planar_distance(q, p.point);
     const auto number = static_cast<std::uint32_t>(vertices.size() + s);
     if (distance < best.distance) best = {distance, {q, p.side, number, Arrival::Kind::straight}};
   }
   for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
-    const Planar_point q = in_frame(p, side);
+    const Planar_point q = turned_to(side, p.point, p.side);
     go_to_corner(side, q, best);
     look_through(side, q, best);
   }

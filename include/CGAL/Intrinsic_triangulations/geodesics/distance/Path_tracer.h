@@ -37,8 +37,8 @@ public:
   explicit Path_tracer(const Distance_field& field) : field_(field), table_(field.table) {}
   /// follows the path from a vertex.
   Status trace(std::uint32_t v);
-  /// follows the path from a point in a face, given as its place, too.
-  Status trace(const Point_in_face& p, const Path_place& place);
+  /// follows the path from a point in a face.
+  Status trace(const Point_in_face& p);
   /// returns the path from the point to the source: every piece lies in the face of the place where it ends.
   const std::vector<Path_place>& places() const { return places_; }
 

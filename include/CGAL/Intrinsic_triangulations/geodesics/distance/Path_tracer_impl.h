@@ -32,12 +32,11 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::trace(std::uint32_t v) 
   return follow(move_to(corner), {0, 0});
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::trace(const Point_in_face& p,
-                                                               const Path_place& place) {
-  places_ = {place};
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::trace(const Point_in_face& p) {
+  places_ = {{p.side, p.weights}};
   const Arrival a = field_.at(p).arrival;
   if (a.kind == Arrival::Kind::none) return Status::stalled;
-  return follow(a, field_.in_frame(p, a.side));
+  return follow(a, field_.turned_to(a.side, p.point, p.side));
 }
 
 // Goes on piece by piece; the first may come from a point in a face.
@@ -73,9 +72,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Path_tracer::arrive(const Ray& ray, St
   }
   const Point_in_face& source = field_.face_sources[ray.source - vertices];
   if (source.side / 3 != ray.side / 3) return false;
-  if (!(planar_distance(field_.in_frame(source, ray.side), ray.image) <= near)) return false;
+  const Planar_point place = field_.turned_to(ray.side, source.point, source.side);
+  if (!(planar_distance(place, ray.image) <= near)) return false;
   step = Step::at_source;
-  places_.push_back({source.side, field_.weights(source)});
+  places_.push_back({source.side, source.weights});
   return true;
 }
 
@@ -84,7 +84,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Path_tracer::arrive_at_corner(const Ra
   std::uint32_t corner = Gluing::none;
   for (std::uint32_t c = ray.side - ray.side % 3, end = c + 3; c < end; ++c) {
     if (table_.corners[c].origin != ray.source) continue;
-    const double distance = planar_distance(field_.in_frame({c, {0, 0}}, ray.side), ray.image);
+    const double distance = planar_distance(field_.turned_to(ray.side, {0, 0}, c), ray.image);
     if (distance <= nearest) {
       nearest = distance;
       corner = c;
@@ -104,8 +104,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Path_tracer::passes(const Ray& ray,
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Path_tracer::turn_to(Ray& ray, std::uint32_t side) const {
-  ray.from = field_.in_frame({ray.side, ray.from}, side);
-  ray.image = field_.in_frame({ray.side, ray.image}, side);
+  ray.from = field_.turned_to(side, ray.from, ray.side);
+  ray.image = field_.turned_to(side, ray.image, ray.side);
   ray.side = side;
 }
 

@@ -85,11 +85,12 @@ public:
     - `maximum_distance(d)`: how far to look, in the units of the input. Default: as far as there are faces.
     - `targets(p)`: a vertex, a `Surface_point`, or a range of either: the search stops once their distances are known. Default:
       none, it goes everywhere.
-    - `maximum_number(n)`: cap on the number of windows, which ends the search where triangles are so thin that rounding hides
-      which paths are shorter. Default: 500 per halfedge and 4 million.
+    - `maximum_number(n)`: cap on the number of windows, which ends the search on bodies so thin that rounding hides which
+      paths are shorter. Default: 500 per halfedge and 4 million.
     - `visitor(v)`: see `Polyhedral_distance_visitor`
   \pre points are in faces, and their weights are not negative
-  \complexity O(n^2 log n) for n faces (Chen and Han; Xin and Wang); about n^1.5 in practice. Memory: 32 bytes per window, 6 to
+  \complexity O(n^2 log n) for n faces that shortest paths cross once, as they do in space (Chen and Han; Xin and Wang); about
+    n^1.5 in practice. Memory: 32 bytes per window, 6 to
     12 windows per halfedge as a rule, and 40 bytes per halfedge
   */
   template <class Sources, NamedParameters NP = parameters::Parameters<>>
@@ -153,27 +154,29 @@ public:
     internal::Path_tracer tracer(field_);
     const double length = distance(p);
     if (!std::isfinite(length)) return {Status::stalled, {}, length};
-    return path(tracer.trace(point_in_face(p), {side_of(p.halfedge), p.weights}), tracer, length);
+    return path(tracer.trace(point_in_face(p)), tracer, length);
   }
 
 private:
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+
   double known(double scaled_distance) const {
     return scaled_distance <= field_.radius ? scaled_distance * field_.table.unit
                                             : std::numeric_limits<double>::infinity();
   }
 
   std::uint32_t side_of(std::uint32_t halfedge_number) const {
-    const auto& mesh = t_->mesh();
-    const auto h = t_->numbers().halfedge_at(halfedge_number);
+    const typename Triangulation::Mesh& mesh = t_->mesh();
+    const Halfedge h = t_->numbers().halfedge_at(halfedge_number);
     CGAL_precondition(face(h, mesh) !=
                       boost::graph_traits<typename Triangulation::Mesh>::null_face());
     std::uint32_t k = 0;
-    for (auto g = halfedge(face(h, mesh), mesh); g != h; g = next(g, mesh)) ++k;
+    for (Halfedge g = halfedge(face(h, mesh), mesh); g != h; g = next(g, mesh)) ++k;
     return 3 * t_->index(face(h, mesh)) + k;
   }
   std::uint32_t halfedge_of(std::uint32_t side) const {
-    const auto& mesh = t_->mesh();
-    auto h = halfedge(t_->numbers().face_at(side / 3), mesh);
+    const typename Triangulation::Mesh& mesh = t_->mesh();
+    Halfedge h = halfedge(t_->numbers().face_at(side / 3), mesh);
     for (std::uint32_t k = 0; k < side % 3; ++k) h = next(h, mesh);
     return t_->numbers().halfedge(h);
   }

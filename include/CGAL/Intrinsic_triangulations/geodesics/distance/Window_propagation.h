@@ -34,6 +34,11 @@ layout of the faces before it: they hold on any Delta-complex, also where a shor
 **The order.** The queue gives windows by their least distance, which a part of a window never undercuts. So
 when a vertex comes its distance is final.
 
+**It ends.** Windows are useless that are farther than all vertices and an edge; nearer ones are finitely many, as a straight line
+turns by less than half a turn around each vertex that it passes, and the next is some way off. With rounding
+a cap on their number stands in for the proof: on a body a million times as long as thick those that wind around it are hardly
+longer than those that do not.
+
 **Rounding.** Comparisons are tolerant in the direction that keeps windows. A window drawn to a corner shows it if that lies off
 its rays by rounding; no corner is lost between two windows so, at an error of second order. Distances never come from
 comparisons, they are lengths of segments.

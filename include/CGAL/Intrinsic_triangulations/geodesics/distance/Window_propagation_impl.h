@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -37,7 +38,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_source(const P
                                 static_cast<std::uint32_t>(field_.face_sources.size()));
   field_.face_sources.push_back(p);
   for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
-    const Planar_point q = field_.in_frame(p, side);
+    const Planar_point q = field_.turned_to(side, p.point, p.side);
     const Face_corner& c = table_.corners[side];
     const Window_face f(table_, side);
     reach(f.left.origin, planar_distance(q, f.apex), {q, side, source, Arrival::Kind::straight});
@@ -241,7 +242,8 @@ Window_propagation::split(const Window& w, Window& left, Window& right) {
 // of vertices.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::part_at_sources(Window& w) {
   for (const std::uint32_t s : field_.sources_in_face(w.side / 3)) {
-    const Planar_point p = field_.in_frame(field_.face_sources[s], w.side);
+    const Point_in_face& source = field_.face_sources[s];
+    const Planar_point p = field_.turned_to(w.side, source.point, source.side);
     const double cut = w.image.x - (p.x - w.image.x) * (w.image.y / (p.y - w.image.y));
     if (!(cut > w.begin && cut < w.end)) continue;
     Window right = w;
@@ -285,11 +287,13 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Window_propagation::run(
     const Propagation_limits& limits, const std::function<bool(std::uint64_t, double)>& progress) {
   radius_ = limits.radius;
   field_.radius = limits.radius;
+  const std::uint64_t most_windows =
+      std::min<std::uint64_t>(limits.windows, std::numeric_limits<std::uint32_t>::max() - 1);
   Window w;
   std::uint32_t v = 0;
   for (std::uint64_t step = 1; !queue_.is_empty(); ++step) {
     const bool is_known = step % 1024 == 0 && knows_targets(limits);
-    const bool is_cap = count_ >= limits.windows;
+    const bool is_cap = count_ >= most_windows;
     if (is_known || is_cap || (step % 65536 == 0 && !progress(count_, queue_.least()))) {
       field_.radius = std::min(limits.radius, queue_.least());
       return is_known ? Status::done : is_cap ? Status::cap : Status::cancelled;
