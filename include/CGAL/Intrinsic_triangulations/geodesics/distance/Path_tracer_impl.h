@@ -128,8 +128,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Path_tracer::Step Path_tracer::cross(Ray& r
   const Face_corner& side = table_.corners[ray.side];
   const double down = ray.from.y - ray.image.y;
   if (side.opposite == Gluing::none || !(down > 0)) return Step::lost;
-  const double x =
-      std::clamp(ray.from.x + (ray.image.x - ray.from.x) * (ray.from.y / down), 0.0, side.length);
+  // a source on the side itself is met there, at whatever angle
+  const double part = -ray.image.y <= ray.tolerance ? 1 : ray.from.y / down;
+  const double x = std::clamp(ray.from.x + (ray.image.x - ray.from.x) * part, 0.0, side.length);
   places_.push_back({ray.side, {1 - x / side.length, x / side.length, 0}});
   ray = {side.opposite,
          {side.length - x, 0},
