@@ -25,7 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is the way of a curve over the input.
 */
 struct Traced_curve {
-  /// `done`, or `not_traceable` and there is nothing else.
+  /// `done`; `not_traceable` and there is nothing else; or `inaccurate`: a vertex may be on the wrong side of it. Not `done` only with
+  /// `Signposts`.
   Status status = Status::done;
   /// Its start, the points where it crosses or meets edges and vertices of the input, its joints, and its end: the start again
   /// if it is a loop.
@@ -60,10 +61,8 @@ template <class Triangulation>
 void append_edge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
                  Traced_curve& curve) {
   const Edge_path path = trace_edge(t, edge(h, t.mesh()));
-  if (path.status != Status::done) {
-    curve.status = path.status;
-    return;
-  }
+  if (path.status != Status::done) curve.status = path.status;
+  if (path.points.empty()) return;
   const auto& input = t.correspondence().input();
   const std::size_t n = path.points.size();
   const bool is_forward = t.numbers().halfedge(h) % 2 == 0;
@@ -93,7 +92,7 @@ Traced_curve trace_curve(const Triangulation& t, const HalfedgeRange& halfedges)
   Traced_curve curve;
   for (const typename Triangulation::halfedge_descriptor h : halfedges) {
     internal::append_edge(t, h, curve);
-    if (curve.status != Status::done) return {curve.status, {}, {}, 0};
+    if (curve.status == Status::not_traceable) return {curve.status, {}, {}, 0};
   }
   return curve;
 }
