@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Says which links lead nowhere, without a network.
 
-    check_links.py                 # links in the .md files of the repository, as a git host shows them
+    check_links.py                 # links in the .md files of the repository, as a git host shows them; and code
+                                   # that pages quote by a command of doxygen's, which a git host does not show
     check_links.py --html FOLDER   # those of generated pages: files, images, scripts, anchors; trees and search
 """
 
@@ -26,6 +27,7 @@ INDENTED = re.compile(r"(?<=\n\n)((?: {4}|\t).*\n)+")
 MARKDOWN_LINK = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\])*\]\(\s*<?([^)\s>]*)>?(?:\s+\"[^\"]*\")?\s*\)")
 MARKDOWN_REFERENCE = re.compile(r"^\[[^\]]+\]:\s*(\S+)", re.MULTILINE)
 HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*#*$", re.MULTILINE)
+QUOTED_CODE = re.compile(r"^(\\snippet .*)$", re.MULTILINE)
 DOXYGEN_LABEL = re.compile(r"\s*\{#[\w-]+\}$")
 
 
@@ -85,7 +87,8 @@ class Markdown:
                 number += 1
             anchors.add(anchor)
         text = CODE.sub("", INDENTED.sub("", text))
-        return MARKDOWN_LINK.findall(text) + MARKDOWN_REFERENCE.findall(text), anchors
+        links = MARKDOWN_LINK.findall(text) + MARKDOWN_REFERENCE.findall(text)
+        return links + QUOTED_CODE.findall(text), anchors
 
 
 class Checker:
@@ -95,6 +98,8 @@ class Checker:
 
     def defect(self, file, link):
         """Why a link of a file leads nowhere, or None."""
+        if QUOTED_CODE.match(link):
+            return "no link: write [name.cpp: part](path/name.cpp), see doc/page_text.awk"
         parts = urllib.parse.urlsplit(link)
         if parts.scheme in DYNAMIC:
             return None

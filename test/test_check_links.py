@@ -46,6 +46,11 @@ class Links(unittest.TestCase):
         self.assert_one(self.html('<a href="#gone">x</a>'), "no such anchor")
         self.assert_one(self.html('<a href="next.html#gone">x</a>', next=""), "no such anchor")
 
+    def test_code_that_a_git_host_does_not_show(self):
+        self.assert_one(self.markdown("\\snippet a.cpp part\n"), "no link", "[name.cpp: part]")
+        self.assert_one(self.markdown("[gone.cpp: part](gone.cpp)\n"), "no such file")
+        self.assertEqual([], self.markdown("    \\snippet a.cpp part\n`\\snippet`\n"))
+
     def test_a_link_without_target(self):
         self.assert_one(self.html('<a href="">x</a>'), "empty")
 

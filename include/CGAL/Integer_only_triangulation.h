@@ -37,6 +37,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -293,11 +294,15 @@ private:
       sides.push_back(number_.halfedge(ij));
       return midpoints(geometry_.face_values(View(*this), correspondence_, sides.back()));
     });
-    return internal::compare_wedge_to_pi(wedge, [&](std::span<const Indexed_face> faces,
-                                                    const auto& expression) {
-      const auto first = faces.data() - wedge.faces.data();
-      return geometry_.sign(View(*this), correspondence_,
-                            std::span(sides).subspan(static_cast<std::size_t>(first), faces.size()),
+    const View view(*this);
+    return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
+      using Expression = std::decay_t<decltype(expression)>;
+      const auto first = static_cast<std::size_t>(faces.data() - wedge.faces.data());
+      if constexpr (std::is_same_v<Expression, Wedge_sine_expression>)
+        if (faces.size() == 2)
+          return geometry_.sign(view, correspondence_, sides[first],
+                                Convexity_at_source_expression(), statistics_);
+      return geometry_.sign(view, correspondence_, std::span(sides).subspan(first, faces.size()),
                             expression, statistics_);
     });
   }

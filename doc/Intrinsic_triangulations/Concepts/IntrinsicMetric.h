@@ -39,6 +39,8 @@ its value.
 | \itf{is_delaunay} | `is_locally_delaunay` |
 | \itf{check_delaunay}, `delaunay_sign()`, `flip_status()` | `sign` of a diamond |
 | `flip_edge()` | also `compute_flip`, `store_flip` |
+| `undo_flip()`, \itc{Flip_log} | also `before_flip`, `undo_flip`, `forget_flip` |
+| `compare_angle_to_pi()` | also `sign` of faces, `approximate_squared_length`, `approximate_quadruple_area` |
 | `squared_length()` and `area()` of the triangulation | `approximate_squared_length`, `approximate_quadruple_area`, `scale_exponent` |
 | `insert_vertex()`, `remove_vertex()` | also `compute_flip_to_zero_area`, and what \ref ::RefinableMetric adds |
 | \itf{delaunay_refine} | also `sign` of faces |

@@ -12,6 +12,8 @@ namespace program {
 void run_delaunay(const Options& options);
 /// does the same, and takes functions from one triangulation to the other.
 void run_transfer(const Options& options);
+/// makes curves geodesic, refines with them as constraints if that is asked for, and writes what is asked for.
+void run_geodesic(const Options& options);
 /// describes a mesh or an intrinsic triangulation, as it is.
 void run_info(const Options& options);
 /// becomes the program `intrinsic-study`. \throws std::runtime_error if that is not found

@@ -18,7 +18,7 @@ namespace program {
 
 /// Edges of the input that are never flipped.
 struct Constraints {
-  IT::Gluing_map mesh;              ///< the mesh as it was read; empty if no edge is constrained
+  IT::Gluing_map mesh;              ///< the mesh as it was read; empty if nothing refers to it
   std::vector<char> is_constrained; ///< per edge of it
   std::size_t count = 0;
 };

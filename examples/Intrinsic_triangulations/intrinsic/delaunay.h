@@ -30,6 +30,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -74,15 +75,29 @@ inline double area(const IT::Common_subdivision& s, const std::vector<Point>& po
   return static_cast<double>(sum);
 }
 
+/// The common subdivision and where its vertices are.
+struct Drawn_subdivision {
+  IT::Common_subdivision s;
+  std::vector<Point> points;
+};
+
+/// extracts the common subdivision to be drawn, and reports it. \throws std::runtime_error
+template <class Triangulation>
+Drawn_subdivision drawn_subdivision(const Loaded<Triangulation>& loaded, const Options& options,
+                                    Json& json) {
+  IT::Common_subdivision s = subdivide(loaded, options, json);
+  IT::label_with_polygons(s, loaded.polygon_of_triangle);
+  std::vector<Point> points = IT::positions(s, input_points(loaded));
+  json["subdivision"]["area"] = area(s, points);
+  return {std::move(s), std::move(points)};
+}
+
 /// writes the common subdivision, what interpolates there, and the page that shows it.
 template <class Triangulation>
 void write_subdivision(const Loaded<Triangulation>& loaded, const Options& options, Json& json,
                        Output_files& files, Progress& progress, Stopwatch& watch) {
   progress.show("subdividing");
-  IT::Common_subdivision s = subdivide(loaded, options, json);
-  IT::label_with_polygons(s, loaded.polygon_of_triangle);
-  const std::vector<Point> points = IT::positions(s, input_points(loaded));
-  json["subdivision"]["area"] = area(s, points);
+  const auto [s, points] = drawn_subdivision(loaded, options, json);
   if constexpr (!Triangulation::Metric::is_exact)
     expect_covered(json["area"]["input"], json["subdivision"]["area"], options);
   json["seconds"]["subdivide"] = watch.lap();
@@ -103,7 +118,7 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
                  files);
   if (!options.view.empty())
     files.write(options.view,
-                [&](std::ostream& out) { write_view(out, s, points, options, json); });
+                [&](std::ostream& out) { write_view(out, s, points, options, json, {}); });
 }
 
 /// flips to Delaunay unless told not to, refines if that is asked for, and measures.

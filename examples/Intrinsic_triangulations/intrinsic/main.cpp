@@ -93,6 +93,21 @@ void add_transfer(CLI::App& app, Options& options, Command& chosen) {
   command.callback([&chosen] { chosen = program::run_transfer; });
 }
 
+void add_geodesic(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "geodesic", "make curves on the surface geodesic: paths, loops, networks");
+  program::add_common_options(command, options);
+  program::add_curve_options(command, options);
+  program::add_metric_option(command, options);
+  program::add_curve_output_options(command, options);
+  CLI::Option* const refine = command.add_flag(
+      "--refine", options.refines,
+      "then flip to Delaunay and refine, as the command refine does; curves are kept");
+  program::add_refinement_options(command, options);
+  program::make_refinement_options_need(*refine, command);
+  command.callback([&chosen] { chosen = program::run_geodesic; });
+}
+
 void add_info(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
       "info", "describe a mesh or an intrinsic triangulation as it is, and tell "
@@ -126,20 +141,24 @@ int run(int argc, char** argv) {
   add_refine(app, options, chosen);
   add_laplacian(app, options, chosen);
   add_transfer(app, options, chosen);
+  add_geodesic(app, options, chosen);
   add_info(app, options, chosen);
   add_study(app, options, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
-      std::cerr << "intrinsic: there is no command \""
-                << program::legible(argv[1], program::longest_argument)
-                << "\"; use delaunay, refine, laplacian, transfer, info or study, or --help\n";
+      std::cerr
+          << "intrinsic: there is no command \""
+          << program::legible(argv[1], program::longest_argument)
+          << "\"; use delaunay, refine, laplacian, transfer, geodesic, info or study, or --help\n";
       return program::misused;
     }
     return app.exit(e) == 0 ? 0 : program::misused;
   }
-  if (const std::string misuse = program::misuse(options); !misuse.empty()) {
+  std::string misuse = program::misuse(options);
+  if (misuse.empty() && chosen == program::run_geodesic) misuse = program::geodesic_misuse(options);
+  if (!misuse.empty()) {
     std::cerr << "intrinsic: " << misuse << '\n';
     return program::misused;
   }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "option_groups.h"
+#include "geodesic/asked_curves.h"
+
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +30,25 @@ CLI::Validator triangulation_or_mesh() {
       "FILE");
 }
 
+CLI::Validator curve_file() {
+  return CLI::Validator(
+      [](std::string& path) {
+        const std::string extension = std::filesystem::path(path).extension().string();
+        return IT::is_polyline_extension(extension) ||
+                       IT::is_common_subdivision_extension(extension) || extension == ".idt"
+                   ? std::string()
+                   : path + ": the format is not offered; write curves to .vtp, .obj or .ply, with "
+                            "--subdivision the common subdivision to .ply, .obj, .off, .stl or "
+                            ".vtp, or the intrinsic triangulation to .idt";
+      },
+      "FILE");
+}
+
+CLI::Validator curve_points(std::size_t least) {
+  return CLI::Validator([least](std::string& text) { return curve_points_misuse(text, least); },
+                        "POINTS");
+}
+
 // what means nothing without refinement
 constexpr std::array refinement_options{"min-angle", "max-circumradius", "max-edge-length",
                                         "size",      "max-insertions",   "order",
@@ -49,6 +71,18 @@ bool lacks_correspondence(const Options& o) {
 
 bool has_other_correspondence(const Options& o) {
   return o.adaptive.is_asked_for && !o.correspondence.empty() && o.correspondence != "integer";
+}
+
+// What is wrong with the file of curves.
+std::string curve_output_misuse(const Options& o) {
+  const std::string extension = std::filesystem::path(o.output).extension().string();
+  const bool is_subdivision = o.geodesic.writes_subdivision;
+  if (is_subdivision && !is_mesh_output(o))
+    return "--subdivision needs -o with .ply, .obj, .off, .stl or .vtp";
+  if (!is_subdivision && is_mesh_output(o) && !IT::is_polyline_extension(extension))
+    return "curves cannot be written to " + extension +
+           "; write .vtp, .obj or .ply, or the common subdivision with --subdivision";
+  return {};
 }
 
 } // namespace
@@ -208,10 +242,70 @@ void add_correspondence_options(CLI::App& command, Options& options) {
       ->type_name("FILE");
 }
 
+void add_curve_options(CLI::App& command, Options& options) {
+  Geodesic_options& g = options.geodesic;
+  const auto list = [&](const char* name, std::vector<std::string>& all, std::size_t least,
+                        const char* what) {
+    command.add_option(name, all, what)->allow_extra_args(false)->check(curve_points(least));
+  };
+  list("--path", g.paths, 2,
+       "path through points, separated by commas: numbers of vertices, or face:b0:b1:b2; may be "
+       "repeated");
+  list("--loop", g.loops, 3, "closed curve through points; may be repeated");
+  command
+      .add_option(
+          "--network", g.network,
+          "text file of curves: on each line the vertices of a path, or after the word loop "
+          "of a closed curve")
+      ->type_name("FILE");
+  command
+      .add_option("--marked", options.constraints,
+                  "text file of edges that become curves: the numbers of two vertices on each line")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--sharp-angle", options.sharp_angle,
+          "edges whose faces deviate by more than so many degrees from a plane become curves")
+      ->check(between(0, 180));
+  command.add_flag("--waypoints", g.has_waypoints, "curves stay at all points that are given");
+  command
+      .add_option("--shorten-to", g.relative_length,
+                  "stop when the length is at most this part of what it was")
+      ->check(between(1e-9, 1));
+  command
+      .add_option("--joint-angle", g.joint_angle,
+                  "stop when all joints have at least this angle, in degrees")
+      ->check(between(0, 180));
+}
+
+void add_curve_output_options(CLI::App& command, Options& options) {
+  command
+      .add_option("--correspondence", options.correspondence,
+                  "what is kept of where edges run on the input: integer (coordinates, default), "
+                  "signposts or crossings")
+      ->check(CLI::IsMember({"integer", "signposts", "crossings"}));
+  command
+      .add_option("-o", options.output,
+                  "write curves (.vtp .obj .ply) or the intrinsic triangulation (.idt)")
+      ->check(curve_file());
+  command.add_flag("--subdivision", options.geodesic.writes_subdivision,
+                   "-o writes the common subdivision, with the number of the curve at its vertices "
+                   "(.ply .obj .off .stl .vtp)");
+  command.add_option("--view", options.view, "write a page that shows the curves")
+      ->type_name("FILE");
+}
+
 void make_refinement_options_need(CLI::Option& refine, CLI::App& command) {
   for (CLI::Option* const option : command.get_options())
     for (const char* const name : refinement_options)
       if (option->check_lname(name)) option->needs(&refine);
+}
+
+std::string geodesic_misuse(const Options& o) {
+  const Geodesic_options& g = o.geodesic;
+  if (g.paths.empty() && g.loops.empty() && g.network.empty() && !has_constraints(o))
+    return "there is no curve; name some with --path, --loop, --network, --marked or --sharp-angle";
+  return curve_output_misuse(o);
 }
 
 std::string misuse(const Options& options) {

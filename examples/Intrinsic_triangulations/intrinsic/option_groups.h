@@ -32,9 +32,15 @@ void add_adaptive_options(CLI::App& command, Options& options);
 void add_matrix_options(CLI::App& command, Options& options);
 /// adds where edges run on the input, and what is written of it.
 void add_correspondence_options(CLI::App& command, Options& options);
+/// adds curves that are made geodesic, and how far.
+void add_curve_options(CLI::App& command, Options& options);
+/// adds what is written of curves.
+void add_curve_output_options(CLI::App& command, Options& options);
 /// refuses criteria of refinement without an option.
 void make_refinement_options_need(CLI::Option& refine, CLI::App& command);
 
+/// returns what is wrong with the options of the command `geodesic`, like `misuse()`.
+std::string geodesic_misuse(const Options& options);
 /// returns what is wrong with options that are valid by themselves, and the remedy; empty: nothing.
 std::string misuse(const Options& options);
 

@@ -35,6 +35,17 @@ struct Adaptive_criteria {
   std::size_t maximum_vertices = 100000;
 };
 
+/// Which curves are made geodesic, and how far.
+struct Geodesic_options {
+  std::vector<std::string> paths; ///< points of each, separated by commas
+  std::vector<std::string> loops; ///< points of each, separated by commas
+  std::string network;            ///< file that lists paths and loops; empty: none
+  bool has_waypoints = false;     ///< whether curves stay at all points that are given
+  double relative_length = 0;     ///< part of the length at which to stop
+  double joint_angle = 180;       ///< angle of all joints at which to stop, in degrees
+  bool writes_subdivision = false;
+};
+
 /// What the command line asks for.
 struct Options {
   std::string input;
@@ -59,6 +70,7 @@ struct Options {
   bool refines = false;
   Refinement_criteria refinement;
   Adaptive_criteria adaptive;
+  Geodesic_options geodesic;
   std::string sizes;              ///< file of wanted lengths of edges, one per vertex; empty: none
   std::string metric;             ///< file of factors or tensors; empty: lengths are those in space
   std::string field;              ///< file of values at vertices that are transferred

@@ -61,9 +61,9 @@ struct Odt_progress {
 };
 
 /// moves inserted vertices, and reports it.
-template <class Triangulation>
-void optimize(Triangulation& t, const IT::Marked_edges<Triangulation>& constrained,
-              const Options& options, Json& json, Progress& progress) {
+template <class Triangulation, class Constrained>
+void optimize(Triangulation& t, const Constrained& constrained, const Options& options, Json& json,
+              Progress& progress) {
   Stopwatch watch;
   Odt_progress visitor{&progress};
   progress.show("moving vertices");
@@ -107,9 +107,9 @@ double minimum_angle_without(
 }
 
 /// refines the triangulation and reports it.
-template <class Triangulation>
-void refine(Triangulation& t, const IT::Marked_edges<Triangulation>& constrained,
-            const Options& options, Json& json, Progress& progress) {
+template <class Triangulation, class Constrained>
+void refine(Triangulation& t, const Constrained& constrained, const Options& options, Json& json,
+            Progress& progress) {
   json["quality_before"] = quality_json(quality_of(t, check(t, constrained)));
   Stopwatch watch;
   Refinement_progress visitor;

@@ -49,8 +49,8 @@ struct Integrals {
 };
 
 /// tests every edge.
-template <class Triangulation>
-Delaunay_check check(Triangulation& t, const IT::Marked_edges<Triangulation>& constrained) {
+template <class Triangulation, class Constrained>
+Delaunay_check check(Triangulation& t, const Constrained& constrained) {
   const std::uint64_t before = t.metric().statistics().probable_zero;
   const auto report = IT::check_delaunay(t);
   Delaunay_check result;
@@ -177,26 +177,38 @@ struct Delaunay_progress {
   }
 };
 
+/// returns what is known of what was loaded, and how long that took.
+template <class Triangulation>
+Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
+  const Triangulation& t = loaded.triangulation;
+  Json json = input_json(options, Triangulation::Metric::is_exact ? "exact" : "double",
+                         Triangulation::Correspondence::name, loaded.facts, t.report());
+  if (!options.metric.empty()) json["metric"] = metric_json(loaded.metric);
+  json["seconds"] = {{"read", loaded.seconds.read},
+                     {"build", loaded.seconds.build},
+                     {"topology", loaded.seconds.topology}};
+  return json;
+}
+
 /*!
-\brief loads, flips unless told not to, and measures; the common part of all commands.
+\brief flips unless told not to, and measures; the common part of all commands.
 \param loaded what was loaded
 \param flip whether to flip to Delaunay
 \param options the options
 \param progress where to show progress
-\param improve called with the statistics and the marked edges after flipping, before anything is measured
+\param constrain called with the statistics before flipping, returns a writable property map of the edges that are kept
+\param improve called with the statistics and that map after flipping, before anything is measured
 \throws std::runtime_error if flipping does not end, which happens in inexact arithmetic only
 \return the statistics so far
 */
-template <class Triangulation, class Improve>
+template <class Triangulation, class Constrain, class Improve>
 Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& options,
-                      Progress& progress, const Improve& improve) {
+                      Progress& progress, const Constrain& constrain, const Improve& improve) {
   constexpr bool is_exact = Triangulation::Metric::is_exact;
   Triangulation& t = loaded.triangulation;
-  Json json = input_json(options, is_exact ? "exact" : "double",
-                         Triangulation::Correspondence::name, loaded.facts, t.report());
-  if (!options.metric.empty()) json["metric"] = metric_json(loaded.metric);
+  Json json = loaded_json(loaded, options);
   const double area = input_area(loaded);
-  const IT::Marked_edges<Triangulation> constrained = marked_edges(t, loaded.constraints);
+  const auto constrained = constrain(json);
   Stopwatch watch;
   IT::Flip_to_delaunay_result result;
   Delaunay_progress visitor{&progress};
@@ -212,10 +224,7 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
     throw std::runtime_error(options.input + ": flipping did not end after " +
                              std::to_string(result.flips) +
                              " flips in double arithmetic; use --arithmetic exact");
-  json["seconds"] = {{"read", loaded.seconds.read},
-                     {"build", loaded.seconds.build},
-                     {"topology", loaded.seconds.topology},
-                     {"delaunay", delaunay_seconds}};
+  json["seconds"]["delaunay"] = delaunay_seconds;
   improve(json, constrained);
   watch.lap();
   const IT::Predicate_statistics statistics = t.metric().statistics();
@@ -232,6 +241,16 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
                 has_points);
   json["seconds"]["verify"] = watch.lap();
   return json;
+}
+
+/// the same, with the edges that options keep.
+template <class Triangulation, class Improve>
+Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& options,
+                      Progress& progress, const Improve& improve) {
+  const auto constrain = [&](Json&) {
+    return marked_edges(loaded.triangulation, loaded.constraints);
+  };
+  return flip_and_measure(loaded, flip, options, progress, constrain, improve);
 }
 
 /// loads, flips unless told not to, and measures.

@@ -28,13 +28,23 @@ std::string bars(const Json& histogram) {
   return row;
 }
 
+void describe_curves(std::ostream& text, const Json& geodesic) {
+  const std::size_t n = geodesic["curves"].size();
+  text << n << (n == 1 ? " curve: " : " curves: ") << geodesic["status"].get<std::string>()
+       << (geodesic["certified"] ? ", certified" : "") << "\nlength "
+       << geodesic["length"].get<double>() << ", before "
+       << geodesic["initial_length"].get<double>() << "; " << geodesic["flips"] << " flips\n";
+}
+
 std::string description(const Json& json) {
   std::ostringstream text;
   text.precision(4);
   const Json& input = json["input"];
-  const Json& delaunay = json["delaunay"];
-  text << input["vertices"] << " vertices, " << input["faces"] << " faces; " << delaunay["flips"]
-       << " flips\nangles from " << json["quality"]["min_angle_deg"].get<double>() << " to "
+  text << input["vertices"] << " vertices, " << input["faces"] << " faces; ";
+  if (json.contains("geodesic")) describe_curves(text, json["geodesic"]);
+  if (!json.contains("delaunay")) return text.str();
+  text << json["delaunay"]["flips"] << " flips\nangles from "
+       << json["quality"]["min_angle_deg"].get<double>() << " to "
        << json["quality"]["max_angle_deg"].get<double>() << " degrees\n"
        << json["arithmetic"].get<std::string>()
        << " arithmetic, certificate: " << json["certificate"].get<std::string>();
@@ -50,7 +60,8 @@ std::string description(const Json& json) {
 } // namespace
 
 void write_view(std::ostream& out, const IT::Common_subdivision& s,
-                const std::vector<Point>& points, const Options& options, const Json& json) {
+                const std::vector<Point>& points, const Options& options, const Json& json,
+                const Viewed_curves& curves) {
   if (three_js().empty())
     throw std::runtime_error(options.view +
                              ": the program was built without three.js, which the page needs; "
@@ -62,6 +73,8 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   view.description = text;
   view.three = three_js();
   view.trackball_controls = trackball_controls_js();
+  view.curves = curves.curves;
+  view.initial_curves = curves.initial_curves;
   IT::write_html_view(out, s, points, view);
 }
 

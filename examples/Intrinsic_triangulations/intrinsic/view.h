@@ -8,12 +8,19 @@
 #include "options.h"
 #include "statistics.h"
 
+#include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <ostream>
+#include <span>
 #include <vector>
 
 namespace program {
+
+/// Curves that a page shows.
+struct Viewed_curves {
+  std::span<const IT::Polyline> curves, initial_curves;
+};
 
 /*!
 \brief writes the page that shows the intrinsic triangulation.
@@ -22,9 +29,11 @@ namespace program {
 \param points the position of each vertex of it
 \param options the options
 \param json the statistics
+\param curves curves on the surface
 */
 void write_view(std::ostream& out, const IT::Common_subdivision& s,
-                const std::vector<Point>& points, const Options& options, const Json& json);
+                const std::vector<Point>& points, const Options& options, const Json& json,
+                const Viewed_curves& curves);
 
 } // namespace program
 

@@ -34,14 +34,8 @@ What most programs do with the usual triangulations, which the library has compi
 
 namespace CGAL::Intrinsic_triangulations {
 
-CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(
-    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, No_correspondence>);
-CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(
-    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>);
-CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(
-    Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, No_correspondence>);
-CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(
-    Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>);
+CGAL_INTRINSIC_TRIANGULATIONS_FOR_USUAL_TRIANGULATIONS(
+    CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES);
 
 CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Common_subdivision common_subdivision(
     const Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>&);

@@ -13,6 +13,13 @@ The usual triangulations, which the library has compiled; see `compilation.h`.
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 
+/// calls a macro with each of the usual triangulations, to instantiate what is compiled of it.
+#define CGAL_INTRINSIC_TRIANGULATIONS_FOR_USUAL_TRIANGULATIONS(instances)                          \
+  instances(Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, No_correspondence>);       \
+  instances(Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>);     \
+  instances(Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, No_correspondence>);     \
+  instances(Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>)
+
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE extern template
 #endif
@@ -25,14 +32,8 @@ The usual triangulations, which the library has compiled; see `compilation.h`.
 
 namespace CGAL::Intrinsic_triangulations {
 
-CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES(
-    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, No_correspondence>);
-CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES(
-    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>);
-CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES(
-    Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, No_correspondence>);
-CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES(
-    Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>);
+CGAL_INTRINSIC_TRIANGULATIONS_FOR_USUAL_TRIANGULATIONS(
+    CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES);
 CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Vertex_places<
     Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, No_correspondence>>;
 CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Vertex_places<

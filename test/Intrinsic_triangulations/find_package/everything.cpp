@@ -23,8 +23,10 @@ bool check_everything() {
   const auto refined =
       IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_edge_length(1));
   const IT::Common_subdivision s = IT::common_subdivision(t);
-  return flipped.flips == 1 && refined.status == IT::Status::done &&
-         refined.counts.inserted_vertices() > 0 && IT::certify_delaunay(t).is_delaunay() &&
-         IT::measure_quality(t).minimum_angle >= 25 &&
+  const IT::Geodesic geodesic = IT::trace_geodesic_on_input(
+      t, {t.input().halfedge_of_face(0), {0.5, 0.25, 0.25}}, {1, 0}, 0.1);
+  return geodesic.status == IT::Status::done && flipped.flips == 1 &&
+         refined.status == IT::Status::done && refined.counts.inserted_vertices() > 0 &&
+         IT::certify_delaunay(t).is_delaunay() && IT::measure_quality(t).minimum_angle >= 25 &&
          s.number_of_vertices() + s.number_of_faces() == s.number_of_edges() + 1;
 }

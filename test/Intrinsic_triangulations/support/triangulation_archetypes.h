@@ -280,6 +280,57 @@ public:
   double squared_length(edge_descriptor e) const { return t_.squared_length(e); }
 };
 
+class Metric_of_geodesic : public Values {
+public:
+  static constexpr bool is_exact = Wrapped::Metric::is_exact;
+  using Values::Values;
+};
+
+/// A model of `GeodesicTriangulation`.
+class Geodesic_triangulation : public Numbered<Metric_of_geodesic> {
+public:
+  class Const_session {
+  public:
+    explicit Const_session(const Geodesic_triangulation& t) : session_(t.t_) {}
+    bool is_locally_delaunay(halfedge_descriptor h) const {
+      return session_.is_locally_delaunay(h);
+    }
+    CGAL::Sign delaunay_sign(halfedge_descriptor h) const { return session_.delaunay_sign(h); }
+    CGAL::Comparison_result compare_angle_to_pi(halfedge_descriptor h,
+                                                halfedge_descriptor g) const {
+      return session_.compare_angle_to_pi(h, g);
+    }
+    template <class Function>
+    auto suspended(Function f) const {
+      return session_.suspended(f);
+    }
+
+  private:
+    Wrapped::Const_session session_;
+  };
+  class Session : public Const_session {
+  public:
+    using Before_flip = Wrapped::Session::Before_flip;
+
+    explicit Session(Geodesic_triangulation& t) : Const_session(t), session_(t.t_) {}
+    IT::Move_status flip_non_delaunay_edge(halfedge_descriptor h) {
+      return session_.flip_non_delaunay_edge(h);
+    }
+    IT::Move_status flip_status(halfedge_descriptor h) const { return session_.flip_status(h); }
+    IT::Move_status flip_convex_edge(halfedge_descriptor h) { return session_.flip_convex_edge(h); }
+    Before_flip before_flip(halfedge_descriptor h) const { return session_.before_flip(h); }
+    void undo_flip(halfedge_descriptor h, const Before_flip& before) {
+      session_.undo_flip(h, before);
+    }
+
+  private:
+    Wrapped::Session session_;
+  };
+
+  using Numbered::Numbered;
+  double length(edge_descriptor e) const { return t_.length(e); }
+};
+
 } // namespace archetypes
 
 #endif // TEST_INTRINSIC_TRIANGULATIONS_TRIANGULATION_ARCHETYPES_H

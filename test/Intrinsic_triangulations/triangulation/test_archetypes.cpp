@@ -18,6 +18,11 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/is_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_vector_transfer.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
@@ -52,6 +57,7 @@
 #include <complex>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -115,6 +121,15 @@ static_assert(IT::RefinableTriangulation<Inexact>);
 static_assert(IT::RefinableTriangulation<With_signposts>);
 static_assert(!IT::RefinableTriangulation<Without_insertions>);
 static_assert(!IT::RefinableTriangulation<Integer_only>);
+
+// ---- GeodesicTriangulation
+
+static_assert(IT::GeodesicTriangulation<archetypes::Geodesic_triangulation>);
+static_assert(IT::GeodesicTriangulation<Exact>);
+static_assert(IT::GeodesicTriangulation<Inexact>);
+static_assert(IT::GeodesicTriangulation<With_signposts>);
+static_assert(!IT::GeodesicTriangulation<Integer_only>);
+static_assert(!IT::GeodesicTriangulation<archetypes::Refinable_triangulation>);
 
 // ---- CorrespondingTriangulation
 
@@ -194,6 +209,27 @@ TEST(Archetypes, refinable_triangulation_is_enough_for_what_moves_vertices) {
   Surface_mesh cells;
   const IT::Delaunay_tessellation tessellation = IT::delaunay_tessellation(t, cells);
   EXPECT_EQ(tessellation.number_of_cells, num_faces(cells));
+}
+
+TEST(Archetypes, geodesic_triangulation_is_enough_for_curves) {
+  const Surface_mesh mesh = icosahedron();
+  archetypes::Wrapped all(mesh), hidden(mesh);
+  archetypes::Geodesic_triangulation t(hidden);
+  const auto shortened = [](auto& x) {
+    using T = std::remove_reference_t<decltype(x)>;
+    const auto vertex = [&](std::uint32_t i) { return x.numbers().vertex_at(i); };
+    IT::Curve_network<T> network(x);
+    IT::Flip_log<T> log;
+    network.add_path(IT::Edge_path_finder<T>(x)(vertex(0), vertex(3)));
+    EXPECT_EQ(IT::shorten_curves(network, log).status, IT::Status::done);
+    EXPECT_TRUE(IT::is_geodesic(network).is_geodesic());
+    const double length = network.length();
+    network.clear();
+    typename T::Session session(x);
+    log.undo(session);
+    return length;
+  };
+  EXPECT_EQ(shortened(t), shortened(all));
 }
 
 TEST(Archetypes, numbered_triangulation_is_enough_for_places_and_transfer) {

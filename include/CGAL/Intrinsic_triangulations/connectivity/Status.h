@@ -21,7 +21,8 @@ enum class Status : std::uint8_t {
   cap,        ///< a cap that was given, or that makes inexact arithmetic end, was reached before
   stalled,    ///< nothing that is left to do could be done
   cancelled,  ///< the visitor asked to stop
-  inaccurate, ///< rounding has spoilt the triangulation, which exact traits do not: see `Inaccuracy`
+  inaccurate, ///< rounding has spoilt the triangulation, which exact traits do not: see `Inaccuracy`; or may have misled
+              ///< the query: see `Edge_path`
   border,     ///< the border was reached before
   not_traceable ///< the correspondence cannot tell where it is: only by rounding, with `Signposts`
 };

@@ -91,8 +91,8 @@ private:
   static constexpr std::size_t maximal_memory = 50000;
   // number of square roots up to which trying all signs is the fastest proof
   static constexpr std::size_t few_roots = 6;
-  // largest number of pairs of terms that are multiplied then: under a millisecond
-  static constexpr std::size_t few_pairs = 1 << 13;
+  // largest number of pairs of terms that are multiplied then: a tenth of a second
+  static constexpr std::size_t few_pairs = 1 << 19;
   // four primes
   static constexpr double probable_bits = 3.5 * Prime_fields::bits;
 

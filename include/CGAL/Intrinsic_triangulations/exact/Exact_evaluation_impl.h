@@ -12,8 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
-#include <CGAL/Intrinsic_triangulations/exact/is_cocircular_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/is_tie_of_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
@@ -58,6 +58,10 @@ struct Exact_evaluation::Memory {
                               const Expression&) {
     if constexpr (std::is_same_v<Expression, Delaunay_expression>)
       return input.is_in_space() && is_cocircular_strip(input, diamond);
+    else if constexpr (std::is_same_v<Expression, Convexity_at_source_expression>)
+      return input.is_in_space() && is_collinear_strip(input, diamond, 2, 0, 3);
+    else if constexpr (std::is_same_v<Expression, Convexity_at_target_expression>)
+      return input.is_in_space() && is_collinear_strip(input, diamond, 2, 1, 3);
     else
       return false;
   }

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_WEDGE_ANGLE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_WEDGE_ANGLE_H
 
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Wedge_expression.h>
 
@@ -39,6 +40,11 @@ struct Wedge {
   }
 };
 
+// Two corners of a wedge are those at the source of a diamond; the sine of their sum is `Convexity_at_source_expression`.
+inline Diamond diamond_of_corners(const Indexed_face& f, const Indexed_face& g) {
+  return {f.edges[0], f.edges[1], f.edges[2], g.edges[0], g.edges[1], f.face, g.face};
+}
+
 // Compares the angle of a wedge with pi. Every corner is at most pi, so that the angle is smaller iff the sine of the sum of
 // the first m corners is positive for all m, as long as it is not zero (a corner of zero area has angle 0 or pi). A sum
 // whose sine is negative is beyond pi, whatever the others are: one that seems to be is tried first.
@@ -65,7 +71,8 @@ Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
 }
 
 // Finds the wedge at the target of h between h and g, on the left of h: the first corner is in the face of h. If g is the
-// opposite of h, it is all about the vertex. False if a side in between has no face. `values` tells what doubles know of
+// opposite of h, it is all about the vertex. False if a side in between has no face, or g is in another fan of a vertex that is
+// not manifold. `values` tells what doubles know of
 // a face from a halfedge on.
 template <class Triangulation, class Values>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
@@ -73,6 +80,7 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
   using Halfedge = typename Triangulation::halfedge_descriptor;
   const auto& mesh = t.mesh();
   const auto edge_number = [&](Halfedge x) { return t.numbers().halfedge(x) / 2; };
+  const Halfedge first = h;
   while (true) {
     if (face(h, mesh) == boost::graph_traits<typename Triangulation::Mesh>::null_face())
       return false;
@@ -83,6 +91,7 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
     wedge.add(f, v.squared_lengths, v.quadruple_area);
     if (ij == g) return true;
     h = opposite(ij, mesh);
+    if (h == first) return false;
   }
 }
 

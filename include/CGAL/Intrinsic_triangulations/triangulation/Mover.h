@@ -133,7 +133,8 @@ public:
 
   // Takes back the flip of h, the last one: four flips are the identity, and their values are known. Observers, who followed it
   // there, follow it back.
-  void undo_flip(Halfedge h, const typename Metric::Before_flip& before) {
+  void undo_flip(Halfedge h,
+                 const Before_flip_of<Metric>& before) requires Remembers_flips<Metric> {
     const typename Metric::Flipped then = before,
                                    now = metric_.before_flip(diamond_of(h, mesh_, number_));
     for (const auto& values : {then.mirrored(), now.mirrored(), then}) {

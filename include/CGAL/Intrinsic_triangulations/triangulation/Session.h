@@ -7,11 +7,11 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Whole_star.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
-#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/whole_star.h>
 
 #include <CGAL/Interval_nt.h>
@@ -22,6 +22,7 @@
 
 #include <array>
 #include <optional>
+#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -92,15 +93,16 @@ public:
   Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
     internal::Wedge wedge;
     internal::find_wedge(t_, h, g, wedge);
-    return compare_to_pi(wedge);
-  }
-  /// \cond
-  Comparison_result compare_to_pi(const internal::Wedge& wedge) const {
-    return internal::compare_wedge_to_pi(wedge, [this](const auto& faces, const auto& expression) {
-      return t_.metric().sign(faces, expression);
+    const auto& metric = t_.metric();
+    return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
+      using Expression = std::decay_t<decltype(expression)>;
+      if constexpr (std::is_same_v<Expression, Wedge_sine_expression>)
+        if (faces.size() == 2)
+          return metric.sign(internal::diamond_of_corners(faces[0], faces[1]),
+                             Convexity_at_source_expression());
+      return metric.sign(faces, expression);
     });
   }
-  /// \endcond
   /// calls a function in the default floating point environment.
   template <class Function>
   auto suspended(Function f) const {
@@ -150,9 +152,10 @@ public:
   /// flips an edge that is known to be flippable. \pre `flip_status(h)` is `done`
   Move_status flip_convex_edge(halfedge_descriptor h) { return Mover(t_).flip(h); }
   /// What a flip replaces, see `undo_flip()`.
-  using Before_flip = typename Triangulation::Metric::Before_flip;
+  using Before_flip = internal::Before_flip_of<typename Triangulation::Metric>;
   /// returns what a flip of an edge with two faces will replace.
-  Before_flip before_flip(halfedge_descriptor h) const {
+  Before_flip before_flip(halfedge_descriptor h)
+      const requires internal::Remembers_flips<typename Triangulation::Metric> {
     return t_.metric().before_flip(t_.diamond(h));
   }
   /*!
@@ -161,7 +164,8 @@ public:
   \param before what `before_flip(h)` returned before that
   \pre all moves since have been taken back
   */
-  void undo_flip(halfedge_descriptor h, const Before_flip& before) {
+  void undo_flip(halfedge_descriptor h, const Before_flip& before) requires
+      internal::Remembers_flips<typename Triangulation::Metric> {
     Mover(t_).undo_flip(h, before);
   }
   /// flips an edge that is known not to be locally Delaunay, which implies that it can be

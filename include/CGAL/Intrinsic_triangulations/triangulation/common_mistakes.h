@@ -13,11 +13,12 @@
 /*!
 \file
 Overloads for calls that are wrong in a way that is common. They are declared and not defined: the compiler refuses the call
-where the user wrote it, and says in one line what to do, where a constraint would list what all candidates lack.
+where the user wrote it, before what is done with its result, and says in one line what to do, where a constraint would list
+what all candidates lack.
 */
 
 /// declares a function that must not be called, and why.
-#define CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(text) [[gnu::error(text)]]
+#define CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(text) __attribute__((unavailable(text)))
 
 /// refuses a mesh in place of a triangulation.
 #define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(function)                                        \

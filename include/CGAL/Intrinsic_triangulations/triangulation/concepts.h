@@ -156,6 +156,25 @@ concept IntrinsicMetric = std::default_initializable<Metric> && std::movable<Met
 
 namespace internal {
 
+// Tells what a flip will replace, and takes that back.
+template <class Metric>
+concept Remembers_flips = requires(Metric& m, const Metric& c, const Diamond& d) {
+  { c.before_flip(d) } -> std::same_as<typename Metric::Before_flip>;
+  m.undo_flip(d, c.before_flip(d));
+  m.forget_flip(d, c.before_flip(d));
+};
+
+template <class Metric>
+struct Known_before_flip {
+  using type = void*; // nothing
+};
+template <Remembers_flips Metric>
+struct Known_before_flip<Metric> {
+  using type = typename Metric::Before_flip;
+};
+template <class Metric>
+using Before_flip_of = typename Known_before_flip<Metric>::type;
+
 // Computes what an insertion makes from what it has stored.
 template <class Metric>
 concept Measures_insertions = requires(Metric& m, const Vertex_star& star,

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
@@ -267,6 +268,23 @@ TYPED_TEST(Delaunay_refine, Removes_no_vertex_that_lies_on_a_border_or_a_constra
   EXPECT_NEAR(total_length(t, constrained), length, 1e-9);
   for (const auto e : edges(t.mesh())) EXPECT_LE(t.length(e), 1 + 1e-12);
   EXPECT_EQ(defect(t), "");
+}
+
+TYPED_TEST(Delaunay_refine, Parts_of_a_constrained_edge_have_its_label) {
+  TypeParam t(input(meshes::grid(2, 2, 5, 5)));
+  IT::Marked_edges<TypeParam, int> label(t);
+  std::map<int, double> length;
+  int next = 0;
+  for (const auto e : edges(t.mesh())) {
+    put(label, e, next++ % 4); // 0: not constrained
+    if (get(label, e) != 0) length[get(label, e)] += t.length(e);
+  }
+  IT::delaunay_refine(
+      t, IT::parameters::minimum_angle(25).maximum_edge_length(1).edge_is_constrained_map(label));
+  for (const auto e : edges(t.mesh()))
+    if (get(label, e) != 0) length[get(label, e)] -= t.length(e);
+  ASSERT_EQ(length.size(), 3U);
+  for (const auto& [name, difference] : length) EXPECT_NEAR(difference, 0, 1e-9) << name;
 }
 
 /// In parts: the circumcenters of the first refinement do not spoil the second one.

@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_VTP_H
 
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_input.h>
-#include <CGAL/Intrinsic_triangulations/IO/support/Base64_writer.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/VTK_array_writer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 
@@ -14,26 +14,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-template <class T>
-inline constexpr std::string_view VTK_type = std::is_same_v<T, double>         ? "Float64"
-                                             : std::is_same_v<T, std::int64_t> ? "Int64"
-                                             : std::is_same_v<T, std::int32_t> ? "Int32"
-                                                                               : "UInt8";
-
-// Writes VTK's XML format for polygon data: labels are point and cell data, intrinsic edges are lines. Arrays
-// are inline, in base64: the number of their bytes and then their numbers, encoded in one go.
+// Writes VTK's XML format for polygon data: labels are point and cell data, intrinsic edges are lines.
 class VTP_subdivision_writer {
   static constexpr std::uint32_t none = Common_subdivision::none;
 
 public:
   VTP_subdivision_writer(Output_buffer& out, const Subdivision_output& o, bool with_lines)
-      : out_(out), o_(o), s_(o.s) {
+      : out_(out), data_(out), o_(o), s_(o.s) {
     if (!with_lines) return;
     lines_ = intrinsic_edge_polylines(s_);
     for (std::size_t e = 0; e < lines_.size(); ++e)
@@ -54,7 +45,7 @@ public:
     write_point_data();
     write_cell_data();
     out_.text("<Points>\n");
-    arrays("Points", o_.points.size(), [&](std::size_t v) { return o_.points[v]; });
+    data_.arrays("Points", o_.points.size(), [&](std::size_t v) { return o_.points[v]; });
     out_.text("</Points>\n");
     write_lines();
     write_polygons();
@@ -62,32 +53,14 @@ public:
   }
 
 private:
-  // Writes `count` arrays of components, the i-th of which is `tuple(i)`.
-  template <class Tuple>
-  void arrays(std::string_view name, std::size_t count, Tuple tuple) {
-    using Components = std::remove_cvref_t<decltype(tuple(0))>;
-    using T = typename Components::value_type;
-    out_.text("<DataArray type=\"", VTK_type<T>, "\" Name=\"", name, "\" NumberOfComponents=\"",
-              std::tuple_size_v<Components>, "\" format=\"binary\">\n");
-    Base64_writer base64(out_);
-    base64.put(std::uint64_t{count * sizeof(Components)});
-    for (std::size_t i = 0; i < count; ++i)
-      for (const T x : tuple(i)) base64.put(x);
-    base64.finish();
-    out_.text("\n</DataArray>\n");
-  }
-  template <class Value>
-  void scalars(std::string_view name, std::size_t count, Value value) {
-    arrays(name, count, [&](std::size_t i) { return std::array{value(i)}; });
-  }
-
   void write_point_data() {
     const std::size_t n = o_.points.size();
     out_.text("<PointData>\n");
     for (const Vertex_field& field : o_.fields)
-      scalars(field.name, n, [&](std::size_t v) { return field.values[v]; });
-    for_each_vertex_label(
-        s_, [&](std::string_view name, std::string_view, auto values) { arrays(name, n, values); });
+      data_.scalars(field.name, n, [&](std::size_t v) { return field.values[v]; });
+    for_each_vertex_label(s_, [&](std::string_view name, std::string_view, auto values) {
+      data_.arrays(name, n, values);
+    });
     out_.text("</PointData>\n");
   }
 
@@ -98,18 +71,18 @@ private:
       return [&, m](std::size_t i) { return signed_label(i < m ? none : faces[i - m]); };
     };
     out_.text("<CellData>\n");
-    scalars("input_face", n, label(s_.input_face));
-    scalars("intrinsic_face", n, label(s_.intrinsic_face));
-    scalars("intrinsic_edge", n,
-            [&](std::size_t i) { return signed_label(i < m ? line_edges_[i] : none); });
+    data_.scalars("input_face", n, label(s_.input_face));
+    data_.scalars("intrinsic_face", n, label(s_.intrinsic_face));
+    data_.scalars("intrinsic_edge", n,
+                  [&](std::size_t i) { return signed_label(i < m ? line_edges_[i] : none); });
     out_.text("</CellData>\n");
   }
 
   void write_lines() {
     out_.text("<Lines>\n");
-    scalars("connectivity", lines_.vertices.size(),
-            [&](std::size_t i) { return std::int64_t{lines_.vertices[i]}; });
-    scalars("offsets", line_edges_.size(), [&](std::size_t i) {
+    data_.scalars("connectivity", lines_.vertices.size(),
+                  [&](std::size_t i) { return std::int64_t{lines_.vertices[i]}; });
+    data_.scalars("offsets", line_edges_.size(), [&](std::size_t i) {
       return static_cast<std::int64_t>(lines_.begin[line_edges_[i] + std::size_t{1}]);
     });
     out_.text("</Lines>\n");
@@ -117,14 +90,15 @@ private:
 
   void write_polygons() {
     out_.text("<Polys>\n");
-    scalars("connectivity", s_.corner.size(),
-            [&](std::size_t i) { return std::int64_t{s_.corner[i]}; });
-    scalars("offsets", s_.number_of_faces(),
-            [&](std::size_t f) { return std::int64_t{s_.face_begin[f + 1]}; });
+    data_.scalars("connectivity", s_.corner.size(),
+                  [&](std::size_t i) { return std::int64_t{s_.corner[i]}; });
+    data_.scalars("offsets", s_.number_of_faces(),
+                  [&](std::size_t f) { return std::int64_t{s_.face_begin[f + 1]}; });
     out_.text("</Polys>\n");
   }
 
   Output_buffer& out_;
+  VTK_array_writer data_;
   const Subdivision_output& o_;
   const Common_subdivision& s_;
   Edge_polylines lines_;

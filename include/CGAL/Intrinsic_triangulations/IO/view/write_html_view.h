@@ -4,9 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_H
 
+#include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_input.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Base64_writer.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/Unit_ball_scaling.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/drawn_edges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
@@ -20,6 +22,7 @@
 #include <ostream>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +42,10 @@ struct Html_view {
   std::string_view trackball_controls;
   /// A field to be shown as colours; without values the intrinsic faces have their own.
   Vertex_field field{};
+  /// Curves on the surface, to be drawn in colours that their labels choose.
+  std::span<const Polyline> curves{};
+  /// What the curves were before, to be drawn thin and grey.
+  std::span<const Polyline> initial_curves{};
 };
 
 namespace internal {
@@ -58,7 +65,7 @@ class Html_view_writer {
 public:
   Html_view_writer(std::ostream& out, const Common_subdivision& s, std::span<const Point> points,
                    const Html_view& view)
-      : out_(out), s_(s), points_(points), view_(view) {}
+      : out_(out), s_(s), points_(points), view_(view), scaling_(points) {}
 
   // the page, its places filled
   void write() {
@@ -146,6 +153,8 @@ private:
     write_edges("intrinsic-edges", "intrinsic-edges-room",
                 &Common_subdivision::Side::intrinsic_edge, s_.intrinsic_face);
     write_field();
+    write_curves("curves", view_.curves);
+    write_curves("initial-curves", view_.initial_curves);
   }
 
   // A fan for each convex polygon.
@@ -217,32 +226,24 @@ private:
     });
   }
 
-  // Centred and scaled to the unit ball before they are rounded to single precision; half of each
-  // coordinate is taken first, so that no difference overflows.
+  // Both ends of each line, and its label.
+  void write_curves(std::string_view id, std::span<const Polyline> curves) {
+    std::vector<std::array<float, 3>> ends;
+    std::vector<std::int32_t> labels;
+    for (const Polyline& curve : curves)
+      for (std::size_t i = 0; i < curve.number_of_segments(); ++i) {
+        ends.push_back(scaling_(curve.points[i]));
+        ends.push_back(scaling_(curve.points[(i + 1) % curve.points.size()]));
+        labels.push_back(curve.label);
+      }
+    tuples(id, ends);
+    numbers(std::string(id) + "-labels", labels);
+  }
+
   void write_points() {
-    Point low{0, 0, 0}, extent{0, 0, 0};
-    for (std::size_t c = 0; c < 3 && !points_.empty(); ++c) {
-      const auto [least, greatest] =
-          std::minmax_element(points_.begin(), points_.end(),
-                              [c](const Point& p, const Point& q) { return p[c] < q[c]; });
-      low[c] = (*least)[c] / 2;
-      extent[c] = (*greatest)[c] / 2 - low[c];
-    }
-    const double greatest = std::max({extent[0], extent[1], extent[2]});
-    const double unit = greatest > 0 ? greatest : 1;
-    const auto centred = [&](const Point& p, std::size_t c) {
-      return ((p[c] / 2 - low[c]) - extent[c] / 2) / unit;
-    };
-    double radius = 0;
-    for (const Point& p : points_)
-      radius = std::max(radius, std::hypot(centred(p, 0), centred(p, 1), centred(p, 2)));
-    if (radius == 0) radius = 1;
-    scaled_.resize(points_.size());
-    for (std::size_t v = 0; v < points_.size(); ++v)
-      for (std::size_t c = 0; c < 3; ++c)
-        scaled_[v][c] = static_cast<float>(centred(points_[v], c) / radius);
+    for (const Point& p : points_) scaled_.push_back(scaling_(p));
     tuples("points", scaled_);
-    write_axes(extent);
+    write_axes(scaling_.extent());
   }
 
   // Look mostly along the shortest side of the bounding box; y is up unless that is along y.
@@ -264,6 +265,7 @@ private:
   const Common_subdivision& s_;
   std::span<const Point> points_;
   const Html_view& view_;
+  Unit_ball_scaling scaling_;
   std::vector<std::array<float, 3>> scaled_;
 };
 
@@ -274,7 +276,7 @@ private:
 network.
 
 Intrinsic faces have colours that differ between neighbours, intrinsic edges are dark, input edges
-light; a field replaces the colours. The pointer shows the numbers of the faces under it.
+light; a field replaces the colours. Curves lie on top. The pointer shows the numbers of the faces under it.
 \param out the stream
 \param s the common subdivision
 \param points the position of each vertex, see `positions()`

@@ -89,7 +89,7 @@ Edge_path trace_edge_by_signposts(const Triangulation& t, const Signposts& signp
   std::vector<Geodesic_crossing> crossings;
   const Geodesic_to_target r = trace_signpost(view, signposts, h, crossings, strip);
   if (!r.is_reached) return {Status::not_traceable, Gluing::none, {}};
-  Edge_path path{Status::done, r.along, {}};
+  Edge_path path{r.is_certain ? Status::done : Status::inaccurate, r.along, {}};
   const auto add = [&](const Surface_point& p, double x) {
     path.points.push_back({p, point_on_halfedge(view, h, x), x});
   };
@@ -104,7 +104,7 @@ Edge_path trace_edge_by_signposts(const Triangulation& t, const Signposts& signp
     const Geodesic_crossing& c = crossings[i];
     last = std::max(last, is_forward ? part_of_line(strip[i], r)
                                      : 1 - part_of_line(strip[strip.size() - 1 - i], r));
-    add({c.halfedge, {1 - c.parameter, c.parameter, 0}}, last);
+    add({c.halfedge ^ 1U, {c.parameter, 1 - c.parameter, 0}}, last); // in the face that it enters
   }
   add(end(h ^ 1U), 1);
   return path;
@@ -151,6 +151,7 @@ Edge_path trace_input_edge_by_signposts(const Triangulation& t, const Signposts&
     const Geodesic_to_target r =
         trace_corrected(view, walk, Geodesic_target::at_vertex(next), (to - from) * length, strip);
     if (!r.is_reached) return {Status::not_traceable, Gluing::none, {}};
+    if (!r.is_certain) path.status = Status::inaccurate;
     const auto add = [&, a = from, b = to](const Surface_point& p, double along) {
       const double s = a + along * (b - a);
       path.points.push_back({point_on_halfedge(signposts.input(), x, s), p, s});

@@ -14,40 +14,45 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a writable property map from the edges of an intrinsic triangulation to `bool`; copies share their values,
+\brief is a writable property map from the edges of an intrinsic triangulation to marks; copies share their values,
 and edges that are new have the value false.
+\tparam Triangulation a model of `NumberedTriangulation`
+\tparam Mark `bool`, or the type of labels, of which 0 is none
 */
-template <NumberedTriangulation Triangulation>
+template <NumberedTriangulation Triangulation, class Mark = bool>
 class Marked_edges {
+  using Stored = std::conditional_t<std::is_same_v<Mark, bool>, char, Mark>;
+
 public:
   /// \cond
   using key_type = typename Triangulation::edge_descriptor;
-  using value_type = bool;
-  using reference = bool;
+  using value_type = Mark;
+  using reference = Mark;
   using category = boost::read_write_property_map_tag;
-  friend bool get(const Marked_edges& m, const key_type& e) {
+  friend Mark get(const Marked_edges& m, const key_type& e) {
     const std::uint32_t i = m.t_->index(e);
-    return i < m.is_marked_->size() && (*m.is_marked_)[i] != 0;
+    return i < m.marks_->size() ? static_cast<Mark>((*m.marks_)[i]) : Mark();
   }
-  friend void put(const Marked_edges& m, const key_type& e, bool value) {
+  friend void put(const Marked_edges& m, const key_type& e, Mark value) {
     const std::uint32_t i = m.t_->index(e);
-    if (i >= m.is_marked_->size()) m.is_marked_->resize(i + std::size_t{1}, 0);
-    (*m.is_marked_)[i] = value ? 1 : 0;
+    if (i >= m.marks_->size()) m.marks_->resize(i + std::size_t{1}, Stored());
+    (*m.marks_)[i] = static_cast<Stored>(value);
   }
   /// \endcond
 
   /// marks no edge of `t`, which must outlive the map and its copies.
   explicit Marked_edges(const Triangulation& t)
-      : t_(&t), is_marked_(std::make_shared<std::vector<char>>()) {}
+      : t_(&t), marks_(std::make_shared<std::vector<Stored>>()) {}
 
 private:
   const Triangulation* t_;
-  std::shared_ptr<std::vector<char>> is_marked_;
+  std::shared_ptr<std::vector<Stored>> marks_;
 };
 
 /*!

@@ -47,8 +47,8 @@ Geodesic trace_scaled(const Complex& complex, int scale_exponent, const Surface_
   const Trace_options options{value_or<maximum_faces>(np, d.maximum_faces),
                               value_or<tags::snaps_to_vertices>(np, d.snaps_to_vertices)};
   std::vector<Geodesic_crossing> crossings;
-  const Geodesic_end end = trace_geodesic(complex, start, direction,
-                                          std::ldexp(length, scale_exponent), crossings, options);
+  const Geodesic_end end = internal::trace_geodesic(
+      complex, start, direction, std::ldexp(length, scale_exponent), crossings, options);
   Geodesic g{end.status,
              {start},
              end.direction,

@@ -115,8 +115,7 @@ public:
   friend Multiquadratic_number operator*(const Multiquadratic_number& x,
                                          const Multiquadratic_number& y) {
     const Square_class_basis* basis = common_basis(x, y);
-    if (basis != nullptr && x.terms_.size() * y.terms_.size() > basis->maximal_pairs())
-      throw std::length_error("a product would have too many terms");
+    if (basis != nullptr) basis->count_pairs(x.terms_.size() * y.terms_.size());
     const Gmpz m = product(x.denominator_, y.denominator_);
     return canonical(internal::product(basis, x.terms_, y.terms_), m, m, x.exponent_ + y.exponent_,
                      basis);

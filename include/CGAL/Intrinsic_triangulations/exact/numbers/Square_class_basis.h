@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -114,15 +115,18 @@ public:
   }
 
   /*!
-  \brief bounds the time that a product of two numbers of the basis may take: one of more than `pairs` pairs of terms
-  throws `std::length_error`.
+  \brief bounds the time that products of numbers of the basis may take from now on: when more than `pairs` pairs of terms
+  have been multiplied, `std::length_error` is thrown.
 
   A number of a field of k square roots has up to 2^k terms, but sums of many lengths have few: the flat
   picture of a strip of n rectangles has about n^2.
   */
-  void limit_products(std::size_t pairs) { maximal_pairs_ = pairs; }
-  /// returns the largest number of pairs of terms that may be multiplied.
-  std::size_t maximal_pairs() const { return maximal_pairs_; }
+  void limit_products(std::size_t pairs) { pairs_left_ = pairs; }
+  /// counts the pairs of terms that are multiplied. \throws std::length_error see `limit_products()`
+  void count_pairs(std::size_t pairs) const {
+    if (pairs > pairs_left_) throw std::length_error("products have too many terms");
+    pairs_left_ -= pairs;
+  }
 
   /// returns the number of representatives.
   std::size_t dimension() const { return generators_.size(); }
@@ -232,7 +236,7 @@ private:
   }
 
   std::vector<Generator> generators_;
-  std::size_t maximal_pairs_ = std::numeric_limits<std::size_t>::max();
+  mutable std::size_t pairs_left_ = std::numeric_limits<std::size_t>::max();
   Gmpz one_ = Gmpz(1);
   mutable std::unordered_map<Mask, Gmpz> products_;
 };

@@ -144,6 +144,12 @@ public:
         [this](edge_descriptor e) { return carries_curve(e); });
   }
 
+  /// tells whether curves cross at the source of a halfedge, which they do at fixed vertices only. \complexity linear in its
+  /// degree and the number of curves there
+  bool has_crossing_at_source(halfedge_descriptor h) const {
+    return internal::Curve_order<Triangulation>(*t_, segments_).has_crossing(h);
+  }
+
   /// removes all curves; vertices stay fixed.
   void clear() {
     for (std::uint32_t c = 0; c < number_of_curves(); ++c) remove_segments(c);

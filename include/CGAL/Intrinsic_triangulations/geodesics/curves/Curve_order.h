@@ -37,27 +37,37 @@ public:
 
   // whether curves cross at the source of h: their joints are nested about it, unless they cross
   bool has_crossing(Halfedge h) const {
-    std::vector<std::uint32_t> open; // joints, by the segment that comes in
-    const auto meet = [&](std::uint32_t joint) {
-      if (joint == none) return;
-      if (!open.empty() && open.back() == joint)
+    const std::vector<std::uint32_t> joints = joints_about_source(h);
+    std::vector<std::uint32_t> open;
+    for (const std::uint32_t j : joints) {
+      if (std::count(joints.begin(), joints.end(), j) == 1)
+        continue; // to another fan of the vertex
+      if (!open.empty() && open.back() == j)
         open.pop_back();
       else
-        open.push_back(joint);
-    };
-    Halfedge g = h;
-    do { // counterclockwise; segments from right to left of the halfedge from the vertex
-      const std::uint32_t out = t_.numbers().halfedge(g);
-      for (std::uint32_t s = segments_.outermost(out ^ 1U); s != none; s = segments_.beside(s, out))
-        meet(segments_[s].halfedge == out ? segments_[s].previous
-             : segments_[s].next == none  ? none
-                                          : s);
-      g = turned_left(g);
-    } while (g != h);
+        open.push_back(j);
+    }
     return !open.empty();
   }
 
 private:
+  // Joints by the segment that comes in, counterclockwise, each where a segment of it ends: from right to left of the halfedge from
+  // the vertex.
+  std::vector<std::uint32_t> joints_about_source(Halfedge h) const {
+    std::vector<std::uint32_t> joints;
+    Halfedge g = h;
+    do {
+      const std::uint32_t out = t_.numbers().halfedge(g);
+      for (std::uint32_t s = segments_.outermost(out ^ 1U); s != none; s = segments_.beside(s, out))
+        if (segments_[s].halfedge != out && segments_[s].next != none)
+          joints.push_back(s);
+        else if (segments_[s].halfedge == out && segments_[s].previous != none)
+          joints.push_back(segments_[s].previous);
+      g = turned_left(g);
+    } while (g != h);
+    return joints;
+  }
+
   // the next halfedge from the same source, counterclockwise, across a border too
   Halfedge turned_left(Halfedge h) const { return opposite(previous(h), t_.mesh()); }
   Halfedge previous(Halfedge h) const {
@@ -105,12 +115,14 @@ private:
   bool is_met_first(std::uint32_t h, std::uint32_t a, std::uint32_t b) const {
     const auto& number = t_.numbers();
     Halfedge g = number.halfedge_at(h);
-    while (true) {
+    const Halfedge first = g;
+    do {
       g = next(g, t_.mesh());
       if (number.halfedge(g) == a) return true;
       if (number.halfedge(g) == b) return false;
       g = opposite(g, t_.mesh());
-    }
+    } while (g != first);
+    return false; // both in another fan of a vertex that is not manifold
   }
 
   const Triangulation& t_;

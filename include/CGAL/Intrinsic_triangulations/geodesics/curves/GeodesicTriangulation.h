@@ -11,6 +11,7 @@
 #include <CGAL/enum.h>
 
 #include <concepts>
+#include <cstdint>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -27,6 +28,7 @@ concept GeodesicTriangulation = IntrinsicTriangulation<Triangulation> &&
              typename Triangulation::edge_descriptor e,
              const typename Triangulation::Session::Before_flip& before) {
   { t.length(e) } -> std::same_as<double>;
+  { t.numbers().vertex_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;
   { s.compare_angle_to_pi(h, h) } -> std::same_as<Comparison_result>;
   { s.flip_status(h) } -> std::same_as<Move_status>;
   { s.flip_convex_edge(h) } -> std::same_as<Move_status>;

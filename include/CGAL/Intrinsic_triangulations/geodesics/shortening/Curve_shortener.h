@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <queue>
 #include <vector>
 
@@ -28,8 +29,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // when to stop
 struct Shortening_limits {
   std::uint64_t flips = std::numeric_limits<std::uint64_t>::max();
-  double length = 0;       // of all curves, in scaled units
-  double angle = HUGE_VAL; // of joints, in radians
+  std::uint64_t shortenings = std::numeric_limits<std::uint64_t>::max();
+  double length = -HUGE_VAL; // of all curves, in scaled units
+  double angle = HUGE_VAL;   // of joints, in radians
 };
 
 // Makes curves geodesic (§5.1 of the course, Algorithms 6 and 7), the joint with the smallest angle first.
@@ -45,12 +47,15 @@ struct Shortening_limits {
 // joint is not flexible). The angles of f at b are below pi / 2; at the face beyond the loop they sum to less than pi, so
 // that one end of the loop has an angle below pi: the loop is flipped before, and n gets a second edge.
 //
-// A loop of one edge, of length l at vertex b, is replaced at once by the closed curve beyond the faces at b, never by the other two
-// sides of its triangle, which are longer. When no edge in its wedge can be flipped, these are the face f = b b n of the loop
-// and faces b n_i n_(i+1), i from 1 to k, n_1 = n_k = n. Unfolded about b, where f comes first and last, the path through f, all
-// n_i, and f is convex inside a triangle with two sides of length l: |b n| + sum |n_i n_(i+1)| + |n b| < 2 l, where the two lengths
-// are those of the two sides of f. They sum to l at least, so the closed curve through all n_i is shorter than l. If there is no
-// such face, k = 1, then f = b n b and the loop contracts to n.
+// A loop of one edge at vertex b with an angle below pi is replaced at once by a closed curve beyond the faces at b, never by the
+// other two sides of its triangle, which are longer. Its wedge is an annulus: the face f = b b n of the loop, and faces
+// b n_i n_(i+1), i from 1 to k, n_1 = n_k = n; beyond it is the closed curve C through all n_i.
+// - Edges from b to n_2 ... n_(k-1) are flipped away as above, which takes vertices out of C, until these have angles of pi at least.
+// - If n has an angle below pi, the edge b n_1 is flipped, which makes n_2 the apex of f and leaves C as it is; then b n_1, at the
+//   other end of the wedge, can be flipped away. With k = 2 this does not happen: the angles at b and n sum to 2 pi.
+// - When all n_i have pi at least, C is a geodesic of the annulus, which is flat: the shortest of all closed curves in it that
+//   wind about once, and the loop, which has a smaller angle, is longer.
+// If the wedge is f = b n b alone, the loop contracts to n.
 template <class Triangulation>
 class Curve_shortener {
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -123,7 +128,6 @@ private:
   // joints at a vertex where other curves are, which may have become free
   void push_joints_at(Halfedge in) {
     const auto& number = t_.numbers();
-    if (network_.number_of_ends(target(in, t_.mesh())) <= 2) return;
     Halfedge h = in;
     do {
       const std::uint32_t i = number.halfedge(h);
@@ -141,8 +145,14 @@ private:
       const Side side(t_, segments_, s, is_left);
       Wedge wedge;
       if (!side.is_flexible(t_, segments_) || !side.find_wedge(t_, segments_, wedge)) continue;
+      if (wedge.faces.size() > 2 && is_nearly_pi(wedge.angle)) {
+        if (!flip_out(side.in, side.out, wedge.faces.size() - 2)) return;
+        wedge = {};
+        side.find_wedge(t_, segments_, wedge);
+      }
       ++result_.wedge_checks;
-      const Comparison_result c = session_.compare_to_pi(wedge);
+      const Comparison_result c =
+          side.is_turn(t_, segments_) ? SMALLER : session_.compare_angle_to_pi(side.in, side.out);
       if (c == EQUAL) ++result_.exact_ties;
       if (c != SMALLER) continue;
       if (side.first == side.second)
@@ -153,9 +163,21 @@ private:
     }
   }
 
-  // Flips edges in the wedge from h to g, on the left of h, away from its vertex.
-  bool flip_out(Halfedge h, Halfedge g) {
-    return flip_wedge_(opposite(h, t_.mesh()), g, true, limits_->flips, result_, [](Halfedge) {});
+  // Where the angle of a wedge is nearly pi, edges in it are flipped away before it is compared with pi: that leaves two corners,
+  // whose sum takes far less to decide than that of many. (If it leaves more, the angle is below pi: the polygon of b, a, c and
+  // the far ends of k - 1 edges has k + 2 corners, which sum to k pi; those of the edges have pi at least, so that b has less.) One flip per
+  // corner: where b has loops, flips at an angle of pi need not end.
+  static bool is_nearly_pi(double angle) { return std::abs(angle - std::numbers::pi) < 1e-6; }
+
+  // Flips edges in the wedge from h to g, on the left of h, away from its vertex, `most` at most. False if the cap is reached.
+  bool flip_out(Halfedge h, Halfedge g,
+                std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
+    const std::uint64_t left = limits_->flips - result_.flips;
+    const bool is_done = flip_wedge_(opposite(h, t_.mesh()), g, true, std::min(left, most), result_,
+                                     [](Halfedge) {});
+    if (is_done || most < left) return true;
+    result_.status = Status::cap;
+    return false;
   }
 
   // the sides opposite the vertex in the wedge from h to g, from the source of h to the target of g
@@ -177,23 +199,41 @@ private:
   }
 
   void shorten_loop(const Side& side) {
-    if (!flip_out(side.in, side.out)) return;
-    std::vector<Halfedge> way = arc(side.in, side.out);
-    if (way.size() <= 2) {
-      const std::uint32_t curve = segments_[side.first].curve;
-      network_.curves_[curve].start = target(way.front(), t_.mesh());
-      way.clear();
-    } else {
-      way.erase(way.begin());
-      way.pop_back();
+    const auto& mesh = t_.mesh();
+    while (true) {
+      const Halfedge first = next(side.in, mesh), last = opposite(next(first, mesh), mesh);
+      if (first == last) {
+        network_.curves_[segments_[side.first].curve].start = target(first, mesh);
+        replace(side, {});
+        return;
+      }
+      if (!flip_out(opposite(first, mesh), last)) return;
+      const std::vector<Halfedge> beyond = arc(opposite(first, mesh), last);
+      if (session_.compare_angle_to_pi(opposite(beyond.front(), mesh),
+                                       opposite(beyond.back(), mesh)) != SMALLER) {
+        replace(side, beyond);
+        return;
+      }
+      if (!flip_first(first)) return;
     }
-    replace(side, way);
+  }
+  // false if that is refused, or the cap is reached
+  bool flip_first(Halfedge e) {
+    if (result_.flips == limits_->flips) {
+      result_.status = Status::cap;
+    } else if (flip_wedge_.flip(e) == Move_status::done) {
+      ++result_.flips;
+      return true;
+    } else {
+      ++result_.refused_flips;
+    }
+    return false;
   }
 
   // Puts a way along the sides of the faces of a wedge in place of two segments, or of one that is a loop. It lies on that
   // side of its edges where the faces of the wedge are.
   void replace(const Side& side, const std::vector<Halfedge>& way) {
-    ++result_.shortenings;
+    if (++result_.shortenings == limits_->shortenings) result_.status = Status::cap;
     const std::uint32_t curve = segments_[side.first].curve;
     const std::uint32_t s = side.is_reversed ? side.second : side.first;
     const std::uint32_t n = side.is_reversed ? side.first : side.second;
@@ -202,17 +242,22 @@ private:
     const Halfedge back = opposite(side.in, t_.mesh());
     if (way.empty() && before == none && after == none && s != n)
       network_.curves_[curve].start = target(back, t_.mesh());
-    for (const std::uint32_t x : {s, n}) {
-      if (x == n && s == n) break;
-      length_ -= length(network_.halfedge_of(x));
-      network_.remove_segment(x);
-    }
+    std::vector<Halfedge> shared; // to vertices where other curves are
+    for (const Halfedge h : {side.in, side.out, back})
+      if (network_.number_of_ends(target(h, t_.mesh())) > 2) shared.push_back(h);
+    remove(s);
+    if (n != s) remove(n);
     const Chain chain = insert(curve, side.is_reversed, way);
     link(curve, before, chain, after);
     if (before != none) push(before);
     for (std::uint32_t x = chain.first; x != none; x = x == chain.last ? none : segments_[x].next)
       push(x);
-    for (const Halfedge h : {side.in, side.out, back}) push_joints_at(h);
+    for (const Halfedge h : shared) push_joints_at(h);
+  }
+
+  void remove(std::uint32_t s) {
+    length_ -= length(network_.halfedge_of(s));
+    network_.remove_segment(s);
   }
 
   struct Chain {

@@ -52,6 +52,7 @@ struct Joint_side {
       if (g == out) return true;
       if (!segments.is_free(number.halfedge(g))) return false;
       g = opposite(g, t.mesh());
+      if (g == in) return false; // another fan of a vertex that is not manifold
     }
   }
 

@@ -26,9 +26,9 @@ public:
       : t_(t), session_(session), log_(log) {}
 
   // Flips edges between two halfedges from the same vertex, the first one that can be flipped, until none can; false if
-  // the cap on the number of flips was reached before. `flipped(e)` is called after each flip.
+  // there would be more than `most` flips. `flipped(e)` is called after each flip.
   template <class Function>
-  bool operator()(Halfedge from, Halfedge to, bool is_clockwise, std::uint64_t cap,
+  bool operator()(Halfedge from, Halfedge to, bool is_clockwise, std::uint64_t most,
                   Shortening_result& result, const Function& flipped) {
     const auto turned = [&](Halfedge e) {
       const auto& mesh = t_.mesh();
@@ -39,14 +39,12 @@ public:
     before.clear();
     Halfedge e = turned(from);
     while (e != to) {
-      if (result.flips == cap) {
-        result.status = Status::cap;
-        return false;
-      }
+      if (most == 0) return false;
       const Halfedge after = turned(e);
       const Move_status s = flip(e);
       if (s == Move_status::done) {
         ++result.flips;
+        --most;
         flipped(e);
         e = before.empty() ? after : before.back();
         if (!before.empty()) before.pop_back();
@@ -59,13 +57,13 @@ public:
     return true;
   }
 
-private:
   Move_status flip(Halfedge e) {
     if (log_ != nullptr) return log_->flip_edge(session_, e);
     const Move_status s = session_.flip_status(e);
     return s == Move_status::done ? session_.flip_convex_edge(e) : s;
   }
 
+private:
   const Triangulation& t_;
   Session& session_;
   Flip_log<Triangulation>* log_;

@@ -32,11 +32,15 @@ struct Shortening_visitor {
 
 namespace internal {
 
+template <class Triangulation>
+std::uint64_t default_cap(const Triangulation& t) {
+  return Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
+                                         : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())};
+}
+
 template <class Triangulation, class NamedParameters>
 std::uint64_t maximum_flips(const Triangulation& t, const NamedParameters& np) {
-  return value_or<tags::maximum_number>(
-      np, Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
-                                          : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
+  return value_or<tags::maximum_number>(np, default_cap(t));
 }
 
 template <class Triangulation, class NamedParameters>
@@ -51,6 +55,8 @@ Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
     throw std::invalid_argument("joint_angle must be in [0, 180] degrees");
   if (part > 0) limits.length = std::ldexp(part * network.length(), t.metric().scale_exponent());
   if (angle < 180) limits.angle = angle * std::numbers::pi / 180;
+  // with inexact numbers, rounding may make curves go round without a flip
+  limits.shortenings = default_cap(t);
   limits.flips = maximum_flips(t, np);
   return limits;
 }
@@ -78,7 +84,7 @@ end each free joint has an angle of at least pi on both sides, except on sides w
 pi is straight. A loop that can be shrunk to a vertex ends there: `Curve_network::is_point()`.
 
 With exact traits it ends by proof, loops of one edge included: the length of all curves decreases in every step, and there are
-finitely many geodesic edges below a length. With inexact ones a cap on the number of flips makes it end.
+finitely many geodesic edges below a length. With inexact ones caps on the numbers of flips and of shortenings make it end.
 
 \tparam Triangulation a model of `GeodesicTriangulation`
 \tparam NP a chain of named parameters

@@ -159,15 +159,20 @@ private:
     for (const std::size_t side : {first, 1 - first}) {
       if (!is_whole[side]) continue;
       ++result_.wedge_checks;
-      const Comparison_result c = session_.compare_to_pi(wedges[side]);
+      const Comparison_result c =
+          side == 0 ? session_.compare_angle_to_pi(in, out)
+                    : session_.compare_angle_to_pi(opposite(out, mesh), opposite(in, mesh));
       if (c == EQUAL) ++result_.exact_ties;
       if (c != SMALLER) continue;
       ++result_.shortenings;
-      flip_wedge_(opposite(in, mesh), out, side == 0, cap_, result_, [this](Halfedge e) {
-        const std::uint32_t i = t_.numbers().halfedge(e);
-        relax(i);
-        relax(i ^ 1U);
-      });
+      const std::uint64_t left = cap_ - result_.flips;
+      const bool is_done =
+          flip_wedge_(opposite(in, mesh), out, side == 0, left, result_, [this](Halfedge e) {
+            const std::uint32_t i = t_.numbers().halfedge(e);
+            relax(i);
+            relax(i ^ 1U);
+          });
+      if (!is_done) result_.status = Status::cap;
       return false;
     }
     return true;

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZER_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
@@ -104,7 +105,7 @@ public:
   Odt_result run(const Constrained& constrained) {
     for (const auto e : edges(mesh_)) {
       const Halfedge h = halfedge(e, mesh_);
-      if (get(constrained, e)) set_constrained(number(h) / 2, true);
+      if (get(constrained, e)) set_whole(number(h) / 2, number(h) / 2);
       flipper_.push(h);
     }
     result_.energy_before = odt_energy(t_);
@@ -127,9 +128,9 @@ public:
     return result_;
   }
 
-  /// tells whether an edge was constrained, or is a part of one that was.
-  bool is_constrained_edge(std::uint32_t e) const {
-    return e < is_constrained_.size() && is_constrained_[e] != 0;
+  /// returns the constrained edge that an edge is, or is a part of, or `Gluing::none`.
+  std::uint32_t whole(std::uint32_t e) const {
+    return e < whole_.size() ? whole_[e] : Gluing::none;
   }
 
   // ---- observer of the flipper
@@ -139,7 +140,7 @@ public:
     is_going_on_ = false;
     return false;
   }
-  bool is_constrained(Halfedge h) const { return is_constrained_edge(number(h) / 2); }
+  bool is_constrained(Halfedge h) const { return whole(number(h) / 2) != Gluing::none; }
   void after_flip(Halfedge) { ++result_.flips; }
   void refused(Halfedge) { ++result_.refused; }
 
@@ -148,9 +149,9 @@ private:
   Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
   bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
 
-  void set_constrained(std::uint32_t e, bool value) {
-    if (e >= is_constrained_.size()) is_constrained_.resize(e + std::size_t{1}, 0);
-    is_constrained_[e] = value ? 1 : 0;
+  void set_whole(std::uint32_t e, std::uint32_t whole) {
+    if (e >= whole_.size()) whole_.resize(e + std::size_t{1}, Gluing::none);
+    whole_[e] = whole;
   }
 
   // with inexact numbers, rounding may make flips go round
@@ -189,22 +190,22 @@ private:
 
   bool split(Halfedge h) {
     if (is_border(h)) h = opposite(h, mesh_);
-    const std::uint32_t e = number(h) / 2;
-    const bool on_border = is_border(opposite(h, mesh_)), is_kept = is_constrained_edge(e);
+    const std::uint32_t e = number(h) / 2, whole_edge = whole(e);
+    const bool on_border = is_border(opposite(h, mesh_));
     const auto n = session_.split_edge(h, 0.5);
     if (n.status != Move_status::done) {
       ++result_.refused;
       return true;
     }
     ++result_.splits;
-    if (is_kept) {
+    if (whole_edge != Gluing::none) {
       // on the border h is the first half; inside it was flipped, and runs from the vertex
-      set_constrained(e, false);
+      set_whole(e, Gluing::none);
       const Halfedge one = on_border ? h : next(next(h, mesh_), mesh_);
       const Halfedge other = on_border ? next(opposite(next(h, mesh_), mesh_), mesh_)
                                        : next(opposite(h, mesh_), mesh_);
-      set_constrained(number(one) / 2, true);
-      set_constrained(number(other) / 2, true);
+      set_whole(number(one) / 2, whole_edge);
+      set_whole(number(other) / 2, whole_edge);
     }
     flipper_.push_star(n.vertex);
     return flipper_.run(*this);
@@ -228,7 +229,7 @@ private:
   bool may_move(Vertex v) {
     if (!star_.load(view_, number(opposite(halfedge(v, mesh_), mesh_)))) return false;
     return std::none_of(star_.spokes().begin(), star_.spokes().end(),
-                        [this](std::uint32_t h) { return is_constrained_edge(h / 2); });
+                        [this](std::uint32_t h) { return whole(h / 2) != Gluing::none; });
   }
 
   void move(Vertex v) {
@@ -316,7 +317,7 @@ private:
   std::uint64_t cap_;
   Planar_star star_;
   std::vector<Halfedge> rim_;
-  std::vector<char> is_constrained_; // by edge number
+  std::vector<std::uint32_t> whole_; // by edge number
   bool is_going_on_ = true;
   Odt_result result_;
 };

@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_optimizer.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_parts.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
@@ -55,10 +55,10 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
   const internal::Surface_check<Triangulation> check(t);
   internal::Odt_optimizer<Triangulation, std::remove_reference_t<decltype(observed)>> optimizer(
       t, np, observed);
+  const internal::Constrained_parts parts(t, constrained);
   Odt_result result = optimizer.run(constrained);
   check.conclude(result);
-  internal::write_constrained(t, constrained,
-                              [&](std::uint32_t e) { return optimizer.is_constrained_edge(e); });
+  parts.write(t, [&](std::uint32_t e) { return optimizer.whole(e); });
   return result;
 }
 

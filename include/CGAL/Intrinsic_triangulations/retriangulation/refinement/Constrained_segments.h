@@ -73,6 +73,8 @@ public:
   bool is_constrained(std::uint32_t edge) const {
     return is_segment(edge) && segments_[segment_[edge]].is_constrained;
   }
+  /// returns the edge that a segment or a part of one was before any split.
+  std::uint32_t whole(std::uint32_t edge) const { return segments_[segment_[edge]].halfedge / 2; }
   /// tells whether there are none.
   bool empty() const { return segments_.empty(); }
   /// tells whether a vertex was put on a segment.

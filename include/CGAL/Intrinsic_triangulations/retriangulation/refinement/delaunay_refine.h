@@ -4,32 +4,20 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINE_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_parts.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cstdint>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// Makes a property map true of constrained edges, if it is writable.
-template <class Triangulation, class Map, class Predicate>
-void write_constrained(const Triangulation& t, Map map, const Predicate& is_constrained) {
-  if constexpr (std::is_convertible_v<typename boost::property_traits<Map>::category,
-                                      boost::writable_property_map_tag>)
-    for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
-      put(map, e, is_constrained(t.index(e)));
-}
-
-} // namespace internal
 
 /*!
 \brief inserts vertices until faces meet criteria, and keeps the triangulation Delaunay (§4.3 of the
@@ -58,9 +46,9 @@ where rounding has spoilt them.
   - `conforming(b)`: whether constrained edges that are not locally Delaunay are split, so that all edges
     become locally Delaunay; if not, they may stay as they are (the two flavours of §4.4 of the
     course). Default: false.
-  - `edge_is_constrained_map(m)`: a property map from edges to `bool`; constrained edges are never
-    flipped. If it is writable, it is true of the parts of constrained edges in the end, and false of
-    other edges that are new. Default: none is.
+  - `edge_is_constrained_map(m)`: a property map from edges to `bool`, or to labels that convert to it; constrained
+    edges are never flipped. If it is writable, the parts of a constrained edge have its value in the end, and
+    other edges that are new are not constrained. Default: none is.
   - `visitor(v)`: derived from `Refinement_visitor`
 \return status, counts, and the faces that do not meet the criteria
 \throws std::invalid_argument if a bound makes no sense
@@ -82,10 +70,13 @@ delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
   const internal::Surface_check<Triangulation> check(t);
   internal::Delaunay_refiner<Triangulation, std::remove_reference_t<decltype(observed)>> refiner(
       t, np, observed);
+  const internal::Constrained_parts parts(t, constrained);
   auto result = refiner.run(constrained);
   check.conclude(result);
-  internal::write_constrained(
-      t, constrained, [&](std::uint32_t e) { return refiner.segments().is_constrained(e); });
+  const Constrained_segments& segments = refiner.segments();
+  parts.write(t, [&](std::uint32_t e) {
+    return segments.is_constrained(e) ? segments.whole(e) : Gluing::none;
+  });
   return result;
 }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_COCIRCULAR_STRIP_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_COCIRCULAR_STRIP_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_TIE_OF_STRIP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_TIE_OF_STRIP_H
 
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Word_integer.h>
@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 
 /*!
@@ -65,6 +66,19 @@ public:
     return panels_.size() == 1 ? is_cocircular_in_plane() : is_isosceles_trapezoid();
   }
 
+  // Whether three corners are proven to be collinear.
+  bool is_collinear(std::size_t a, std::size_t b, std::size_t c) const {
+    if (!is_valid_) return false;
+    if (panels_.size() == 1)
+      return is_zero(cross(difference(point(a), point(b)), difference(point(c), point(b))));
+    Root_sum
+        sum; // twice the area of the triangle: of x_a (y_b - y_c) + x_b (y_c - y_a) + x_c (y_a - y_b)
+    add_y(a, x_[c] - x_[b], sum);
+    add_y(b, x_[a] - x_[c], sum);
+    add_y(c, x_[b] - x_[a], sum);
+    return sum.is_proven_zero();
+  }
+
 private:
   using Wide = Word_integer<2 * words>;
   using Coefficients = std::array<int, 4>; // of the four corners
@@ -81,21 +95,25 @@ private:
 
   // A sum of roots of integers, with coefficients.
   struct Root_sum {
-    boost::container::small_vector<std::pair<Wide, int>, 8> terms;
+    boost::container::small_vector<std::pair<Wide, Wide>, 8> terms;
 
-    void add(const Wide& square, int coefficient) {
-      if (square.is_zero()) return;
-      for (auto& [s, c] : terms)
+    void add(const Wide& square, bool is_positive, const Integer& coefficient) {
+      const bool is_added = is_positive == (coefficient.sign() > 0);
+      const Wide c = full_product(coefficient.magnitude(), Integer(1));
+      for (auto& [s, sum] : terms)
         if (s == square) {
-          c += coefficient;
+          sum = is_added ? sum + c : sum - c;
           return;
         }
-      terms.emplace_back(square, coefficient);
+      terms.emplace_back(square, is_added ? c : Wide() - c);
     }
     bool is_proven_zero() const {
-      return std::all_of(terms.begin(), terms.end(), [](const auto& t) { return t.second == 0; });
+      return std::all_of(terms.begin(), terms.end(),
+                         [](const auto& t) { return t.second.is_zero(); });
     }
   };
+
+  const Vector& point(std::size_t corner) const { return points_[diamond_.point(corner)]; }
 
   static Vector difference(const Vector& a, const Vector& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -180,19 +198,20 @@ private:
   bool y_vanishes(const Coefficients& coefficients) const {
     Root_sum sum;
     for (std::size_t c = 0; c < 4; ++c)
-      if (coefficients[c] != 0) add_y(c, coefficients[c], sum);
+      if (coefficients[c] != 0) add_y(c, Integer(coefficients[c]), sum);
     return sum.is_proven_zero();
   }
 
   // adds |h| y of a corner, over the panels on the way to it
-  void add_y(std::size_t corner, int coefficient, Root_sum& sum) const {
+  void add_y(std::size_t corner, const Integer& coefficient, Root_sum& sum) const {
+    if (coefficient.is_zero()) return;
     std::uint32_t point = diamond_.point(corner), triangle = diamond_.corners[corner].triangle;
     for (;;) {
       const std::uint32_t p = triangles_[triangle].panel;
       const Panel& panel = panels_[p];
       const Vector v = cross(ruling_, difference(points_[point], points_[panel.base]));
       const int sign = wide_product(triangles_[triangle].normal, v).sign();
-      if (sign != 0) sum.add(wide_product(v, v), sign * coefficient);
+      if (sign != 0) sum.add(wide_product(v, v), sign > 0, coefficient);
       if (p == 0) return;
       point = panel.base;
       triangle = panel.parent;
@@ -254,10 +273,19 @@ private:
   Bit_range range_;
 };
 
-template <std::size_t words>
-bool is_cocircular_strip(const Unfolded_diamond& diamond, const Strip_points& points) {
-  const auto integers = points.integers<words>();
-  return Cylinder_strip<words>(diamond, integers).is_cocircular();
+// the value of a predicate of a strip, false if coordinates are too long
+template <class Predicate>
+bool holds_on_strip(const Input_metric& input, const Unfolded_diamond& diamond,
+                    const Predicate& predicate) {
+  if (diamond.has_inserted_corners()) return false;
+  const Strip_points points(input, diamond);
+  const auto holds = [&](const auto& integers, auto words) {
+    return predicate(Cylinder_strip<words>(diamond, integers));
+  };
+  if (points.width() <= 58)
+    return holds(points.integers<2>(), std::integral_constant<std::size_t, 2>());
+  return points.width() <= 122 &&
+         holds(points.integers<4>(), std::integral_constant<std::size_t, 4>());
 }
 
 } // namespace internal
@@ -276,12 +304,24 @@ of an edge, with areas that are not negative
 \complexity linear in the number of triangles, about a tenth of a microsecond each
 */
 inline bool is_cocircular_strip(const Input_metric& input, const Unfolded_diamond& diamond) {
-  if (diamond.has_inserted_corners()) return false;
-  const internal::Strip_points points(input, diamond);
-  if (points.width() <= 58) return internal::is_cocircular_strip<2>(diamond, points);
-  return points.width() <= 122 && internal::is_cocircular_strip<4>(diamond, points);
+  return internal::holds_on_strip(input, diamond,
+                                  [](const auto& strip) { return strip.is_cocircular(); });
+}
+
+/*!
+\brief proves that three corners of an unfolded diamond are collinear, where the triangles lie in one plane, or are folded along
+parallel lines and points are as far apart across these as they are along them: paths around prisms are straight there.
+\param input, diamond see `is_cocircular_strip()`
+\param a, b, c corners
+\return true if they are collinear, proven; false if nothing is known
+\complexity as of `is_cocircular_strip()`
+*/
+inline bool is_collinear_strip(const Input_metric& input, const Unfolded_diamond& diamond,
+                               std::size_t a, std::size_t b, std::size_t c) {
+  return internal::holds_on_strip(input, diamond,
+                                  [&](const auto& strip) { return strip.is_collinear(a, b, c); });
 }
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_COCIRCULAR_STRIP_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_TIE_OF_STRIP_H

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lists the public classes and functions by topic, with their headers, from the comments in the headers.
+
+    list_members.py            # says whether doc/members.md is what they say now
+    list_members.py --write    # writes it
+"""
+
+import argparse
+import collections
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE = ROOT / "doc" / "members.md"
+INCLUDE = ROOT / "include" / "CGAL"
+HEAD = """\
+# Classes and functions by topic
+
+What programs use, for who reads without doxygen: `doc/list_members.py` makes this page of the comments in the headers, and a
+test says if it is not what they say. All names are in the namespace `CGAL::Intrinsic_triangulations`.
+`#include <CGAL/Intrinsic_triangulations.h>` has those marked with *. Parameters, results and costs are described in the headers,
+which the links lead to; the [user manual](Intrinsic_triangulations/user_manual.md) says what to use when.
+"""
+GROUP = re.compile(r'^  group\["([^"]+)"\]\s*= "(\w+)"$', re.MULTILINE)
+TOPIC = re.compile(r"\\defgroup (\w+) ([^\n]+)\n\\ingroup page_reference\n\\brief ([^\n]+)")
+INTERNAL = re.compile(r"^namespace internal \{$.*?^\} // namespace internal$", re.MULTILINE | re.DOTALL)
+# A comment of an entity in a namespace: others are indented.
+ENTITY = re.compile(r"^(?:/\*!\n\\brief (.*?)\*/\n|((?:/// [^\n]*\n)+))(?!#|$)(.*?)(?:\{|;)", re.MULTILINE | re.DOTALL)
+TYPE = re.compile(r"^(?:class|struct|enum class|concept|using)\s+(\w+)", re.MULTILINE)
+INCLUDED = re.compile(r"#include <CGAL/([\w/.]+)>")
+
+
+def without_brackets(text):
+    """A declaration without what is between < and >, template parameters above all."""
+    text = text.replace("operator<", "operator").replace("->", "")
+    while (shorter := re.sub(r"<[^<>]*>", "", text)) != text:
+        text = shorter
+    return text
+
+
+def name_of(declaration):
+    """The name of a class, or of a function with (), or None."""
+    bare = without_brackets(declaration)
+    if found := TYPE.search(re.sub(r"\[\[.*?\]\]", "", bare)):
+        return found[1]
+    bare = re.sub(r"\brequires\s*\([^()]*(?:\([^()]*\)[^()]*)*\)", "", bare)
+    bare = re.sub(r"\brequires\s+[\w:]+(\s*&&\s*[\w:]+)*\n", "", bare)
+    found = re.search(r"(\w+)\s*\(", bare)
+    return f"{found[1]}()" if found else None
+
+
+def brief(comment):
+    """The sentence that a comment begins with, as text."""
+    comment = comment.removeprefix("\\brief ")
+    text = re.split(r"\n\s*\n|\n\\(?!it|ref|f\$)", comment)[0]
+    text = re.sub(r"\\it([cf])\{(\w+)\}", lambda m: f"`{m[2]}{'()' if m[1] == 'f' else ''}`", text)
+    text = re.sub(r'\\ref (?:::)?(\w+)(?: "([^"]*)")?', lambda m: m[2] or m[1], text)
+    return " ".join(text.replace("\\f$", "").replace("|", "\\|").split())
+
+
+def topics():
+    """The topics that programs use, in their order: their names, titles and briefs."""
+    text = (ROOT / "doc/Intrinsic_triangulations/groups.h").read_text(encoding="utf-8")
+    return [t for t in TOPIC.findall(text) if not t[1].startswith("Inside") and t[0] != "ref_concepts"]
+
+
+def topic_of(header, groups):
+    path = header.relative_to(INCLUDE).as_posix().removeprefix("Intrinsic_triangulations/")
+    fitting = [prefix for prefix in groups if path.startswith(prefix)]
+    return groups[max(fitting, key=len)] if fitting else "ref_owner"
+
+
+def members():
+    """For each topic the names, headers and briefs."""
+    groups = dict(GROUP.findall((ROOT / "doc/group_header.awk").read_text(encoding="utf-8")))
+    result = collections.defaultdict(dict)
+    for header in sorted(INCLUDE.rglob("*.h"), key=lambda h: h.name.lower()):
+        topic = topic_of(header, groups)
+        text = INTERNAL.sub("", header.read_text(encoding="utf-8"))
+        for long, short, declaration in ENTITY.findall(text):
+            if name := name_of(declaration):
+                result[topic].setdefault((name, header), brief(long or short.replace("/// ", "")))
+    return result
+
+
+def included_by(path, known):
+    """The headers that a header includes, with those that they include, but for `*_impl.h`."""
+    header = INCLUDE / path
+    if path not in known and not path.endswith("_impl.h") and header.exists():
+        known.add(path)
+        for other in INCLUDED.findall(header.read_text(encoding="utf-8")):
+            included_by(other, known)
+    return known
+
+
+def page():
+    lines, found = [HEAD], members()
+    umbrella = included_by("Intrinsic_triangulations.h", set())
+    for topic, title, text in topics():
+        lines += [f"## {title}", "", text, "", "| name | header | |", "|---|---|---|"]
+        for (name, header), says in sorted(found[topic].items(), key=lambda m: (m[0][0].lower(), m[0][1])):
+            path = header.relative_to(INCLUDE).as_posix()
+            mark = " *" if path in umbrella else ""
+            short = path.removeprefix("Intrinsic_triangulations/")
+            lines.append(f"| `{name}` | [{short}](../include/CGAL/{path}){mark} | {says} |")
+        lines.append("")
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--write", action="store_true")
+    text = page()
+    if parser.parse_args().write:
+        PAGE.write_text(text, encoding="utf-8")
+    elif PAGE.read_text(encoding="utf-8") != text:
+        print("doc/members.md is not what the headers say: run doc/list_members.py --write")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

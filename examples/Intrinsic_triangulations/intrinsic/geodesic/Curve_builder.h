@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_GEODESIC_CURVE_BUILDER_H
+#define INTRINSIC_GEODESIC_CURVE_BUILDER_H
+
+#include "../constraints.h"
+#include "../load.h"
+#include "../options.h"
+#include "asked_curves.h"
+
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/add_marked_edges.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace program {
+
+/*!
+\brief adds the curves that options ask for to a network: vertices at their points first, then marked edges, then paths and
+loops of shortest paths along edges.
+*/
+template <class Triangulation>
+class Curve_builder {
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Vertices = std::vector<Vertex>;
+
+public:
+  /// prepares the curves of `options` on what was loaded.
+  Curve_builder(Loaded<Triangulation>& loaded, const Options& options,
+                IT::Curve_network<Triangulation>& network)
+      : loaded_(loaded), t_(loaded.triangulation), options_(options), network_(network) {}
+
+  /// adds the curves. \throws std::runtime_error naming what cannot be added, and the remedy
+  void run() {
+    const std::vector<Asked_curve> curves =
+        asked_curves(options_, t_.input().number_of_vertices(), loaded_.facts.polygons);
+    std::vector<Vertices> vertices;
+    for (const Asked_curve& curve : curves) vertices.push_back(vertices_of(curve));
+    fix_vertices(curves, vertices);
+    if (has_constraints(options_))
+      named(options_.input,
+            [&] { IT::add_marked_edges(network_, marked_edges(t_, loaded_.constraints)); });
+    IT::Edge_path_finder<Triangulation> find(t_);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const std::vector<Halfedge> way = way_through(vertices[i], curves[i], find);
+      named(curves[i].source,
+            [&] { curves[i].is_loop ? network_.add_loop(way) : network_.add_path(way); });
+    }
+    if (network_.number_of_curves() == 0)
+      throw std::runtime_error(options_.input +
+                               ": no edge is marked, so there is no curve; mark edges, or choose a "
+                               "smaller --sharp-angle");
+  }
+
+private:
+  // calls a function, and tells of a crossing in the numbers of the file
+  template <class Function>
+  void named(const std::string& source, const Function& function) const {
+    try {
+      function();
+    } catch (const IT::Invalid_input& e) {
+      if (e.kind() != IT::Element_kind::vertex) throw;
+      throw std::runtime_error(source + ": the curve crosses another or itself at " +
+                               name(t_.numbers().vertex_at(static_cast<std::uint32_t>(e.index()))) +
+                               ", where none may pass another; let curves end there, give it as a "
+                               "point of this one with "
+                               "--waypoints, or make each geodesic in a run of its own");
+    }
+  }
+
+  std::string name(Vertex v) const {
+    return t_.is_inserted(v)
+               ? "a point inside of a face of " + options_.input
+               : "vertex " + std::to_string(t_.input_vertex(v)) + " of " + options_.input;
+  }
+
+  Vertices vertices_of(const Asked_curve& curve) {
+    Vertices result;
+    for (const Asked_point& p : curve.points) {
+      const Vertex v = p.is_vertex
+                           ? t_.numbers().vertex_at(t_.input().names().vertices.here(p.element))
+                           : vertex_in_face(p, curve);
+      if (halfedge(v, t_.mesh()).index == IT::Gluing::none)
+        throw std::runtime_error(curve.source + ": " + name(v) +
+                                 " is isolated: no face has it; choose another");
+      result.push_back(v);
+    }
+    return result;
+  }
+
+  Vertex vertex_in_face(const Asked_point& p, const Asked_curve& curve) {
+    const std::string face =
+        curve.source + ": face " + std::to_string(p.element) + " of " + options_.input;
+    std::uint32_t triangle = p.element;
+    if (const std::vector<std::uint32_t>& polygon = loaded_.polygon_of_triangle; !polygon.empty()) {
+      const auto [begin, end] = std::equal_range(polygon.begin(), polygon.end(), p.element);
+      if (end - begin != 1)
+        throw std::runtime_error(face + " is a polygon, in which barycentric coordinates name no "
+                                        "point; triangulate it before");
+      triangle = static_cast<std::uint32_t>(begin - polygon.begin());
+    }
+    const auto v =
+        IT::insert_point(t_, IT::surface_point(t_, {IT::Gluing_map::Face{triangle}, p.weights},
+                                               loaded_.constraints.mesh));
+    if (v.status != IT::Move_status::done)
+      throw std::runtime_error(face + " has no room for a vertex at that point; choose another");
+    return v.vertex;
+  }
+
+  // Ends that several curves have are junctions.
+  void fix_vertices(const std::vector<Asked_curve>& curves, const std::vector<Vertices>& vertices) {
+    std::map<std::uint32_t, int> ends;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      if (options_.geodesic.has_waypoints)
+        for (const Vertex v : vertices[i]) network_.fix(v);
+      if (curves[i].is_loop) continue;
+      for (const Vertex v : {vertices[i].front(), vertices[i].back()})
+        if (++ends[t_.index(v)] > 1) network_.fix(v);
+    }
+  }
+
+  std::vector<Halfedge> way_through(const Vertices& vertices, const Asked_curve& curve,
+                                    IT::Edge_path_finder<Triangulation>& find) const {
+    std::vector<Halfedge> way;
+    const std::size_t n = vertices.size();
+    for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < n; ++i) {
+      const Vertex from = vertices[i], to = vertices[(i + 1) % n];
+      if (from == to)
+        throw std::runtime_error(curve.source + ": " + name(from) +
+                                 " follows itself; give it once");
+      const std::vector<Halfedge> piece = find(from, to);
+      if (piece.empty())
+        throw std::runtime_error(curve.source + ": no path leads from " + name(from) + " to " +
+                                 name(to) +
+                                 ", they are in different components; choose points of one");
+      way.insert(way.end(), piece.begin(), piece.end());
+    }
+    return way;
+  }
+
+  Loaded<Triangulation>& loaded_;
+  Triangulation& t_;
+  const Options& options_;
+  IT::Curve_network<Triangulation>& network_;
+};
+
+} // namespace program
+
+#endif // INTRINSIC_GEODESIC_CURVE_BUILDER_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_GEODESIC_ASKED_CURVES_H
+#define INTRINSIC_GEODESIC_ASKED_CURVES_H
+
+#include "../options.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// The curves that the command line and the file of `--network` name.
+
+namespace program {
+
+/// A vertex of the mesh file, or a point in one of its faces.
+struct Asked_point {
+  bool is_vertex = true;
+  std::uint32_t element = 0;     ///< number of the vertex or the face
+  std::array<double, 3> weights; ///< of the corners of the face; they sum to 1
+};
+
+/// A path or a loop through points.
+struct Asked_curve {
+  std::vector<Asked_point> points;
+  bool is_loop = false;
+  std::string source; ///< where it was asked for: an option, or file and line
+};
+
+/// returns what is wrong with a list of points, and the remedy; empty: nothing. \param least how many are needed
+std::string curve_points_misuse(const std::string& text, std::size_t least);
+
+/*!
+\brief returns the curves of `--path`, `--loop` and `--network`, in this order.
+\param options the options
+\param vertices number of vertices of the mesh file
+\param faces number of its faces
+\throws std::runtime_error naming the file, or the option, and the element that does not exist
+*/
+std::vector<Asked_curve> asked_curves(const Options& options, std::size_t vertices,
+                                      std::size_t faces);
+
+} // namespace program
+
+#endif // INTRINSIC_GEODESIC_ASKED_CURVES_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "geodesic.h"
+#include "../commands.h"
+
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+
+#include <iostream>
+#include <stdexcept>
+
+#include <unistd.h>
+
+namespace program {
+
+// One translation unit each, to compile in little memory.
+void run_geodesic_with_crossings(const Options& options);
+void run_geodesic_with_signposts(const Options& options);
+
+std::string geodesic_status(IT::Status status, bool is_contracted) {
+  switch (status) {
+  case IT::Status::done:
+    return is_contracted ? "contracted" : "geodesic";
+  case IT::Status::stopped:
+    return "stopped";
+  case IT::Status::cancelled:
+    return "cancelled";
+  default:
+    return "cap";
+  }
+}
+
+void warn_of_cap(const Json& json, const Options& options) {
+  if (json["geodesic"]["status"] == "cap")
+    std::cerr << options.input << ": shortening did not end after " << json["geodesic"]["flips"]
+              << " flips in double arithmetic; use --arithmetic exact\n";
+}
+
+void print_geodesic_summary_on_terminal(const Json& json) {
+  if (isatty(STDERR_FILENO) == 0) return;
+  const Json& g = json["geodesic"];
+  std::cerr << "curves          " << g["curves"].size() << ": " << g["status"].get<std::string>()
+            << (g["certified"] ? ", certified" : "") << "\nlength          " << g["length"]
+            << ", before " << g["initial_length"] << "\nflips           " << g["flips"] << "; "
+            << g["joints"] << " joints, " << g["exact_ties"] << " exact ties\n";
+  if (json.contains("refine")) print_summary_on_terminal(json);
+}
+
+void run_geodesic(const Options& options) {
+  if (is_triangulation_file(options.input))
+    throw std::runtime_error(options.input +
+                             ": a stored triangulation does not know where its edges run on the "
+                             "input; start from the mesh");
+  if (options.correspondence == "crossings")
+    run_geodesic_with_crossings(options);
+  else if (options.correspondence == "signposts")
+    run_geodesic_with_signposts(options);
+  else
+    run_geodesic_with<IT::Integer_coordinates>(options);
+}
+
+} // namespace program

@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_DISTANCE_POLYHEDRAL_DISTANCE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_DISTANCE_POLYHEDRAL_DISTANCE_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/distance/Corner_table.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/distance/Distance_field.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/distance/Path_tracer.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/distance/Window_propagation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <ranges>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a shortest path over the faces of a triangulation.
+*/
+struct Shortest_path {
+  /// `done`; `stalled` if no source can be reached, or it was not looked for so far away; `inaccurate` or `cap` if rounding has
+  /// led astray: the end of the path is there, its beginning is missing.
+  Status status = Status::done;
+  /// The source, a point on each edge that is crossed, the vertices that it goes through, and the end. The
+  /// piece that begins at a point lies in the face of its halfedge.
+  std::vector<Surface_point> points;
+  /// Its length, in the units of the input: the distance.
+  double length = 0;
+};
+
+/*!
+\brief observes the search for distances; the default visitor does nothing.
+*/
+struct Polyhedral_distance_visitor {
+  /*!
+  \brief is called now and then, about every 65536 windows.
+  \param windows number of windows so far
+  \param distance distances up to this one are known, in the units of the input
+  \return whether to go on
+  */
+  bool progress([[maybe_unused]] std::uint64_t windows, [[maybe_unused]] double distance) {
+    return true;
+  }
+};
+
+/*!
+\brief knows the distances of all points of a triangulated surface from sources, and the shortest paths.
+
+Distances are those on the surface, along shortest paths through faces and across edges: nothing is discretized, errors are those of
+rounding. The triangulation is read once, in doubles: only lengths and areas count, so that it need not lie in
+space. Any Delta-complex will do, with or without border; a shortest path may run along the border. The distances do
+not depend on the triangulation of a surface; the effort does.
+
+The search is that of Chen and Han (1990), by distance and pruned as by Xin and Wang (2009): intervals of edges that a source
+sees, *windows*, spread over the faces, 32 bytes each.
+
+\tparam Triangulation a model of `NumberedTriangulation`
+*/
+template <NumberedTriangulation Triangulation>
+class Polyhedral_distance {
+public:
+  /// Vertex of the triangulation.
+  using vertex_descriptor = typename Triangulation::vertex_descriptor;
+
+  /*!
+  \brief finds the distances from sources.
+  \tparam Sources a vertex, a `Surface_point`, or a range of either
+  \tparam NP a chain of named parameters
+  \param t the triangulation; it must outlive this object unchanged
+  \param sources the sources
+  \param np optional named parameters:
+    - `maximum_distance(d)`: how far to look, in the units of the input. Default: as far as there are faces.
+    - `targets(p)`: a vertex, a `Surface_point`, or a range of either: the search stops once their distances are known. Default:
+      none, it goes everywhere.
+    - `maximum_number(n)`: cap on the number of windows, which ends the search on bodies so thin that rounding hides which
+      paths are shorter. Default: 500 per halfedge and 4 million.
+    - `visitor(v)`: see `Polyhedral_distance_visitor`
+  \pre points are in faces, and their weights are not negative
+  \complexity O(n^2 log n) for n faces that shortest paths cross once, as they do in space (Chen and Han; Xin and Wang); about
+    n^1.5 in practice. Memory: 32 bytes per window, 6 to
+    12 windows per halfedge as a rule, and 40 bytes per halfedge
+  */
+  template <class Sources, NamedParameters NP = parameters::Parameters<>>
+  Polyhedral_distance(const Triangulation& t, const Sources& sources,
+                      const NP& np = parameters::default_values())
+      : t_(&t), field_(internal::corner_table(t)) {
+    using namespace internal::tags;
+    internal::expect_names<maximum_distance, targets, maximum_number, visitor>(np);
+    internal::Window_propagation propagation(field_);
+    for_each_place(sources, [&](const auto& p) { propagation.add_source(p); });
+    internal::Propagation_limits limits;
+    limits.radius = internal::value_or<maximum_distance>(np, limits.radius) / field_.table.unit;
+    limits.windows = internal::value_or<maximum_number>(
+        np, 4000000 + 500 * std::uint64_t{field_.table.corners.size()});
+    for_each_place(internal::object_or<targets>(np, std::array<Surface_point, 0>()),
+                   [&](const auto& p) { limits.add_target(p); });
+    auto stored_visitor = internal::object_or<visitor>(np, Polyhedral_distance_visitor());
+    auto& observed = internal::unwrapped(stored_visitor);
+    status_ = propagation.run(limits, [&](std::uint64_t windows, double distance) {
+      return observed.progress(windows, distance * field_.table.unit);
+    });
+    number_of_windows_ = propagation.number_of_windows();
+  }
+
+  /// returns `done`, `cap` or `cancelled`; distances up to `reached_distance()` are known in any case.
+  Status status() const { return status_; }
+  /// returns how far was looked, in the units of the input; infinity if there is nothing beyond.
+  double reached_distance() const { return field_.radius * field_.table.unit; }
+  /// returns the number of windows that were looked through.
+  std::uint64_t number_of_windows() const { return number_of_windows_; }
+  /// returns the number of bytes held, but for those of constant number.
+  std::size_t bytes() const { return field_.bytes(); }
+
+  /// returns the distance of a vertex, in the units of the input; infinity if it cannot be reached, or
+  /// was not looked for so far away.
+  double distance(vertex_descriptor v) const {
+    return known(field_.vertices[t_->index(v)].distance);
+  }
+  /// returns the distance of a point. \complexity linear in the number of windows of its face
+  double distance(const Surface_point& p) const {
+    return known(field_.at(point_in_face(p)).distance);
+  }
+  /// returns the distances of all vertices, by their rows, see `Intrinsic_triangulation::input_vertex()`.
+  std::vector<double> distances() const {
+    std::vector<double> result(t_->number_of_vertices());
+    for (const vertex_descriptor v : vertices(t_->mesh()))
+      result[t_->input_vertex(v)] = distance(v);
+    return result;
+  }
+
+  /// returns a shortest path to a vertex from the nearest source. \complexity linear in the number of its points
+  Shortest_path shortest_path(vertex_descriptor v) const {
+    internal::Path_tracer tracer(field_);
+    const double length = distance(v);
+    if (!std::isfinite(length)) return {Status::stalled, {}, length};
+    return path(tracer.trace(t_->index(v)), tracer, length);
+  }
+  /// returns a shortest path to a point from the nearest source. \complexity linear in the number of its points and of the
+  /// windows of its face
+  Shortest_path shortest_path(const Surface_point& p) const {
+    internal::Path_tracer tracer(field_);
+    const double length = distance(p);
+    if (!std::isfinite(length)) return {Status::stalled, {}, length};
+    return path(tracer.trace(point_in_face(p)), tracer, length);
+  }
+
+private:
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+
+  double known(double scaled_distance) const {
+    return scaled_distance <= field_.radius ? scaled_distance * field_.table.unit
+                                            : std::numeric_limits<double>::infinity();
+  }
+
+  std::uint32_t side_of(std::uint32_t halfedge_number) const {
+    const typename Triangulation::Mesh& mesh = t_->mesh();
+    const Halfedge h = t_->numbers().halfedge_at(halfedge_number);
+    CGAL_precondition(face(h, mesh) !=
+                      boost::graph_traits<typename Triangulation::Mesh>::null_face());
+    std::uint32_t k = 0;
+    for (Halfedge g = halfedge(face(h, mesh), mesh); g != h; g = next(g, mesh)) ++k;
+    return 3 * t_->index(face(h, mesh)) + k;
+  }
+  std::uint32_t halfedge_of(std::uint32_t side) const {
+    const typename Triangulation::Mesh& mesh = t_->mesh();
+    Halfedge h = halfedge(t_->numbers().face_at(side / 3), mesh);
+    for (std::uint32_t k = 0; k < side % 3; ++k) h = next(h, mesh);
+    return t_->numbers().halfedge(h);
+  }
+
+  internal::Point_in_face point_in_face(const Surface_point& p) const {
+    return field_.point(side_of(p.halfedge), p.weights);
+  }
+
+  // Calls a function with vertices by number and with points in faces.
+  template <class Places, class Function>
+  void for_each_place(const Places& places, const Function& f) const {
+    if constexpr (std::convertible_to<Places, vertex_descriptor>) {
+      f(t_->index(vertex_descriptor(places)));
+    } else if constexpr (std::same_as<Places, Surface_point>) {
+      for (std::uint32_t k = 0; k < 3; ++k) // a corner is a vertex
+        if (places.weights[(k + 1) % 3] == 0 && places.weights[(k + 2) % 3] == 0) {
+          const std::uint32_t side = side_of(places.halfedge);
+          return f(field_.table.corners[side - side % 3 + (side + k) % 3].origin);
+        }
+      f(point_in_face(places));
+    } else {
+      static_assert(std::ranges::range<const Places>,
+                    "sources and targets are vertices, objects Surface_point, or ranges of them");
+      for (const auto& p : places) for_each_place(p, f);
+    }
+  }
+
+  Shortest_path path(Status status, const internal::Path_tracer& tracer, double length) const {
+    Shortest_path result{status, {}, length};
+    for (const internal::Path_place& p : tracer.places())
+      result.points.push_back({halfedge_of(p.side), p.weights});
+    std::reverse(result.points.begin(), result.points.end());
+    return result;
+  }
+
+  const Triangulation* t_;
+  internal::Distance_field field_;
+  Status status_ = Status::done;
+  std::uint64_t number_of_windows_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_DISTANCE_POLYHEDRAL_DISTANCE_H
