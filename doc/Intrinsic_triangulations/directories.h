@@ -16,6 +16,9 @@ includes what most programs need. \ref page_reference lists all names by topic.
 \dir CGAL/Intrinsic_triangulations/operators
 \brief Matrices of finite elements, solutions, estimates of their errors and their transfer. Needs Eigen.
 
+\dir CGAL/Intrinsic_triangulations/geodesics
+\brief Curves along edges that flips make geodesic, geodesics between points, Bezier curves, exact distances.
+
 \dir CGAL/Intrinsic_triangulations/retriangulation
 \brief Algorithms that change the triangulation: flips to Delaunay, refinement, optimal Delaunay triangulations.
 
