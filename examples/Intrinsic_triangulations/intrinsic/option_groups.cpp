@@ -252,6 +252,12 @@ void add_curve_options(CLI::App& command, Options& options) {
        "path through points, separated by commas: numbers of vertices, or face:b0:b1:b2; may be "
        "repeated");
   list("--loop", g.loops, 3, "closed curve through points; may be repeated");
+  command.add_option("--bezier", g.bezier, "Bezier curve with these control points; alone")
+      ->check(curve_points(2));
+  command
+      .add_option("--source", g.source,
+                  "geodesics from a point to all vertices, in one triangulation; alone")
+      ->check(curve_points(1));
   command
       .add_option(
           "--network", g.network,
@@ -303,8 +309,14 @@ void make_refinement_options_need(CLI::Option& refine, CLI::App& command) {
 
 std::string geodesic_misuse(const Options& o) {
   const Geodesic_options& g = o.geodesic;
-  if (g.paths.empty() && g.loops.empty() && g.network.empty() && !has_constraints(o))
-    return "there is no curve; name some with --path, --loop, --network, --marked or --sharp-angle";
+  const bool has_curves =
+      !g.paths.empty() || !g.loops.empty() || !g.network.empty() || has_constraints(o);
+  const int alone = (g.bezier.empty() ? 0 : 1) + (g.source.empty() ? 0 : 1);
+  if (alone == 0 && !has_curves)
+    return "there is no curve; name some with --path, --loop, --bezier, --source, --network, "
+           "--marked or --sharp-angle";
+  if (alone > 1 || (alone == 1 && has_curves))
+    return "--bezier and --source flip edges wherever they need to; give them without other curves";
   return curve_output_misuse(o);
 }
 

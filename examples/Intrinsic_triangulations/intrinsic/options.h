@@ -39,6 +39,8 @@ struct Adaptive_criteria {
 struct Geodesic_options {
   std::vector<std::string> paths; ///< points of each, separated by commas
   std::vector<std::string> loops; ///< points of each, separated by commas
+  std::string bezier;             ///< control points, separated by commas; empty: none
+  std::string source;             ///< point from which geodesics lead to all vertices; empty: none
   std::string network;            ///< file that lists paths and loops; empty: none
   bool has_waypoints = false;     ///< whether curves stay at all points that are given
   double relative_length = 0;     ///< part of the length at which to stop

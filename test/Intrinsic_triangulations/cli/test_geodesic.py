@@ -166,6 +166,27 @@ class Curves(Geodesic_test):
         self.assertEqual(where, [prism(7, 6)[0][g["curves"][0]["vertex"]]])
         self.assertEqual(curves, {0: [0]})
 
+    def test_a_bezier_curve_in_a_plane(self):
+        points, faces = grid(8)
+        mesh = self.write_off("g.off", points, faces)
+        g = self.geodesic(mesh, "--bezier", "0,8,80", "-o", "c.obj")
+        self.assert_geodesic(g)
+        a, b, c = points[0], points[8], points[80]
+        n = 10000
+        exact = 0  # length of a parabola; the polygon of 5 rounds is longer by about 4^-5 of what that of none is
+        for i in range(n):
+            u = (i + 0.5) / n
+            exact += math.hypot(*(2 * (1 - u) * (b[k] - a[k]) + 2 * u * (c[k] - b[k]) for k in range(3))) / n
+        self.assert_close(g["length"], exact, 1e-3)
+        self.assertGreaterEqual(g["length"], exact * (1 - 1e-9))
+
+    def test_geodesics_from_one_vertex_in_a_plane(self):
+        points, faces = grid(8)
+        mesh = self.write_off("g.off", points, faces)
+        g = self.geodesic(mesh, "--source", "0", "-o", "c.obj")
+        self.assert_geodesic(g)
+        self.assertEqual(len(g["curves"]), len(points) - 1)
+
     def test_a_loop_on_a_sphere_contracts(self):
         mesh = self.write_off("s.off", *icosphere(2))
         g = self.geodesic(mesh, "--loop", "0,1,7")
@@ -369,6 +390,7 @@ class Errors(Geodesic_test):
     def test_misuse(self):
         for arguments, words in (((), ("no curve", "--path")),
                                  (("--path", "1"), ("too few points",)),
+                                 (("--source", "0", "--path", "1,2"), ("without other curves",)),
                                  (("--loop", "1,2"), ("too few points",)),
                                  (("--path", "1,b"), ("no point",)),
                                  (("--path", "1,2:0.5:0.5"), ("no point",)),

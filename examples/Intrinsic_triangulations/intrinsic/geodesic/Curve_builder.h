@@ -10,10 +10,12 @@
 #include "asked_curves.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/bezier/make_bezier_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/add_marked_edges.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/single_source/flip_to_geodesic_tree.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -53,6 +55,9 @@ public:
             [&] { IT::add_marked_edges(network_, marked_edges(t_, loaded_.constraints)); });
     IT::Edge_path_finder<Triangulation> find(t_);
     for (std::size_t i = 0; i < curves.size(); ++i) {
+      if (curves[i].kind == Curve_kind::source) add_tree(vertices[i].front());
+      if (curves[i].kind == Curve_kind::control_points) add_bezier_curve(vertices[i], curves[i]);
+      if (curves[i].kind != Curve_kind::joined) continue;
       const std::vector<Halfedge> way = way_through(vertices[i], curves[i], find);
       named(curves[i].source,
             [&] { curves[i].is_loop ? network_.add_loop(way) : network_.add_path(way); });
@@ -64,6 +69,30 @@ public:
   }
 
 private:
+  // the last two edges on the way to each vertex, so that all of its joints are there
+  void add_tree(Vertex source) {
+    const auto tree = IT::flip_to_geodesic_tree(t_, source);
+    for (const Vertex v : vertices(t_.mesh())) {
+      const Halfedge last = tree.halfedge_to(v);
+      if (last.index == IT::Gluing::none) continue;
+      const Halfedge before = tree.halfedge_to(IT::source(last, t_.mesh()));
+      before.index == IT::Gluing::none ? network_.add_path(std::vector{last})
+                                       : network_.add_path(std::vector{before, last});
+    }
+  }
+
+  void add_bezier_curve(const Vertices& control_points, const Asked_curve& asked) {
+    named(asked.source, [&] {
+      const auto curve = IT::make_bezier_curve(t_, control_points);
+      if (curve.status != IT::Status::done)
+        throw std::runtime_error(asked.source +
+                                 ": no geodesics join the control points; choose points "
+                                 "of one component");
+      for (const Vertex v : curve.control_points) network_.fix(v);
+      network_.add_path(curve.halfedges);
+    });
+  }
+
   // calls a function, and tells of a crossing in the numbers of the file
   template <class Function>
   void named(const std::string& source, const Function& function) const {

@@ -147,7 +147,7 @@ private:
         line.points = points_at(network_.start(c));
       } else {
         const IT::Traced_curve curve = IT::trace_curve(t_, network_.halfedges(c));
-        if (curve.status != IT::Status::done)
+        if (curve.status == IT::Status::not_traceable)
           throw std::runtime_error(options_.input + ": curve " + std::to_string(c) +
                                    " cannot be found on the mesh, as rounding has spoilt the "
                                    "signposts; use --correspondence integer");
@@ -163,7 +163,7 @@ private:
   std::vector<Point> points_at(typename Triangulation::vertex_descriptor v) const {
     const auto out = opposite(halfedge(v, t_.mesh()), t_.mesh());
     const IT::Traced_curve star = IT::trace_curve(t_, std::vector{out});
-    if (star.status != IT::Status::done) return {};
+    if (star.points.empty()) return {};
     return {in_space(star.points.front())};
   }
 

@@ -67,7 +67,7 @@ void append_network(const std::string& path, std::size_t vertices,
   Text_lines lines(path);
   const std::size_t before = curves.size();
   while (lines.next()) {
-    Asked_curve curve{{}, lines.words().front() == "loop", {}};
+    Asked_curve curve{{}, lines.words().front() == "loop", {}, Curve_kind::joined};
     for (std::size_t i = curve.is_loop ? 1 : 0; i < lines.words().size(); ++i)
       curve.points.push_back({true, lines.element(i, "vertex", vertices), {1, 0, 0}});
     if (curve.points.size() < (curve.is_loop ? 3 : 2))
@@ -103,6 +103,11 @@ std::vector<Asked_curve> asked_curves(const Options& options, std::size_t vertic
     curves.push_back({points_of(text), false, "--path " + text});
   for (const std::string& text : g.loops)
     curves.push_back({points_of(text), true, "--loop " + text});
+  if (!g.bezier.empty())
+    curves.push_back(
+        {points_of(g.bezier), false, "--bezier " + g.bezier, Curve_kind::control_points});
+  if (!g.source.empty())
+    curves.push_back({points_of(g.source), false, "--source " + g.source, Curve_kind::source});
   for (const Asked_curve& curve : curves) expect_elements(curve, options.input, vertices, faces);
   if (!g.network.empty()) append_network(g.network, vertices, curves);
   return curves;

@@ -23,18 +23,26 @@ struct Asked_point {
   std::array<double, 3> weights; ///< of the corners of the face; they sum to 1
 };
 
-/// A path or a loop through points.
+/// What becomes of the points of a curve.
+enum class Curve_kind {
+  joined,         ///< a path or a loop leads through them
+  control_points, ///< they are those of a Bezier curve
+  source          ///< geodesics lead from the first one to all vertices
+};
+
+/// A path or a loop through points, or what else they stand for.
 struct Asked_curve {
   std::vector<Asked_point> points;
   bool is_loop = false;
   std::string source; ///< where it was asked for: an option, or file and line
+  Curve_kind kind = Curve_kind::joined;
 };
 
 /// returns what is wrong with a list of points, and the remedy; empty: nothing. \param least how many are needed
 std::string curve_points_misuse(const std::string& text, std::size_t least);
 
 /*!
-\brief returns the curves of `--path`, `--loop` and `--network`, in this order.
+\brief returns the curves of `--path`, `--loop`, `--bezier`, `--source` and `--network`, in this order.
 \param options the options
 \param vertices number of vertices of the mesh file
 \param faces number of its faces
