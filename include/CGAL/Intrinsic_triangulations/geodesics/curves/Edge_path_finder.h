@@ -97,7 +97,8 @@ private:
 
   // takes the nearest vertex of a side
   void advance(unsigned k) {
-    const auto [distance, v] = sides_[k].queue.top();
+    const double distance = sides_[k].queue.top().first;
+    const std::uint32_t v = sides_[k].queue.top().second;
     sides_[k].queue.pop();
     if (distance > sides_[k].labels[v].distance) return;
     for_each_outgoing(t_.numbers().vertex_at(v), t_.mesh(), [&](halfedge_descriptor h) {
