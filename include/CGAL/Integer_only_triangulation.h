@@ -302,8 +302,9 @@ private:
         if (faces.size() == 2)
           return geometry_.sign(view, correspondence_, sides[first],
                                 Convexity_at_source_expression(), statistics_);
-      return geometry_.sign(view, correspondence_, std::span(sides).subspan(first, faces.size()),
-                            expression, statistics_);
+      return geometry_.sign_of_faces(view, correspondence_,
+                                     std::span(sides).subspan(first, faces.size()), expression,
+                                     statistics_);
     });
   }
 

@@ -196,11 +196,14 @@ TEST(ShortenCurves, CurvesOnAFlatTorusGetTheLengthOfTheirClass) {
     if (!add_if_it_does_not_cross(network, walk, is_loop)) continue;
     ASSERT_EQ(shorten_curves(network).status, Status::done) << "walk " << i;
     // a path that winds about its own end cannot pass it
-    if (is_loop || is_straight(network))
+    if (is_loop || is_straight(network)) {
       EXPECT_NEAR(network.length(0), std::hypot(x, y), length_error) << "walk " << i;
-    else
+    } else {
       EXPECT_GT(network.length(0), std::hypot(x, y)) << "walk " << i;
-    if (is_loop) EXPECT_EQ(network.is_point(0), x == 0 && y == 0) << "walk " << i;
+    }
+    if (is_loop) {
+      EXPECT_EQ(network.is_point(0), x == 0 && y == 0) << "walk " << i;
+    }
     expect_geodesic(network);
     ++(is_loop ? network.is_point(0) ? contracted : loops : paths);
     blocked += !is_straight(network);
@@ -256,7 +259,9 @@ TYPED_TEST(ShortenCurvesOn, DeltaComplexesMakesNetworksGeodesic) {
       EXPECT_EQ(r.refused_flips, 0U);
       EXPECT_LE(network.length(), before * (1 + 1e-12));
       EXPECT_FALSE(has_crossing(t, network)) << s.name << ", network " << i;
-      if (TypeParam::Metric::is_exact) EXPECT_TRUE(is_geodesic(network).is_geodesic()) << s.name;
+      if (TypeParam::Metric::is_exact) {
+        EXPECT_TRUE(is_geodesic(network).is_geodesic()) << s.name;
+      }
     }
 }
 

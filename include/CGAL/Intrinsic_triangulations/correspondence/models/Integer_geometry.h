@@ -113,9 +113,9 @@ public:
   \complexity linear in the number of input triangles that are unfolded, if the filter decides
   */
   template <class View, FaceExpression Expression>
-  Sign sign(const View& view, const Integer_coordinates& coordinates,
-            std::span<const std::uint32_t> halfedges, const Expression& expression,
-            Predicate_statistics& statistics) {
+  Sign sign_of_faces(const View& view, const Integer_coordinates& coordinates,
+                     std::span<const std::uint32_t> halfedges, const Expression& expression,
+                     Predicate_statistics& statistics) {
     internal::check_has_exact_sign<Expression>();
     std::vector<Unfolded_diamond> faces;
     std::vector<Face_values<FT>> values;
