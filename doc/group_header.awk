@@ -75,6 +75,7 @@ BEGIN {
   group["retriangulation/refinement/Removable_vertices.h"]   = "ref_inside"
   group["retriangulation/refinement/dijkstra_ball.h"]        = "ref_inside"
   group["retriangulation/refinement/locate_circumcenter.h"]  = "ref_inside"
+  group["geodesics/"]                                        = "ref_curves"
   group["tracing/"]                                          = "ref_inside_tracing"
   group["tracing/trace_geodesic.h"]                          = "ref_tracing"
   group["triangulation/"]                                    = "ref_inside"

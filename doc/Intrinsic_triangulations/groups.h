@@ -95,6 +95,12 @@ Begin with \itc{Intrinsic_triangulation}, or with \itc{Corresponding_triangulati
 */
 
 /*!
+\defgroup ref_curves Geodesic curves
+\ingroup page_reference
+\brief Paths, loops and networks along edges, made geodesic by flips (chapter 5 of the course), and the geodesics between points.
+*/
+
+/*!
 \defgroup ref_operators Operators
 \ingroup page_reference
 \brief Matrices, solutions, estimates of their errors, and transfer. Headers in `operators/`; they need Eigen.

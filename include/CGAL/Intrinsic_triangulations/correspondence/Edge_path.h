@@ -55,7 +55,8 @@ struct Edge_path {
   /// which it is; `Gluing::none` if there is none.
   std::uint32_t along = Gluing::none;
   /// Its start, the points where it crosses or meets edges and vertices of the other triangulation, and
-  /// its end: two at least. Between them it is straight and in one face of both.
+  /// its end: two at least. Between them it is straight and in one face of both. A crossing of an intrinsic edge with an
+  /// input edge is named in the input face that the intrinsic edge enters.
   std::vector<Path_point> points;
 };
 

@@ -104,7 +104,7 @@ Edge_path trace_edge_by_signposts(const Triangulation& t, const Signposts& signp
     const Geodesic_crossing& c = crossings[i];
     last = std::max(last, is_forward ? part_of_line(strip[i], r)
                                      : 1 - part_of_line(strip[strip.size() - 1 - i], r));
-    add({c.halfedge, {1 - c.parameter, c.parameter, 0}}, last);
+    add({c.halfedge ^ 1U, {c.parameter, 1 - c.parameter, 0}}, last); // in the face that it enters
   }
   add(end(h ^ 1U), 1);
   return path;

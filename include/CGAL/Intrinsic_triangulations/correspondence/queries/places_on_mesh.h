@@ -43,9 +43,9 @@ using Face_location =
 
 namespace internal {
 
-template <class Mesh>
-void check_is_mesh_of(const Input& input, const Mesh& mesh, const Mesh_adaptor<Mesh>& number) {
-  if (number.vertex_capacity(mesh) != input.number_of_vertices())
+// `vertices`: number of vertices of the mesh, removed ones included
+inline void check_is_mesh_of(const Input& input, std::uint32_t vertices) {
+  if (vertices != input.number_of_vertices())
     throw Invalid_input(
         Element_kind::none, 0,
         "the mesh is not the one that the triangulation was built from, or has removed "
@@ -62,7 +62,7 @@ class Named_mesh_elements {
 public:
   Named_mesh_elements(const Input& input, const Mesh& mesh)
       : input_(input), mesh_(mesh), number_(mesh) {
-    check_is_mesh_of(input, mesh, number_);
+    check_is_mesh_of(input, number_.vertex_capacity(mesh));
   }
 
   // The halfedge of the input at the user's halfedge of a triangle.
@@ -195,7 +195,7 @@ typename Triangulation::vertex_descriptor
 vertex_on_intrinsic(const Triangulation& t, typename boost::graph_traits<Mesh>::vertex_descriptor v,
                     const Mesh& mesh) {
   const Mesh_adaptor<Mesh> number(mesh);
-  internal::check_is_mesh_of(t.input(), mesh, number);
+  internal::check_is_mesh_of(t.input(), number.vertex_capacity(mesh));
   return t.numbers().vertex_at(t.input().names().vertices.here(number.vertex(v)));
 }
 

@@ -6,9 +6,11 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -35,6 +37,24 @@ struct Traced_curve {
 };
 
 namespace internal {
+
+// Describes a point from the halfedge of a face that it lies in, or on the boundary of; there may be several ways if the face is
+// glued to itself.
+inline Surface_point seen_in_face(const Input& input, const Surface_point& p, std::uint32_t f) {
+  const std::uint32_t base = input.halfedge_of_face(f);
+  if (input.face(p.halfedge) == f) return seen_from(input, p, base);
+  std::uint32_t h = p.halfedge;
+  for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
+    const double x = p.weights[(k + 1) % 3];
+    if (p.weights[(k + 2) % 3] == 0 && !input.is_border(h ^ 1U) && input.face(h ^ 1U) == f)
+      return seen_from(input, {h ^ 1U, {x, 1 - x, 0}}, base);
+  }
+  for (std::size_t k = 0; k < 3; ++k, h = input.next(h))
+    if (p.weights[k] == 1)
+      for (std::uint32_t g = base, n = 0; n < 3; ++n, g = input.next(g))
+        if (input.source(g) == input.source(h)) return seen_from(input, {g, {1, 0, 0}}, base);
+  return p;
+}
 
 template <class Triangulation>
 void append_edge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
@@ -109,8 +129,8 @@ std::vector<Face_location<Mesh>> face_locations(const Triangulation& t, const Tr
   std::vector<Face_location<Mesh>> result;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const std::size_t piece = i < curve.faces.size() ? i : i - 1;
-    const std::uint32_t h = input.halfedge_of_face(curve.faces[piece]);
-    result.push_back(named.on_mesh(seen_from(input, curve.points[i], h)));
+    result.push_back(
+        named.on_mesh(internal::seen_in_face(input, curve.points[i], curve.faces[piece])));
   }
   return result;
 }

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Read by doxygen only.
+
+/*!
+\class GeodesicTriangulation GeodesicTriangulation.h <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
+\cgalConcept
+
+The concept `GeodesicTriangulation` describes a triangulation in which curves along edges can be made geodesic: angles at a vertex are
+compared with pi, and flips can be taken back.
+
+\cgalRefines{IntrinsicTriangulation, NumberedTriangulation}
+
+\cgalHasModel{\itc{Intrinsic_triangulation}}
+
+\cgalHeading{Which operation needs what}
+
+| operation | needs |
+|---|---|
+| \itc{Curve_network} | `length`, numbers |
+| \itc{Edge_path_finder} | numbers and values of \ref ::NumberedTriangulation |
+| \itf{shorten_curves} | `flip_status`, `flip_convex_edge`, `compare_angle_to_pi`; with a \itc{Flip_log} also `before_flip` |
+| \itf{is_geodesic} | `compare_angle_to_pi` |
+| \itc{Flip_log} | `before_flip`, `undo_flip` |
+
+\cgalHeading{Complexity}
+
+Flips as of \ref ::IntrinsicTriangulation. A comparison of an angle is linear in the number of faces it consists of, as a rule.
+*/
+class GeodesicTriangulation {
+public:
+  /// returns the length of an edge, in the units of the input.
+  double length(edge_descriptor e) const;
+
+  /// Makes moves.
+  class Session {
+  public:
+    /// What is needed to take a flip back.
+    typedef unspecified_type Before_flip;
+    /// compares the angle at the target of `h` from `h` to `g`, on the left of `h`, with pi. \pre no border is in between
+    Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const;
+    /// tells whether an edge can be flipped, and if not, why: `done` means that it can.
+    Move_status flip_status(halfedge_descriptor h) const;
+    /// flips an edge. \pre `flip_status(h)` is `done`
+    Move_status flip_convex_edge(halfedge_descriptor h);
+    /// returns what a flip of an edge will replace.
+    Before_flip before_flip(halfedge_descriptor h) const;
+    /// takes back the flip of `h`, the last move. \pre `before` is what `before_flip(h)` returned before it
+    void undo_flip(halfedge_descriptor h, const Before_flip& before);
+  };
+};

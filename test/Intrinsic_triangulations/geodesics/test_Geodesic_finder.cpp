@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+
+#include "meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Geodesic_path;
+using IT::Gluing_map;
+using IT::Status;
+using IT::Surface_point;
+using Exact = IT::Exact_euclidean_traits;
+using Triangulation = IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Integer_coordinates>;
+
+template <class T>
+T unnumbered(const meshes::Mesh& m) {
+  IT::Intrinsic_input input = m.input();
+  input.may_renumber = false;
+  return T(std::move(input));
+}
+
+meshes::Point position(const Triangulation& t, const meshes::Mesh& m, const Surface_point& p) {
+  meshes::Point x{0, 0, 0};
+  std::uint32_t h = p.halfedge;
+  for (std::size_t k = 0; k < 3; ++k, h = t.input().next(h))
+    for (std::size_t c = 0; c < 3; ++c) x[c] += p.weights[k] * m.points[t.input().source(h)][c];
+  return x;
+}
+
+double distance(const meshes::Point& a, const meshes::Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Everything that flips change.
+struct State {
+  std::vector<std::uint32_t> next, target, face;
+  std::vector<double> lengths, areas;
+  std::vector<std::int64_t> normal;
+  bool operator==(const State&) const = default;
+};
+
+template <class T>
+State state(const T& t) {
+  State s;
+  for (const auto h : halfedges(t.mesh())) {
+    s.next.push_back(t.numbers().halfedge(next(h, t.mesh())));
+    s.target.push_back(t.index(target(h, t.mesh())));
+    s.face.push_back(t.index(face(h, t.mesh())));
+  }
+  for (const auto e : edges(t.mesh())) {
+    s.lengths.push_back(t.metric().approximate_squared_length(t.index(e)));
+    if constexpr (requires { t.correspondence().normal_coordinate(0U); })
+      s.normal.push_back(
+          static_cast<std::int64_t>(t.correspondence().normal_coordinate(t.index(e))));
+  }
+  for (const auto f : faces(t.mesh()))
+    s.areas.push_back(t.metric().approximate_quadruple_area(t.index(f)));
+  return s;
+}
+
+/// Exact traits may have learnt better values on the way.
+void expect_same(const std::vector<double>& a, const std::vector<double>& b, bool is_exact) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], is_exact ? 1e-9 * b[i] : 0);
+}
+
+template <class T>
+class GeodesicFinder : public ::testing::Test {};
+using Triangulations = ::testing::Types<
+    Triangulation,
+    IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>, IT::Integer_coordinates>,
+    IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Explicit_crossings>,
+    IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Signposts>>;
+TYPED_TEST_SUITE(GeodesicFinder, Triangulations);
+
+// Flips are taken back, before and after flips to Delaunay, of which exact traits know the history.
+TYPED_TEST(GeodesicFinder, LeavesTheTriangulationAsItWas) {
+  for (const bool is_delaunay : {false, true}) {
+    TypeParam t = unnumbered<TypeParam>(meshes::potato(3, 5));
+    if (is_delaunay) flip_to_delaunay(t);
+    IT::Geodesic_finder<TypeParam> find(t);
+    std::mt19937 random(3);
+    std::uint64_t flips = 0;
+    std::vector<double> lengths;
+    const State before = state(t);
+    for (const unsigned round : {0U, 1U}) {
+      random.seed(3);
+      for (unsigned i = 0; i < 40; ++i) {
+        const auto vertex = [&] {
+          return t.numbers().vertex_at(
+              static_cast<std::uint32_t>(random() % num_vertices(t.mesh())));
+        };
+        const auto from = vertex(), to = vertex();
+        const Geodesic_path path = find(from, to);
+        ASSERT_EQ(path.status, Status::done);
+        EXPECT_LE(path.length, path.initial_length * (1 + 1e-12));
+        flips += path.shortening.flips;
+        if (round == 0)
+          lengths.push_back(path.length);
+        else
+          EXPECT_NEAR(path.length, lengths[i], 1e-12 * lengths[i]);
+      }
+    }
+    EXPECT_GT(flips, 500U);
+    const State after = state(t);
+    EXPECT_EQ(after.next, before.next);
+    EXPECT_EQ(after.target, before.target);
+    EXPECT_EQ(after.face, before.face);
+    EXPECT_EQ(after.normal, before.normal);
+    expect_same(after.lengths, before.lengths, TypeParam::Metric::is_exact);
+    expect_same(after.areas, before.areas, TypeParam::Metric::is_exact);
+  }
+}
+
+// Points follow each other in the faces that are named, and lie as far apart as the geodesic is long.
+TYPED_TEST(GeodesicFinder, PathsOverTheInputAreStraightInItsFaces) {
+  const meshes::Mesh mesh = meshes::rough_grid(12, 4);
+  TypeParam t = unnumbered<TypeParam>(mesh);
+  const Triangulation input = unnumbered<Triangulation>(mesh);
+  IT::Geodesic_finder<TypeParam> find(t);
+  std::mt19937 random(8);
+  for (unsigned i = 0; i < 60; ++i) {
+    const auto vertex = [&] {
+      return t.numbers().vertex_at(static_cast<std::uint32_t>(random() % num_vertices(t.mesh())));
+    };
+    const Geodesic_path path = find(vertex(), vertex());
+    ASSERT_EQ(path.status, Status::done);
+    if (path.points.empty()) continue;
+    ASSERT_EQ(path.faces.size() + 1, path.points.size());
+    double sum = 0;
+    for (std::size_t k = 0; k < path.faces.size(); ++k) {
+      sum += distance(position(input, mesh, path.points[k]),
+                      position(input, mesh, path.points[k + 1]));
+      for (const Surface_point& p : {path.points[k], path.points[k + 1]}) {
+        const Surface_point seen = IT::internal::seen_in_face(input.input(), p, path.faces[k]);
+        EXPECT_EQ(input.input().face(seen.halfedge), path.faces[k]);
+        EXPECT_LT(distance(position(input, mesh, seen), position(input, mesh, p)), 1e-12);
+        for (const double w : seen.weights) EXPECT_GE(w, -1e-12);
+      }
+    }
+    EXPECT_NEAR(sum, path.length, 1e-9 * path.length);
+  }
+}
+
+// In a plane the geodesic between any two points is the segment, and the triangulation gets rid of the points again.
+TEST(GeodesicFinderOfPoints, GeodesicsInAPlaneAreSegments) {
+  const meshes::Mesh mesh = meshes::random_planar(200, 64, 2);
+  Triangulation t = unnumbered<Triangulation>(mesh);
+  const std::uint32_t vertices_before = t.number_of_vertices();
+  IT::Geodesic_finder<Triangulation> find(t);
+  std::mt19937 random(2);
+  unsigned convex = 0;
+  for (unsigned i = 0; i < 60; ++i) {
+    const auto point = [&] {
+      const auto f = static_cast<std::uint32_t>(random() % t.input().number_of_faces());
+      const double a = static_cast<double>(1 + random() % 30) / 64,
+                   b = static_cast<double>(1 + random() % 30) / 64;
+      return Surface_point{t.input().halfedge_of_face(f), {a, b, 1 - a - b}};
+    };
+    const Surface_point from = point(), to = point();
+    const Geodesic_path path = find({from, to});
+    ASSERT_EQ(path.status, Status::done);
+    const double straight = distance(position(t, mesh, from), position(t, mesh, to));
+    // round corners of the border, else along the segment
+    EXPECT_GE(path.length, straight * (1 - 1e-9));
+    if (path.length < straight * (1 + 1e-9)) ++convex;
+    EXPECT_EQ(t.number_of_vertices(), vertices_before);
+  }
+  EXPECT_GT(convex, 40U);
+}
+
+TEST(GeodesicFinderOfPoints, PointsThatAreNotConnectedAreReported) {
+  meshes::Mesh two = meshes::sphere(0);
+  const auto n = static_cast<std::uint32_t>(two.points.size());
+  const meshes::Mesh other = meshes::translated(meshes::sphere(0), {5, 0, 0});
+  two.points.insert(two.points.end(), other.points.begin(), other.points.end());
+  for (const meshes::Triangle& x : other.triangles)
+    two.triangles.push_back({x[0] + n, x[1] + n, x[2] + n});
+  Triangulation t = unnumbered<Triangulation>(two);
+  IT::Geodesic_finder<Triangulation> find(t);
+  const Geodesic_path path = find(t.numbers().vertex_at(0), t.numbers().vertex_at(n));
+  EXPECT_EQ(path.status, Status::stalled);
+  EXPECT_TRUE(path.points.empty());
+}
+
+} // namespace
