@@ -63,19 +63,23 @@ public:
   Move_status go(Corner_direction d, double length, std::uint32_t target = Gluing::none) {
     const double total = length;
     angle_error_ = position_error_ = 0;
+    const bool has_target = target != Gluing::none;
     for (std::size_t faces = 0; faces < maximum_faces; ++faces) {
-      const bool is_at_end = target == Gluing::none && length <= rounding * total;
-      if (!turn(view_, d, rounding)) return is_at_end ? Move_status::done : Move_status::border;
-      Walk walk(view_, d);
-      if (target != Gluing::none && reaches(walk, target, length, rounding * total))
+      if (!has_target && length <= std::max(position_error_, 0x1p-40 * total))
         return Move_status::done;
+      if (!turn(view_, d, rounding)) return Move_status::border;
+      Walk walk(view_, d);
+      if (has_target && reaches(walk, target, length, rounding * total)) return Move_status::done;
       const typename Walk::Exit e = walk.exit();
       const bool on_border = view_.is_border(walk.halfedge(e) ^ 1U);
       if (length <= e.distance + (on_border ? rounding * total : tolerance(walk, e)))
-        return target == Gluing::none ? finish(walk.point(e, std::min(length, e.distance)))
-                                      : Move_status::not_traceable;
+        return has_target ? Move_status::not_traceable
+                          : finish(walk.point(e, std::min(length, e.distance)));
       length -= e.distance;
-      if (const Move_status s = pass(walk, e, d); s != Move_status::done) return s;
+      const Move_status s = pass(walk, e, has_target, d);
+      if (s == Move_status::border && !has_target && length <= rounding * total)
+        return Move_status::done;
+      if (s != Move_status::done) return s;
     }
     return Move_status::not_traceable;
   }
@@ -118,7 +122,7 @@ private:
 
   // The distance from edges and vertices that is taken for none, near a side of a length.
   double tolerance(double length) const {
-    return std::max(std::min(position_error_, 0x1p-30 * length), 0x1p-46 * length);
+    return std::max(std::min(position_error_, 0x1p-30 * length), 0x1p-36 * length);
   }
   double tolerance(const Walk& walk, const typename Walk::Exit& e) const {
     return tolerance(walk.face().length[e.side]);
@@ -165,8 +169,9 @@ private:
 
   // ---- on the way
 
-  // Goes to the exit of the face; `d` becomes the direction there.
-  Move_status pass(Walk& walk, const typename Walk::Exit& e, Corner_direction& d) {
+  // Goes to the exit of the face; `d` becomes the direction there. A line that runs along the border may pass vertices on it.
+  Move_status pass(Walk& walk, const typename Walk::Exit& e, bool may_follow_border,
+                   Corner_direction& d) {
     const std::array<std::uint32_t, 3> side = walk.face().side;
     walk.advance(e);
     angle_error_ += walk.angle_error();
@@ -174,10 +179,14 @@ private:
     const double length = walk.face().length[e.side];
     if (length * std::min(e.source_weight, e.target_weight) <= tolerance(length)) {
       const bool is_at_source = e.target_weight <= e.source_weight;
-      path_.append(is_at_source ? side[0] : side[2] ^ 1U);
-      if (!walk.pass_vertex(is_at_source ? 1 : 2)) return Move_status::border;
-      d = at_corner(walk);
-      return Move_status::done;
+      const std::uint32_t h = is_at_source ? side[0] : side[2] ^ 1U;
+      path_.append(h);
+      if (walk.pass_vertex(is_at_source ? 1 : 2)) {
+        d = at_corner(walk);
+        return Move_status::done;
+      }
+      return may_follow_border && is_straight_at(h ^ 1U, d) ? Move_status::done
+                                                            : Move_status::border;
     }
     if (view_.is_border(side[1] ^ 1U)) return Move_status::border;
     walk.cross(e); // into the frame of the other halfedge, whose direction is the opposite one
@@ -187,6 +196,15 @@ private:
     path_.append(s.to_apex ^ 1U);
     d = from_split(s, e.target_weight, angle);
     return Move_status::done;
+  }
+
+  // Whether a line that has come along halfedge `back` may go on straight at a vertex of the border.
+  bool is_straight_at(std::uint32_t back, Corner_direction& d) const {
+    for (const double angle : {std::numbers::pi, -std::numbers::pi}) {
+      d = {back, angle};
+      if (turn(view_, d, rounding)) return true;
+    }
+    return false;
   }
 
   // ---- the end

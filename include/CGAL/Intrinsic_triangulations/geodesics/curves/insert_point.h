@@ -36,7 +36,7 @@ namespace internal {
 // A vertex or an edge within rounding of a point that was located has the point.
 inline std::array<double, 3> without_rounding(std::array<double, 3> weights) {
   double sum = 0;
-  for (double& w : weights) sum += w = w < 0x1p-46 ? 0 : w;
+  for (double& w : weights) sum += w = w < 0x1p-38 ? 0 : w;
   for (double& w : weights) w = w == sum ? 1 : w / sum;
   return weights;
 }
