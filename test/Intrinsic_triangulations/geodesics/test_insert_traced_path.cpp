@@ -10,16 +10,15 @@
 
 #include "gallery.h"
 #include "meshes.h"
-#include "properties.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <random>
-#include <string>
 #include <vector>
 
 namespace {
@@ -95,13 +94,13 @@ TYPED_TEST(InsertTracedPath, OnDeltaComplexesIsAPathOfItsLength) {
   }
 }
 
-// A line of slope 2/3 that comes back: from a vertex it is five sides of the grid that is left, from elsewhere it meets its start.
+// A line of slope 2/3 comes back to where it starts.
 TYPED_TEST(InsertTracedPath, ThatIsClosedOnATorusEndsWhereItStarts) {
-  for (const Surface_point& start :
-       {Surface_point{0, {1, 0, 0}}, Surface_point{0, {0.5, 0.25, 0.25}},
-        Surface_point{0, {0.5, 0.5, 0}}}) {
+  for (const std::array<double, 3>& weights :
+       {std::array{1.0, 0.0, 0.0}, std::array{0.5, 0.25, 0.25}, std::array{0.5, 0.5, 0.0}}) {
     auto t = built<TypeParam>(gallery::flat_torus(1, 1));
-    const auto g = trace_geodesic(t, start, {3, 2}, std::hypot(3, 2));
+    const std::uint32_t h = t.numbers().halfedge(halfedge(t.numbers().face_at(0), t.mesh()));
+    const auto g = trace_geodesic(t, {h, weights}, {3, 2}, std::hypot(3, 2));
     const auto path = insert_traced_path(t, g);
     ASSERT_EQ(path.status, Move_status::done);
     EXPECT_NEAR(length_of_path(t, path.halfedges), std::hypot(3, 2), 1e-9);

@@ -86,8 +86,8 @@ public:
 
 private:
   static constexpr std::size_t maximum_faces = std::size_t{1} << 22U;
-  static constexpr double rounding =
-      0x1p-26; // angles, and parts of a line, that are taken for it at its ends
+  // Angles, and parts of a line, that are taken for rounding at its ends.
+  static constexpr double rounding = 0x1p-26;
 
   // A vertex on an edge, and the halfedges from it to the ends of the edge, and to the apex of the face in which it was split.
   struct Split {
@@ -120,7 +120,8 @@ private:
   // the halfedge before h in its face
   std::uint32_t last(std::uint32_t h) const { return view_.next(view_.next(h)); }
 
-  // The distance from edges and vertices that is taken for none, near a side of a length.
+  // The distance from edges and vertices that is taken for none, near a side of a length: not less than the error with which
+  // points of the input are located.
   double tolerance(double length) const {
     return std::max(std::min(position_error_, 0x1p-30 * length), 0x1p-36 * length);
   }
