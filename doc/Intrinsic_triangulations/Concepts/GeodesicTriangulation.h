@@ -18,7 +18,7 @@ compared with pi, and flips can be taken back.
 
 | operation | needs |
 |---|---|
-| \itc{Curve_network} | `length`, numbers |
+| \itc{Curve_network}, \itf{curve_labels} | `length`, numbers |
 | \itc{Edge_path_finder} | numbers and values of \ref ::NumberedTriangulation |
 | \itf{shorten_curves} | `flip_status`, `flip_convex_edge`, `compare_angle_to_pi`; with a \itc{Flip_log} also `before_flip` |
 | \itf{is_geodesic} | `compare_angle_to_pi` |

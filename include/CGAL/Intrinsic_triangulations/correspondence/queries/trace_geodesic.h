@@ -33,6 +33,8 @@ struct Geodesic {
   double length = 0;
   /// Bound of the first order on the error of the end, in the units of the input.
   double error = 0;
+  /// Vector along it at its start, as it was given, in the frame of the halfedge of the first point.
+  Planar_vector<double> start_direction{1, 0};
 };
 
 namespace internal {
@@ -53,7 +55,8 @@ Geodesic trace_scaled(const Complex& complex, int scale_exponent, const Surface_
              {start},
              end.direction,
              std::ldexp(end.length, -scale_exponent),
-             std::ldexp(end.error, -scale_exponent)};
+             std::ldexp(end.error, -scale_exponent),
+             direction};
   g.points.reserve(crossings.size() + 2);
   for (const Geodesic_crossing& c : crossings)
     g.points.push_back({c.halfedge, {1 - c.parameter, c.parameter, 0}});

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -30,10 +31,23 @@ struct Vertex_at_point {
   bool is_new = false;
 };
 
+namespace internal {
+
+// A vertex or an edge within rounding of a point that was located has the point.
+inline std::array<double, 3> without_rounding(std::array<double, 3> weights) {
+  double sum = 0;
+  for (double& w : weights) sum += w = w < 0x1p-38 ? 0 : w;
+  for (double& w : weights) w = w == sum ? 1 : w / sum;
+  return weights;
+}
+
+} // namespace internal
+
 /*!
 \brief finds the vertex of the intrinsic triangulation at a point of the input, and inserts one if there is none.
 
-With exact traits the new vertex is where `Intrinsic_triangulation::insert_vertex()` rounds the point.
+A vertex or an edge at the point up to rounding has it. With exact traits the new vertex is where
+`Intrinsic_triangulation::insert_vertex()` rounds the point.
 \tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
 \param t the triangulation
 \param p the point, on the input
@@ -43,10 +57,11 @@ template <RefinableTriangulation Triangulation>
 Vertex_at_point<Triangulation> insert_point(Triangulation& t, const Surface_point& p) {
   const std::optional<Surface_point> q = locate_on_intrinsic(t, p);
   if (!q) return {Move_status::not_traceable};
+  const std::array<double, 3> weights = internal::without_rounding(q->weights);
   typename Triangulation::halfedge_descriptor h = t.numbers().halfedge_at(q->halfedge);
   for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
-    if (q->weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};
-  const auto inserted = t.insert_vertex(h, q->weights);
+    if (weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};
+  const auto inserted = t.insert_vertex(h, weights);
   return {inserted.status, inserted.vertex, inserted.status == Move_status::done};
 }
 

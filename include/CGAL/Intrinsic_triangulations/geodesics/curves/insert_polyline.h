@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POLYLINE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POLYLINE_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Line_inserter.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_traced_path.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a polyline whose points are vertices and whose segments are paths of edges.
+\tparam Triangulation the type of the triangulation
+*/
+template <class Triangulation>
+struct Inserted_polyline : Inserted_path<Triangulation> {
+  /// The vertex at each point that was given.
+  std::vector<typename Triangulation::vertex_descriptor> vertices;
+};
+
+namespace internal {
+
+// All descriptions of a point, one per face that it is in.
+template <class Input>
+std::vector<Surface_point> descriptions(const Input& input, const Surface_point& p) {
+  std::vector<Surface_point> result{p};
+  const unsigned zeros = static_cast<unsigned>(std::count(p.weights.begin(), p.weights.end(), 0.0));
+  std::uint32_t h = p.halfedge;
+  for (unsigned k = 0; k < 3; ++k, h = input.next(h)) {
+    if (zeros == 1 && p.weights[(k + 2) % 3] == 0 && !input.is_border(h ^ 1U))
+      result.push_back({h ^ 1U, {p.weights[(k + 1) % 3], p.weights[k], 0}});
+    if (zeros != 2 || p.weights[k] == 0) continue;
+    std::uint32_t g = h; // about the vertex: counterclockwise, then from the border on
+    while (!input.is_border(g = next_around_source(input, g)) && g != h) result.push_back({g});
+    if (g == h) break;
+    for (g = h; !input.is_border(g ^ 1U);) result.push_back({g = input.next(g ^ 1U)});
+  }
+  return result;
+}
+
+// Two points as seen from one halfedge of a face that they are both in.
+template <class Input>
+std::pair<Surface_point, Surface_point> in_one_face(const Input& input, const Surface_point& p,
+                                                    const Surface_point& q, std::size_t i) {
+  const std::vector<Surface_point> of_q = descriptions(input, q);
+  for (const Surface_point& a : descriptions(input, p))
+    for (const Surface_point& b : of_q)
+      if (input.face(a.halfedge) == input.face(b.halfedge))
+        return {a, seen_from(input, b, a.halfedge)};
+  throw Invalid_input(
+      Element_kind::none, 0,
+      "points " + std::to_string(i) + " and " + std::to_string(i + 1) +
+          " of a polyline are in no common face of the input; add the points where it "
+          "crosses edges");
+}
+
+// A vector from a point of the input, where vertex v is, as a direction from that vertex.
+template <class Triangulation>
+std::optional<Corner_direction> direction_at_vertex(const Triangulation& t, std::uint32_t v,
+                                                    const Tangent_vector& vector) {
+  const std::optional<Tangent_vector> here = tangent_to_intrinsic(t, vector);
+  if (!here) return std::nullopt;
+  const Intrinsic_view<Triangulation> view(t);
+  const Geodesic_face face(view, here->point.halfedge);
+  const auto& w = here->point.weights;
+  const auto k = static_cast<unsigned>(std::max_element(w.begin(), w.end()) - w.begin());
+  if (view.source(face.side[k]) != v) return std::nullopt; // rounding, in a face that is tiny
+  const Planar_vector<double> d = face.relative_to(k, here->vector);
+  return Corner_direction{face.side[k], std::atan2(d[1], d[0])};
+}
+
+} // namespace internal
+
+/*!
+\brief makes a polyline on the input a path of edges of the triangulation.
+
+Vertices are inserted at its points, unless there are some, then each segment is inserted as by `insert_traced_path()`. A polyline
+may pass a point again, if that is given in the same way, and cross itself.
+\tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
+\param t the triangulation
+\param points points of the input; `surface_point()` finds those of the user's mesh. Each is in a face with the next one: where the
+polyline crosses an edge, there is a point
+\return the path, and the vertices at the points. If a vertex is refused, those inserted before stay
+\throws Invalid_input if two consecutive points have no common face; nothing has been inserted then
+\complexity see `insert_point()` and `insert_traced_path()`
+*/
+template <RefinableTriangulation Triangulation>
+Inserted_polyline<Triangulation> insert_polyline(Triangulation& t,
+                                                 const std::vector<Surface_point>& points) {
+  const auto& input = t.correspondence().input();
+  std::vector<std::pair<Surface_point, Surface_point>> segments;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    segments.push_back(internal::in_one_face(input, points[i], points[i + 1], i));
+  Inserted_polyline<Triangulation> result;
+  for (const Surface_point& p : points) {
+    const Vertex_at_point<Triangulation> v = insert_point(t, p);
+    result.status = v.status;
+    if (v.status != Move_status::done) return result;
+    result.vertices.push_back(v.vertex);
+  }
+  internal::Line_inserter<Triangulation> inserter(t);
+  for (std::size_t i = 0; i < segments.size() && result.status == Move_status::done; ++i) {
+    if (result.vertices[i] == result.vertices[i + 1]) continue;
+    const auto& [p, q] = segments[i];
+    const Planar_vector<double> vector = vector_between(input, p, q);
+    const auto d = internal::direction_at_vertex(t, t.index(result.vertices[i]), {p, vector});
+    result.status =
+        d ? inserter.go(*d, std::hypot(vector[0], vector[1]), t.index(result.vertices[i + 1]))
+          : Move_status::not_traceable;
+  }
+  result.halfedges = inserter.path();
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POLYLINE_H
