@@ -32,10 +32,10 @@ What most programs need of the package. To be included besides: operators, which
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/bezier/make_bezier_curve.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/curve_labels.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_polyline.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_traced_path.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/insert_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/certify_geodesic.h>
