@@ -62,11 +62,9 @@ public:
   // its end.
   Move_status go(Corner_direction d, double length, std::uint32_t target = Gluing::none) {
     const double total = length;
-    angle_error_ = position_error_ = 0;
     const bool has_target = target != Gluing::none;
     for (std::size_t faces = 0; faces < maximum_faces; ++faces) {
-      if (!has_target && length <= std::max(position_error_, 0x1p-40 * total))
-        return Move_status::done;
+      if (!has_target && length <= 0x1p-40 * total) return Move_status::done;
       if (!turn(view_, d, rounding)) return Move_status::border;
       Walk walk(view_, d);
       if (has_target && reaches(walk, target, length, rounding * total)) return Move_status::done;
@@ -122,10 +120,8 @@ private:
 
   // The distance from edges and vertices that is taken for none, near a side of a length: not less than the error with which
   // points of the input are located.
-  double tolerance(double length) const {
-    return std::max(std::min(position_error_, 0x1p-30 * length), 0x1p-36 * length);
-  }
-  double tolerance(const Walk& walk, const typename Walk::Exit& e) const {
+  static double tolerance(double length) { return 0x1p-36 * length; }
+  static double tolerance(const Walk& walk, const typename Walk::Exit& e) {
     return tolerance(walk.face().length[e.side]);
   }
 
@@ -174,9 +170,6 @@ private:
   Move_status pass(Walk& walk, const typename Walk::Exit& e, bool may_follow_border,
                    Corner_direction& d) {
     const std::array<std::uint32_t, 3> side = walk.face().side;
-    walk.advance(e);
-    angle_error_ += walk.angle_error();
-    position_error_ += angle_error_ * e.distance + walk.position_error();
     const double length = walk.face().length[e.side];
     if (length * std::min(e.source_weight, e.target_weight) <= tolerance(length)) {
       const bool is_at_source = e.target_weight <= e.source_weight;
@@ -263,7 +256,6 @@ private:
   Triangulation& t_;
   View view_;
   Path_record path_;
-  double angle_error_ = 0, position_error_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
