@@ -106,7 +106,9 @@ private:
     } else { // h was flipped, and runs from the vertex to the apex of the other face
       s.to_source = view_.next(h ^ 1U);
       s.to_target = last(h) ^ 1U;
-      s.to_apex = last(s.to_target) ^ 1U;
+      s.to_apex = next_around_source(view_, s.to_target);
+      // h has come in between if the edge has this face on both sides
+      if (s.to_apex / 2 == h / 2) s.to_apex = next_around_source(view_, s.to_apex);
     }
     if (h % 2 == 0)
       path_.split(h / 2, s.to_source ^ 1U, s.to_target);
