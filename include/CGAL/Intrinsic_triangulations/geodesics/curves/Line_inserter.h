@@ -53,9 +53,8 @@ public:
     const Planar_vector<double> v = face.relative_to(k, direction);
     if (q.weights[2] != 0) return start_in_face(q, v, d);
     if (q.weights[0] != 0 && q.weights[1] != 0) return start_on_edge(q, v, d);
-    const Walk walk(view_, p, direction);
-    d = at_corner(walk);
-    return walk.is_blocked() ? Move_status::border : Move_status::done;
+    d = at_corner(Walk(view_, p, direction)); // a line that is blocked has no length
+    return Move_status::done;
   }
 
   // Makes a line of a length, in units of the triangulation, a path. It ends at vertex `target`, if one is given, which must be near
