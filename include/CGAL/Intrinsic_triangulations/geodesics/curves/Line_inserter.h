@@ -53,20 +53,17 @@ public:
     const Planar_vector<double> v = face.relative_to(k, direction);
     if (q.weights[2] != 0) return start_in_face(q, v, d);
     if (q.weights[0] != 0 && q.weights[1] != 0) return start_on_edge(q, v, d);
-    const Walk walk(view_, p, direction);
-    d = at_corner(walk);
-    return walk.is_blocked() ? Move_status::border : Move_status::done;
+    d = at_corner(Walk(view_, p, direction)); // a line that is blocked has no length
+    return Move_status::done;
   }
 
   // Makes a line of a length, in units of the triangulation, a path. It ends at vertex `target`, if one is given, which must be near
   // its end.
   Move_status go(Corner_direction d, double length, std::uint32_t target = Gluing::none) {
     const double total = length;
-    angle_error_ = position_error_ = 0;
     const bool has_target = target != Gluing::none;
     for (std::size_t faces = 0; faces < maximum_faces; ++faces) {
-      if (!has_target && length <= std::max(position_error_, 0x1p-40 * total))
-        return Move_status::done;
+      if (!has_target && length <= 0x1p-40 * total) return Move_status::done;
       if (!turn(view_, d, rounding)) return Move_status::border;
       Walk walk(view_, d);
       if (has_target && reaches(walk, target, length, rounding * total)) return Move_status::done;
@@ -108,7 +105,9 @@ private:
     } else { // h was flipped, and runs from the vertex to the apex of the other face
       s.to_source = view_.next(h ^ 1U);
       s.to_target = last(h) ^ 1U;
-      s.to_apex = last(s.to_target) ^ 1U;
+      s.to_apex = next_around_source(view_, s.to_target);
+      // h has come in between if the edge has this face on both sides
+      if (s.to_apex / 2 == h / 2) s.to_apex = next_around_source(view_, s.to_apex);
     }
     if (h % 2 == 0)
       path_.split(h / 2, s.to_source ^ 1U, s.to_target);
@@ -122,10 +121,8 @@ private:
 
   // The distance from edges and vertices that is taken for none, near a side of a length: not less than the error with which
   // points of the input are located.
-  double tolerance(double length) const {
-    return std::max(std::min(position_error_, 0x1p-30 * length), 0x1p-36 * length);
-  }
-  double tolerance(const Walk& walk, const typename Walk::Exit& e) const {
+  static double tolerance(double length) { return 0x1p-36 * length; }
+  static double tolerance(const Walk& walk, const typename Walk::Exit& e) {
     return tolerance(walk.face().length[e.side]);
   }
 
@@ -174,9 +171,6 @@ private:
   Move_status pass(Walk& walk, const typename Walk::Exit& e, bool may_follow_border,
                    Corner_direction& d) {
     const std::array<std::uint32_t, 3> side = walk.face().side;
-    walk.advance(e);
-    angle_error_ += walk.angle_error();
-    position_error_ += angle_error_ * e.distance + walk.position_error();
     const double length = walk.face().length[e.side];
     if (length * std::min(e.source_weight, e.target_weight) <= tolerance(length)) {
       const bool is_at_source = e.target_weight <= e.source_weight;
@@ -263,7 +257,6 @@ private:
   Triangulation& t_;
   View view_;
   Path_record path_;
-  double angle_error_ = 0, position_error_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
