@@ -7,9 +7,11 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/bezier/Bezier_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <cstddef>
 #include <deque>
@@ -176,10 +178,30 @@ private:
     sides_[i].to = m;
     sides_.push_back(std::move(second));
   }
-  // A point that is rounded off its edge may be beyond a vertex close by: then the other face is tried, and places near it.
+  // A point that is rounded off its edge may be beyond a vertex close by: then the other face is tried, and places near it. Where
+  // faces are so thin that all of this fails, those at the edge are made Delaunay first, which leaves them thin only where a vertex is.
   Midpoint split_at_edge(std::size_t i, std::size_t k, double x) {
+    const Midpoint m = try_split_at_edge(i, k, x);
+    if (m.parameter >= 0) return m;
+    flip_other_edges_to_delaunay();
+    return try_split_at_edge(i, k, x);
+  }
+  void flip_other_edges_to_delaunay() {
+    std::vector<char> is_on_side(t_.numbers().edge_capacity(t_.mesh()), 0);
+    for (const Side& s : sides_)
+      for (const Halfedge h : s.way) is_on_side[t_.index(edge(h, t_.mesh()))] = 1;
+    const auto is_constrained = [&](typename Triangulation::edge_descriptor e) {
+      return is_on_side[t_.index(e)] != 0;
+    };
+    flip_to_delaunay(t_,
+                     parameters::edge_is_constrained_map(
+                         boost::make_function_property_map<typename Triangulation::edge_descriptor>(
+                             is_constrained)));
+  }
+  Midpoint try_split_at_edge(std::size_t i, std::size_t k, double x) {
     const Halfedge h = sides_[i].way[k], back = opposite(h, t_.mesh());
-    for (const double nudge : {0., 0x1p-44, -0x1p-44, 0x1p-38, -0x1p-38, 0x1p-32, -0x1p-32}) {
+    for (const double nudge :
+         {0., 0x1p-44, -0x1p-44, 0x1p-32, -0x1p-32, 0x1p-20, -0x1p-20, 0x1p-10, -0x1p-10}) {
       const double y = x * (1 + nudge);
       for (const Halfedge g : {h, back}) {
         const auto inserted = t_.split_edge(g, g == h ? y : 1 - y);
