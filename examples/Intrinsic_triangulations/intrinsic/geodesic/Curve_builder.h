@@ -86,8 +86,8 @@ private:
       const auto curve = IT::make_bezier_curve(t_, control_points);
       if (curve.status != IT::Status::done)
         throw std::runtime_error(asked.source +
-                                 ": no geodesics join the control points; choose points "
-                                 "of one component");
+                                 ": no geodesics join the control points, or no vertex can be "
+                                 "inserted in the middle of one; choose other points");
       for (const Vertex v : curve.control_points) network_.fix(v);
       network_.add_path(curve.halfedges);
     });

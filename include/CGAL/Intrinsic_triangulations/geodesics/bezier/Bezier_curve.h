@@ -21,7 +21,8 @@ template <class Triangulation>
 struct Geodesic_midpoint {
   /// The vertex there.
   typename Triangulation::vertex_descriptor vertex;
-  /// Where it was inserted on its edge: the nearest double, 0 at the source and 1 at the target.
+  /// Where it was inserted on its edge: 0 at the source and 1 at the target. The nearest double, or, where no vertex can be, one
+  /// within 2^-10 of it, relative.
   double parameter = 0;
   /// Whether it was inserted; else it is a vertex that was there already.
   bool is_new = false;
