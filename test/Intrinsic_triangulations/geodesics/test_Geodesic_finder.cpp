@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "meshes.h"
+#include "numbered_as_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -29,13 +30,6 @@ using IT::Status;
 using IT::Surface_point;
 using Exact = IT::Exact_euclidean_traits;
 using Triangulation = IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Integer_coordinates>;
-
-template <class T>
-T unnumbered(const meshes::Mesh& m) {
-  IT::Intrinsic_input input = m.input();
-  input.may_renumber = false;
-  return T(std::move(input));
-}
 
 meshes::Point position(const Triangulation& t, const meshes::Mesh& m, const Surface_point& p) {
   meshes::Point x{0, 0, 0};
@@ -94,7 +88,7 @@ TYPED_TEST_SUITE(GeodesicFinder, Triangulations);
 // Flips are taken back, before and after flips to Delaunay, of which exact traits know the history.
 TYPED_TEST(GeodesicFinder, LeavesTheTriangulationAsItWas) {
   for (const bool is_delaunay : {false, true}) {
-    TypeParam t = unnumbered<TypeParam>(meshes::potato(3, 5));
+    TypeParam t = numbered_as<TypeParam>(meshes::potato(3, 5));
     if (is_delaunay) flip_to_delaunay(t);
     IT::Geodesic_finder<TypeParam> find(t);
     std::mt19937 random(3);
@@ -133,8 +127,8 @@ TYPED_TEST(GeodesicFinder, LeavesTheTriangulationAsItWas) {
 // Points follow each other in the faces that are named, and lie as far apart as the geodesic is long.
 TYPED_TEST(GeodesicFinder, PathsOverTheInputAreStraightInItsFaces) {
   const meshes::Mesh mesh = meshes::rough_grid(12, 4);
-  TypeParam t = unnumbered<TypeParam>(mesh);
-  const Triangulation input = unnumbered<Triangulation>(mesh);
+  TypeParam t = numbered_as<TypeParam>(mesh);
+  const Triangulation input = numbered_as<Triangulation>(mesh);
   IT::Geodesic_finder<TypeParam> find(t);
   std::mt19937 random(8);
   for (unsigned i = 0; i < 60; ++i) {
@@ -163,7 +157,7 @@ TYPED_TEST(GeodesicFinder, PathsOverTheInputAreStraightInItsFaces) {
 // In a plane the geodesic between any two points is the segment, and the triangulation gets rid of the points again.
 TEST(GeodesicFinderOfPoints, GeodesicsInAPlaneAreSegments) {
   const meshes::Mesh mesh = meshes::random_planar(200, 64, 2);
-  Triangulation t = unnumbered<Triangulation>(mesh);
+  Triangulation t = numbered_as<Triangulation>(mesh);
   const std::uint32_t vertices_before = t.number_of_vertices();
   IT::Geodesic_finder<Triangulation> find(t);
   std::mt19937 random(2);
@@ -194,7 +188,7 @@ TEST(GeodesicFinderOfPoints, PointsThatAreNotConnectedAreReported) {
   two.points.insert(two.points.end(), other.points.begin(), other.points.end());
   for (const meshes::Triangle& x : other.triangles)
     two.triangles.push_back({x[0] + n, x[1] + n, x[2] + n});
-  Triangulation t = unnumbered<Triangulation>(two);
+  Triangulation t = numbered_as<Triangulation>(two);
   IT::Geodesic_finder<Triangulation> find(t);
   const Geodesic_path path = find(t.numbers().vertex_at(0), t.numbers().vertex_at(n));
   EXPECT_EQ(path.status, Status::stalled);

@@ -8,6 +8,7 @@
 
 #include "gallery.h"
 #include "meshes.h"
+#include "numbered_as_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -26,12 +27,6 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_eucl
                                                   IT::Integer_coordinates>;
 using Network = IT::Curve_network<Triangulation>;
 using Edges = std::set<std::pair<std::uint32_t, std::uint32_t>>;
-
-Triangulation in_space(const meshes::Mesh& m) {
-  IT::Intrinsic_input input = m.input();
-  input.may_renumber = false;
-  return Triangulation(std::move(input));
-}
 
 /// Marks edges by their ends, the smaller one first.
 IT::Marked_edges<Triangulation> marked(const Triangulation& t, const Edges& wanted) {
@@ -80,14 +75,14 @@ void expect_chains(const Triangulation& t, const IT::Marked_edges<Triangulation>
 } // namespace
 
 TEST(AddMarkedEdges, NoEdgeIsMarked) {
-  Triangulation t = in_space(meshes::grid(2, 2));
+  Triangulation t = numbered_as<Triangulation>(meshes::grid(2, 2));
   Network network(t);
   EXPECT_EQ(IT::add_marked_edges(network, IT::Marked_edges<Triangulation>(t)), 0U);
   EXPECT_EQ(network.number_of_curves(), 0U);
 }
 
 TEST(AddMarkedEdges, ACrossBecomesFourPathsAndARingALoop) {
-  Triangulation t = in_space(meshes::grid(6, 4)); // vertex (i, j) is 7 j + i
+  Triangulation t = numbered_as<Triangulation>(meshes::grid(6, 4)); // vertex (i, j) is 7 j + i
   Edges wanted{{7, 8}, {8, 9}, {1, 8}, {8, 15}, {15, 22}};
   for (const auto& ring : {std::pair(11U, 12U), {12, 19}, {18, 19}, {11, 18}}) wanted.insert(ring);
   const auto map = marked(t, wanted);
@@ -102,7 +97,7 @@ TEST(AddMarkedEdges, ACrossBecomesFourPathsAndARingALoop) {
 }
 
 TEST(AddMarkedEdges, TheBorderBecomesALoop) {
-  Triangulation t = in_space(meshes::grid(3, 2));
+  Triangulation t = numbered_as<Triangulation>(meshes::grid(3, 2));
   IT::Marked_edges<Triangulation> map(t);
   for (const auto e : edges(t.mesh())) put(map, e, CGAL::is_border(e, t.mesh()));
   Network network(t);
@@ -113,7 +108,7 @@ TEST(AddMarkedEdges, TheBorderBecomesALoop) {
 
 TEST(AddMarkedEdges, RandomMarksBecomeChains) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    Triangulation t = in_space(meshes::grid(5, 5));
+    Triangulation t = numbered_as<Triangulation>(meshes::grid(5, 5));
     IT::Marked_edges<Triangulation> map(t);
     std::mt19937 random(seed);
     for (const auto e : edges(t.mesh())) put(map, e, random() % 5 < 1 + seed % 4);
@@ -155,7 +150,7 @@ TEST(AddMarkedEdges, FansOfAVertexThatIsNotManifoldAreKeptApart) {
 }
 
 TEST(AddMarkedEdges, ACurveThatIsCrossedRefuses) {
-  Triangulation t = in_space(meshes::grid(4, 4)); // vertex (i, j) is 5 j + i
+  Triangulation t = numbered_as<Triangulation>(meshes::grid(4, 4)); // vertex (i, j) is 5 j + i
   Network network(t);
   IT::add_marked_edges(network, marked(t, {{10, 11}, {11, 12}, {12, 13}}));
   EXPECT_THROW(IT::add_marked_edges(network, marked(t, {{2, 7}, {7, 12}, {12, 17}})),

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include "meshes.h"
+#include "numbered_as_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -89,9 +90,7 @@ void add_geodesics(Curve_network<T>& network,
 TYPED_TEST(CurveLabels, GeodesicsStayUnionsOfEdgesOfTheirLabelsThroughFlipsAndRefinement) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const meshes::Mesh m = meshes::rough_grid(10, seed);
-    IT::Intrinsic_input input = m.input();
-    input.may_renumber = false;
-    TypeParam t(std::move(input));
+    auto t = numbered_as<TypeParam>(m);
     const std::array<std::array<std::uint32_t, 2>, 2> ends{{{12, 31}, {67, 118}}};
     Curve_network<TypeParam> network(t);
     add_geodesics(network, ends);

@@ -17,6 +17,8 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include "meshes.h"
+#include "numbered_as_mesh.h"
+#include "paths.h"
 
 #include <gtest/gtest.h>
 
@@ -48,9 +50,7 @@ TYPED_TEST_SUITE(InsertPolyline, Triangulations);
 
 template <class T>
 T delaunay(const meshes::Mesh& m) {
-  IT::Intrinsic_input input = m.input();
-  input.may_renumber = false;
-  T t(std::move(input));
+  T t = numbered_as<T>(m);
   flip_to_delaunay(t);
   return t;
 }
@@ -91,19 +91,6 @@ double distance(const meshes::Point& a, const meshes::Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// The length of a path, whose halfedges must follow each other.
-template <class T>
-double length_of_path(const T& t, const std::vector<typename T::halfedge_descriptor>& path) {
-  double length = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    length += t.length(edge(path[i], t.mesh()));
-    if (i > 0) {
-      EXPECT_EQ(target(path[i - 1], t.mesh()), source(path[i], t.mesh()));
-    }
-  }
-  return length;
-}
-
 /// Where a vertex is on the input.
 template <class T>
 Surface_point place(const T& t, typename T::vertex_descriptor v) {
@@ -131,7 +118,8 @@ TYPED_TEST(InsertPolyline, IsAPathOfItsLengthThroughItsPoints) {
     }
     ASSERT_EQ(path.status, Move_status::done) << "polyline " << i;
     ASSERT_EQ(path.vertices.size(), points.size());
-    EXPECT_NEAR(length_of_path(t, path.halfedges), length, 1e-9 * length) << "polyline " << i;
+    EXPECT_NEAR(paths::length_of_path(t, path.halfedges), length, 1e-9 * length)
+        << "polyline " << i;
     EXPECT_EQ(source(path.halfedges.front(), t.mesh()), path.vertices.front());
     EXPECT_EQ(target(path.halfedges.back(), t.mesh()), path.vertices.back());
     for (std::size_t k = 0; k < points.size(); ++k)

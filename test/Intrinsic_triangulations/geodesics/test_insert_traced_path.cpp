@@ -10,6 +10,7 @@
 
 #include "gallery.h"
 #include "meshes.h"
+#include "paths.h"
 
 #include <gtest/gtest.h>
 
@@ -41,19 +42,6 @@ TYPED_TEST_SUITE(InsertTracedPath, Triangulations);
 template <class T>
 T built(const gallery::Surface& s) {
   return T(IT::Intrinsic_input(Gluing_map(s.gluing), gallery::squared_lengths(s)));
-}
-
-/// The length of a path, whose halfedges must follow each other.
-template <class T>
-double length_of_path(const T& t, const std::vector<typename T::halfedge_descriptor>& path) {
-  double length = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    length += t.length(edge(path[i], t.mesh()));
-    if (i > 0) {
-      EXPECT_EQ(target(path[i - 1], t.mesh()), source(path[i], t.mesh()));
-    }
-  }
-  return length;
 }
 
 template <class T, class Random>
@@ -95,7 +83,7 @@ TYPED_TEST(InsertTracedPath, OnDeltaComplexesIsAPathOfItsLength) {
         continue;
       }
       EXPECT_EQ(path.status, Move_status::done) << s.name << ", line " << i;
-      EXPECT_NEAR(length_of_path(t, path.halfedges), g.length, 1e-9 * (1 + g.length))
+      EXPECT_NEAR(paths::length_of_path(t, path.halfedges), g.length, 1e-9 * (1 + g.length))
           << s.name << ", line " << i;
     }
   }
@@ -111,7 +99,7 @@ TYPED_TEST(InsertTracedPath, ThatIsClosedOnATorusEndsWhereItStarts) {
     const auto g = trace_geodesic(t, {h, weights}, {3, 2}, std::hypot(3, 2));
     const auto path = insert_traced_path(t, g);
     ASSERT_EQ(path.status, Move_status::done);
-    EXPECT_NEAR(length_of_path(t, path.halfedges), std::hypot(3, 2), 1e-9);
+    EXPECT_NEAR(paths::length_of_path(t, path.halfedges), std::hypot(3, 2), 1e-9);
     EXPECT_EQ(source(path.halfedges.front(), t.mesh()), target(path.halfedges.back(), t.mesh()));
   }
 }
@@ -125,7 +113,8 @@ TYPED_TEST(InsertTracedPath, OnADelaunayTriangulationHasItsLength) {
     const IT::Geodesic g = random_geodesic(t, 20, random);
     const auto path = insert_traced_path(t, g);
     ASSERT_EQ(path.status, Move_status::done) << "line " << i;
-    EXPECT_NEAR(length_of_path(t, path.halfedges), g.length, 1e-9 * g.length) << "line " << i;
+    EXPECT_NEAR(paths::length_of_path(t, path.halfedges), g.length, 1e-9 * g.length)
+        << "line " << i;
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "gallery.h"
 #include "meshes.h"
+#include "numbered_as_mesh.h"
 #include "paths.h"
 #include "surface_mesh.h"
 #include "triangulation_archetypes.h"
@@ -51,13 +52,6 @@ using Distance = Polyhedral_distance<Triangulation>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
-
-/// With the numbers of elements that the mesh has.
-Triangulation triangulation(const meshes::Mesh& m) {
-  IT::Intrinsic_input input = m.input();
-  input.may_renumber = false;
-  return Triangulation(std::move(input));
-}
 
 IT::Intrinsic_input input_of(const gallery::Surface& s) {
   IT::Intrinsic_input input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
@@ -103,7 +97,7 @@ TEST(PolyhedralDistance, tetrahedron_unfolds) {
 }
 
 TEST(PolyhedralDistance, box_unfolds) {
-  const Triangulation cube = triangulation(meshes::box(1, 1, 1));
+  const Triangulation cube = numbered_as<Triangulation>(meshes::box(1, 1, 1));
   const meshes::Mesh unit = meshes::box(1, 1, 1), brick = meshes::box(1, 2, 3);
   const auto at = [](const meshes::Mesh& m, const meshes::Point& p) {
     return static_cast<std::uint32_t>(std::find(m.points.begin(), m.points.end(), p) -
@@ -111,7 +105,7 @@ TEST(PolyhedralDistance, box_unfolds) {
   };
   const Distance d(cube, vertex(cube, at(unit, {0, 0, 0})));
   EXPECT_NEAR(d.distance(vertex(cube, at(unit, {1, 1, 1}))), std::sqrt(5), 1e-15);
-  const Triangulation t = triangulation(brick);
+  const Triangulation t = numbered_as<Triangulation>(brick);
   const Distance e(t, vertex(t, at(brick, {0, 0, 0})));
   EXPECT_NEAR(e.distance(vertex(t, at(brick, {1, 2, 3}))), std::sqrt(18), 1e-14);
   expect_path(t, e, vertex(t, at(brick, {1, 2, 3})), 1e-14);
@@ -120,7 +114,7 @@ TEST(PolyhedralDistance, box_unfolds) {
 // Kotani's ant: the farthest point of a box of 1 x 1 x 2 from a corner is not the opposite one.
 TEST(PolyhedralDistance, farthest_point_of_a_box_is_not_the_opposite_corner) {
   const meshes::Mesh m = meshes::box(1, 1, 2);
-  const Triangulation t = triangulation(m);
+  const Triangulation t = numbered_as<Triangulation>(m);
   const Distance d(t, vertex(t, 0));
   ASSERT_EQ(m.points[0], (meshes::Point{0, 0, 0}));
   double farthest = 0;
@@ -272,7 +266,7 @@ double distance_around(const meshes::Point& p, const meshes::Point& q, double lo
 
 TEST(PolyhedralDistance, paths_go_around_holes) {
   const meshes::Mesh m = square_with_hole(9, 3, 6);
-  const Triangulation t = triangulation(m);
+  const Triangulation t = numbered_as<Triangulation>(m);
   std::uint32_t bends = 0;
   for (const std::uint32_t a : {0U, 4U, 31U, 42U, 74U}) {
     const Distance d(t, vertex(t, a));
@@ -293,7 +287,7 @@ TEST(PolyhedralDistance, paths_go_around_holes) {
 TEST(PolyhedralDistance, vertices_of_a_plane_are_as_far_as_they_look) {
   for (const meshes::Mesh& m : {meshes::grid(12, 9), meshes::sheared_grid(6, 6, 5),
                                 meshes::random_planar(120, 1000, 3), meshes::parabola_fan(40)}) {
-    const Triangulation t = triangulation(m);
+    const Triangulation t = numbered_as<Triangulation>(m);
     const Distance d(t, vertex(t, 1));
     for (std::uint32_t v = 0; v < m.points.size(); ++v) {
       const double expected =
@@ -449,7 +443,7 @@ TEST(PolyhedralDistance, isolated_vertices_and_other_components_are_out_of_reach
 }
 
 TEST(PolyhedralDistance, of_many_sources_is_the_least) {
-  const Triangulation t = triangulation(meshes::rough_grid(7, 11));
+  const Triangulation t = numbered_as<Triangulation>(meshes::rough_grid(7, 11));
   std::mt19937 random(3);
   std::vector<Surface_point> sources;
   for (int i = 0; i < 5; ++i) sources.push_back(paths::random_point(t, random));
@@ -471,9 +465,9 @@ TEST(PolyhedralDistance, of_many_sources_is_the_least) {
 TEST(PolyhedralDistance, has_the_units_of_the_input) {
   const meshes::Mesh m = meshes::potato(2, 3);
   const std::vector<double> expected =
-      Distance(triangulation(m), vertex(triangulation(m), 0)).distances();
+      Distance(numbered_as<Triangulation>(m), vertex(numbered_as<Triangulation>(m), 0)).distances();
   for (const double factor : {0x1p-300, 0x1p-4, 0x1p300}) {
-    const Triangulation t = triangulation(meshes::scaled(m, factor));
+    const Triangulation t = numbered_as<Triangulation>(meshes::scaled(m, factor));
     const std::vector<double> distances = Distance(t, vertex(t, 0)).distances();
     for (std::size_t v = 0; v < expected.size(); ++v) EXPECT_EQ(distances[v], expected[v] * factor);
   }
@@ -482,7 +476,7 @@ TEST(PolyhedralDistance, has_the_units_of_the_input) {
 // ---- options
 
 TEST(PolyhedralDistance, stops_where_it_is_told_to) {
-  const Triangulation t = triangulation(meshes::rough_grid(40, 4));
+  const Triangulation t = numbered_as<Triangulation>(meshes::rough_grid(40, 4));
   const Distance all(t, vertex(t, 0));
   const std::vector<double> expected = all.distances();
   EXPECT_EQ(all.reached_distance(), infinity);
@@ -516,7 +510,7 @@ TEST(PolyhedralDistance, visitor_is_told_of_progress_and_may_cancel) {
       return ++calls < 2;
     }
   } visitor;
-  const Triangulation t = triangulation(meshes::rough_grid(160, 4));
+  const Triangulation t = numbered_as<Triangulation>(meshes::rough_grid(160, 4));
   const Distance d(t, vertex(t, 0), parameters::visitor(std::ref(visitor)));
   EXPECT_EQ(d.status(), Status::cancelled);
   EXPECT_EQ(visitor.calls, 2);
@@ -531,7 +525,7 @@ TEST(PolyhedralDistance, caps_and_needles_do_no_harm) {
                                 meshes::with_needle(plain, 30, 1e-14),
                                 meshes::with_cap(meshes::with_cap(plain, 20), 20)};
   for (const meshes::Mesh& m : bad) {
-    const Triangulation t = triangulation(m);
+    const Triangulation t = numbered_as<Triangulation>(m);
     Triangulation flipped = t;
     IT::flip_to_delaunay(flipped);
     const Distance d(t, vertex(t, 3)), e(flipped, vertex(flipped, 3));
@@ -549,7 +543,7 @@ TEST(PolyhedralDistance, ends_on_a_mesh_of_needles) {
   for (const double stretch : {1e3, 1e6, 1e12}) {
     meshes::Mesh m = meshes::potato(2, 5);
     for (meshes::Point& p : m.points) p[0] *= stretch;
-    const Triangulation t = triangulation(m);
+    const Triangulation t = numbered_as<Triangulation>(m);
     Triangulation flipped = t;
     IT::flip_to_delaunay(flipped);
     const Distance d(t, vertex(t, 0), parameters::maximum_number(1000000)),
@@ -574,7 +568,7 @@ TEST(PolyhedralDistance, asks_no_more_of_a_triangulation_than_its_concept) {
 TEST(PolyhedralDistance, any_triangulation_and_mesh_will_do) {
   const meshes::Mesh m = meshes::rough_grid(6, 1);
   const std::vector<double> expected =
-      Distance(triangulation(m), vertex(triangulation(m), 0)).distances();
+      Distance(numbered_as<Triangulation>(m), vertex(numbered_as<Triangulation>(m), 0)).distances();
   const auto check = [&](const auto& t) {
     for (const auto v : vertices(t.mesh()))
       if (t.input_vertex(v) == 0) {

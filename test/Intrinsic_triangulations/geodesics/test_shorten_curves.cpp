@@ -14,6 +14,7 @@
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
+#include "numbered_as_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -36,14 +37,6 @@ using IT::Shortening_result;
 using IT::Status;
 using Exact = IT::Exact_euclidean_traits;
 using Triangulation = IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Integer_coordinates>;
-
-/// A triangulation whose vertices keep their numbers.
-template <class T>
-T in_space(const meshes::Mesh& m) {
-  IT::Intrinsic_input input = m.input();
-  input.may_renumber = false;
-  return T(std::move(input));
-}
 
 /// A halfedge between vertices of which there is one.
 template <class T>
@@ -81,7 +74,7 @@ constexpr double length_error = 1e-11;
 
 TEST(ShortenCurves, AStaircaseOnAGridBecomesTheDiagonal) {
   constexpr std::uint32_t n = 6, m = 4; // 2^k would make the diagonal run through vertices
-  Triangulation t = in_space<Triangulation>(meshes::grid(n, m));
+  Triangulation t = numbered_as<Triangulation>(meshes::grid(n, m));
   std::vector<std::uint32_t> vertices;
   const auto vertex = [&](double x, double y) {
     const meshes::Mesh g = meshes::grid(n, m);
@@ -107,7 +100,7 @@ TEST(ShortenCurves, AStaircaseOnAGridBecomesTheDiagonal) {
 
 TEST(ShortenCurves, APathOverTwoFacesOfACubeIsTheDiagonalOfTheirNet) {
   const meshes::Mesh cube = meshes::box(1, 1, 1);
-  Triangulation t = in_space<Triangulation>(cube);
+  Triangulation t = numbered_as<Triangulation>(cube);
   const auto vertex = [&](double x, double y, double z) {
     for (std::uint32_t v = 0; v < cube.points.size(); ++v)
       if (cube.points[v] == meshes::Point{x, y, z}) return v;

@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,6 +23,19 @@ namespace paths {
 
 using CGAL::Intrinsic_triangulations::Surface_point;
 using Weights = std::array<double, 3>;
+
+/// The length of a path, whose halfedges must follow each other.
+template <class T>
+double length_of_path(const T& t, const std::vector<typename T::halfedge_descriptor>& path) {
+  double length = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    length += t.length(edge(path[i], t.mesh()));
+    if (i > 0) {
+      EXPECT_EQ(target(path[i - 1], t.mesh()), source(path[i], t.mesh()));
+    }
+  }
+  return length;
+}
 
 /// A point with random weights in a random face.
 template <class Triangulation>
