@@ -290,10 +290,11 @@ private:
   Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
     internal::Wedge wedge;
     std::vector<std::uint32_t> sides;
-    internal::find_wedge(*this, h, g, wedge, [&](halfedge_descriptor ij, const Indexed_face&) {
+    const auto values = [&](halfedge_descriptor ij, const Indexed_face&) {
       sides.push_back(number_.halfedge(ij));
       return midpoints(geometry_.face_values(View(*this), correspondence_, sides.back()));
-    });
+    };
+    internal::find_wedge(*this, h, g, wedge, values, [](halfedge_descriptor) { return true; });
     const View view(*this);
     return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
       using Expression = std::decay_t<decltype(expression)>;

@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_FACE_INTERVALS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_FACE_INTERVALS_H
 
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
@@ -78,11 +80,23 @@ private:
     if constexpr (std::is_same_v<FT, Gmpfi>)
       return internal::wide_face<FT>(input, f);
     else if constexpr (std::is_same_v<FT, Interval_nt<false>>)
-      return {lengths(input, f), quadruple_area<FT>(input, f)};
+      return {lengths(input, f), narrow_area(input, f)};
     else
-      return {lengths(input, f),
-              sqrt(input.is_embedded() ? internal::Embedded_area<FT>(input, f).squared
-                                       : input.squared_quadruple_area<FT>(f))};
+      return {lengths(input, f), sqrt(squared_area<FT>(input, f))};
+  }
+
+  template <class Number>
+  static Number squared_area(const Input_metric& input, std::uint32_t f) {
+    return input.is_embedded() ? internal::Embedded_area<Number>(input, f).squared
+                               : input.squared_quadruple_area<Number>(f);
+  }
+
+  // Errors of areas are where most of those of unfolded points come from.
+  static FT narrow_area(const Input_metric& input, std::uint32_t f) {
+    const auto compute = [&] { return squared_area<Ball<Double_double>>(input, f); };
+    const FT squared = internal::to_nearest(compute).interval();
+    return squared.sup() - squared.inf() <= 0x1p-50 * squared.sup() ? CGAL::sqrt(squared)
+                                                                    : quadruple_area<FT>(input, f);
   }
 
   static std::array<FT, 3> lengths(const Input_metric& input, std::uint32_t f) {

@@ -85,19 +85,21 @@ public:
     return (length_[jk] + length_[ki] - length_[ij]) / (2 * area_[f]);
   }
 
+  /// tells whether the squared length of an edge is known to 2^-41 of it.
+  bool is_narrow(std::uint32_t edge) const {
+    const FT& x = squared_length_[edge];
+    return is_narrow(x, x.sup());
+  }
   /// tells whether a face is known precisely enough to place points by it; lengths are those of an ordinary face.
   bool is_narrow(const Indexed_face& face) const {
-    const auto is = [](const FT& x, double size) {
-      return x.sup() - x.inf() <= 0x1p-41 * size && CGAL::is_finite(x);
-    };
     const Face_values<FT> f = enclosure(face);
     double longest = 0;
     for (const FT& x : f.squared_lengths) {
-      if (!is(x, x.sup())) return false;
+      if (!is_narrow(x, x.sup())) return false;
       longest = std::max(longest, x.sup());
     }
     // zero never gets narrow relative to itself
-    return is(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
+    return is_narrow(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
   }
 
 protected:
@@ -182,6 +184,10 @@ protected:
   }
 
 private:
+  static bool is_narrow(const FT& x, double size) {
+    return x.sup() - x.inf() <= 0x1p-41 * size && CGAL::is_finite(x);
+  }
+
   template <class T>
   static Diamond_values<T> gather(const std::vector<T>& lengths, const std::vector<T>& areas,
                                   const Diamond& d) {

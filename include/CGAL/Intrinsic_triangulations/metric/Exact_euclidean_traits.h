@@ -127,6 +127,11 @@ public:
   \complexity constant per face if they are narrow, else linear in the number of input triangles under it
   */
   void sharpen(std::span<const Indexed_face> faces) const;
+  /*!
+  \brief makes the interval of the squared length of one side of a face narrow, and the double beside it accurate, see above.
+  \param edge one of its edges
+  */
+  void sharpen_length(const Indexed_face& face, std::uint32_t edge) const;
 
   /*!
   \brief computes a flip and changes nothing.
@@ -256,6 +261,9 @@ public:
   using Enclosed_values::cotangent_weight;
 
 private:
+  template <class Is_narrow>
+  void sharpen(std::span<const Indexed_face> faces, const Is_narrow& is_narrow) const;
+
   static Enclosed_values enclose(const Input& input);
 
   static Vertex_move_values<double> approximations(const Vertex_move_values<FT>& values) {

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <iterator>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -31,17 +30,27 @@ struct Sign_computation {};
 
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces) const {
-  std::vector<Indexed_face> wide;
-  std::copy_if(faces.begin(), faces.end(), std::back_inserter(wide),
-               [this](const Indexed_face& f) { return !is_narrow(f); });
+template <class Is_narrow>
+void Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces,
+                                     const Is_narrow& is_narrow) const {
+  std::vector<Indexed_face> wide(faces.begin(), faces.end());
+  std::erase_if(wide, is_narrow);
   for (const unsigned bits : {53U, 106U, 256U, 1024U, 2048U, 4096U}) {
     if (wide.empty()) return;
     statistics().sharpenings[bits] += wide.size();
     refine(wide, geometry_.enclosures(wide, bits));
-    std::erase_if(wide, [this](const Indexed_face& f) { return is_narrow(f); });
+    std::erase_if(wide, is_narrow);
   }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces) const {
+  sharpen(faces, [this](const Indexed_face& f) { return is_narrow(f); });
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Exact_euclidean_metric::sharpen_length(const Indexed_face& face, std::uint32_t edge) const {
+  sharpen(std::span(&face, 1), [&](const Indexed_face&) { return is_narrow(edge); });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE double

@@ -14,30 +14,54 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <span>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The corners between two sides of a vertex, each the source of the first side of its face, in order; and their
-// angles in doubles, which decide nothing.
+// the power of two 2^-k, where |x| is in [2^k, 2^(k+1)); 1 where that is none, or x is not finite
+inline double inverse_binade(double x) {
+  constexpr std::uint64_t exponent = 0x7ff0000000000000U, largest = 0x7fe0000000000000U;
+  const std::uint64_t e = std::bit_cast<std::uint64_t>(x) & exponent;
+  return e == 0 || e >= largest ? 1. : std::bit_cast<double>(largest - e);
+}
+
+// The corners between two sides of a vertex, each the source of the first side of its face, in order; and the sum of their
+// angles in doubles, which decides nothing.
 struct Wedge {
   boost::container::small_vector<Indexed_face, 12> faces;
-  boost::container::small_vector<double, 12> scales; // powers of two near 1 / (|ij| |ik|)
-  double angle = 0;
+  boost::container::small_vector<double, 12> scales; // powers of two that keep products near 1
   std::size_t first_beyond_pi = 0; // number of corners whose angles seem to sum to pi or more
 
   // adds a corner; l has the squared lengths of ij, jk, ki
   void add(const Indexed_face& face, const std::array<double, 3>& l, double quadruple_area) {
+    const double p = l[0] + l[2] - l[1], a = quadruple_area;
+    double x = a == 0 && p == 0 ? real_ : real_ * p - imaginary_ * a;
+    double y = a == 0 && p == 0 ? imaginary_ : real_ * a + imaginary_ * p;
+    if (y < 0 || (y == 0 && x < 0)) {
+      x = -x;
+      y = -y;
+      ++half_turns_;
+    }
+    const double scale = inverse_binade(std::abs(x) + std::abs(y));
+    real_ = x * scale;
+    imaginary_ = y * scale;
     faces.push_back(face);
-    const double p = l[0] + l[2] - l[1];
-    const double size = std::abs(p) + quadruple_area;
-    scales.push_back(size > 0 && size < HUGE_VAL ? std::ldexp(1., -std::ilogb(size)) : 1.);
-    angle += std::atan2(quadruple_area, p);
-    if (first_beyond_pi == 0 && angle >= std::numbers::pi) first_beyond_pi = faces.size();
+    scales.push_back(scale);
+    if (first_beyond_pi == 0 && half_turns_ > 0) first_beyond_pi = faces.size();
   }
+  double angle() const {
+    return static_cast<double>(half_turns_) * std::numbers::pi + std::atan2(imaginary_, real_);
+  }
+
+private:
+  // the product of the z of the corners, up to its sign and a positive factor, see `Wedge_expression.h`: its argument is in [0, pi)
+  double real_ = 1, imaginary_ = 0;
+  std::size_t half_turns_ = 0;
 };
 
 // Two corners of a wedge are those at the source of a diamond; the sine of their sum is `Convexity_at_source_expression`.
@@ -71,12 +95,12 @@ Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
 }
 
 // Finds the wedge at the target of h between h and g, on the left of h: the first corner is in the face of h. If g is the
-// opposite of h, it is all about the vertex. False if a side in between has no face, or g is in another fan of a vertex that is
-// not manifold. `values` tells what doubles know of
-// a face from a halfedge on.
-template <class Triangulation, class Values>
+// opposite of h, it is all about the vertex. False if a side in between has no face, or `may_pass()` refuses its halfedge from the
+// vertex, or g is in another fan of a vertex that is not manifold. `values` tells what doubles know of a face from a halfedge on.
+template <class Triangulation, class Values, class May_pass>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
-                typename Triangulation::halfedge_descriptor g, Wedge& wedge, const Values& values) {
+                typename Triangulation::halfedge_descriptor g, Wedge& wedge, const Values& values,
+                const May_pass& may_pass) {
   using Halfedge = typename Triangulation::halfedge_descriptor;
   const auto& mesh = t.mesh();
   const auto edge_number = [&](Halfedge x) { return t.numbers().halfedge(x) / 2; };
@@ -90,22 +114,32 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
     const Face_values<double> v = values(ij, f);
     wedge.add(f, v.squared_lengths, v.quadruple_area);
     if (ij == g) return true;
+    if (!may_pass(ij)) return false;
     h = opposite(ij, mesh);
     if (h == first) return false;
   }
+}
+
+// by what the metric knows
+template <class Triangulation, class May_pass>
+bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
+                typename Triangulation::halfedge_descriptor g, Wedge& wedge,
+                const May_pass& may_pass) {
+  const auto values = [&](typename Triangulation::halfedge_descriptor, const Indexed_face& f) {
+    const auto& m = t.metric();
+    return Face_values<double>{{m.approximate_squared_length(f.edges[0]),
+                                m.approximate_squared_length(f.edges[1]),
+                                m.approximate_squared_length(f.edges[2])},
+                               m.approximate_quadruple_area(f.face)};
+  };
+  return find_wedge(t, h, g, wedge, values, may_pass);
 }
 
 template <class Triangulation>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
                 typename Triangulation::halfedge_descriptor g, Wedge& wedge) {
   return find_wedge(t, h, g, wedge,
-                    [&](typename Triangulation::halfedge_descriptor, const Indexed_face& f) {
-                      const auto& m = t.metric();
-                      return Face_values<double>{{m.approximate_squared_length(f.edges[0]),
-                                                  m.approximate_squared_length(f.edges[1]),
-                                                  m.approximate_squared_length(f.edges[2])},
-                                                 m.approximate_quadruple_area(f.face)};
-                    });
+                    [](typename Triangulation::halfedge_descriptor) { return true; });
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

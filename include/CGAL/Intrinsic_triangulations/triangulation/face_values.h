@@ -6,6 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstdint>
 #include <span>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -14,6 +17,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <class Metric>
 concept Has_enclosures = requires(const Metric& m, std::span<const Indexed_face> faces) {
   m.is_narrow(faces.front());
+  m.sharpen_length(faces.front(), 0U);
   m.sharpen(faces);
   typename Metric::Scope;
 };
@@ -53,6 +57,22 @@ Face_values<double> accurate_values(const Triangulation& t,
     }
   }
   return approximate_values(t.metric(), face);
+}
+
+// The squared length of an edge in scaled units, for users; see above.
+template <class Triangulation>
+double accurate_squared_length(const Triangulation& t, typename Triangulation::edge_descriptor e) {
+  const std::uint32_t i = t.index(e);
+  if constexpr (Has_enclosures<typename Triangulation::Metric>)
+    if (!t.metric().is_narrow(i)) {
+      const auto& mesh = t.mesh();
+      const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+      const auto f = face(halfedge(e, mesh), mesh);
+      const typename Triangulation::Metric::Scope scope;
+      t.metric().sharpen_length(
+          indexed_face(t, f != null ? f : face(opposite(halfedge(e, mesh), mesh), mesh)), i);
+    }
+  return t.metric().approximate_squared_length(i);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

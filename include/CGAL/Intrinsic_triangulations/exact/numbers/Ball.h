@@ -38,6 +38,8 @@ public:
   Ball() = default;
   /// converts a number exactly.
   Ball(double x) : center_(x), magnitude_(std::abs(x)) {} // NOLINT(google-explicit-constructor)
+  /// encloses what is no farther from a center than a radius.
+  static Ball around(const Center& center, double radius) { return {center, radius}; }
 
   /// returns the sum.
   friend Ball operator+(const Ball& a, const Ball& b) {
@@ -69,6 +71,10 @@ public:
     return {s, x.radius_ / (rounded(s) * (1 - slack))};
   }
 
+  /// returns the center.
+  const Center& center() const { return center_; }
+  /// returns the radius.
+  double radius() const { return radius_; }
   /// returns the sign, if it is certain.
   Uncertain<Sign> sign() const {
     if (magnitude_ * (1 - slack) > radius_) return rounded(center_) > 0 ? POSITIVE : NEGATIVE;

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_UNFOLDED_DIAMOND_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_UNFOLDED_DIAMOND_H
 
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Complex_ball.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 
 #include <boost/container/small_vector.hpp>
@@ -110,6 +111,8 @@ struct Unfolded_diamond {
   */
   template <class FT, class Input_values>
   Positions<FT> positions(const Input_values& input) const {
+    if constexpr (requires { typename internal::Enclosure_parts<FT>::Center; })
+      return enclosed_positions<FT>(input);
     Positions<FT> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
     for (const Triangle& t : triangles) {
       const auto& face = input(t.face);
@@ -151,6 +154,36 @@ struct Unfolded_diamond {
             length(j - m),
             twice * cross(j - i, k - i),
             twice * cross(i - j, m - j)};
+  }
+
+private:
+  // Sides follow from each other along the tree, so that their errors relative to their lengths only add up; differences of
+  // positions would have the errors of all sides before, again and again.
+  template <class FT, class Input_values>
+  Positions<FT> enclosed_positions(const Input_values& input) const {
+    using Vector = Complex_ball<FT>;
+    Positions<FT> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
+    boost::container::small_vector<std::array<Vector, 3>, 16>
+        sides; // of triangles, from slot to slot
+    for (const Triangle& t : triangles) {
+      const auto& [l, area] = input(t.face);
+      const std::size_t next = (t.entry + 1) % 3, last = (t.entry + 2) % 3;
+      const Vector side = sides.empty() ? Vector() : -sides[t.parent][exit_to(t)];
+      const FT twice = l[t.entry] + l[t.entry];
+      const Vector to_apex = side * Vector(l[t.entry] + l[last] - l[next], area, twice);
+      sides.emplace_back();
+      sides.back()[t.entry] = side;
+      sides.back()[next] = side * Vector(l[last] - l[t.entry] - l[next], area, twice);
+      sides.back()[last] = -to_apex;
+      const Position<FT>& a = z[t.start()];
+      z.push_back({a.x + to_apex.real(), a.y + to_apex.imaginary()});
+    }
+    return z;
+  }
+  // the slot of the parent at which a triangle is glued to it
+  std::size_t exit_to(const Triangle& t) const {
+    const std::array<std::uint32_t, 3>& p = triangles[t.parent].point;
+    return p[1] == t.start() && p[0] == t.end() ? 0 : p[2] == t.start() && p[1] == t.end() ? 1 : 2;
   }
 };
 

@@ -118,8 +118,7 @@ private:
     for (const bool is_left : {true, false}) {
       const Side side(t_, segments_, s, is_left);
       Wedge wedge;
-      if (side.is_flexible(t_, segments_) && side.find_wedge(t_, segments_, wedge))
-        angle = std::min(angle, wedge.angle);
+      if (side.find_free_wedge(t_, segments_, wedge)) angle = std::min(angle, wedge.angle());
     }
     if (angle < HUGE_VAL)
       queue_.push({angle, s, segments_[s].generation, next, segments_[next].generation});
@@ -144,12 +143,10 @@ private:
     for (const bool is_left : {true, false}) {
       const Side side(t_, segments_, s, is_left);
       Wedge wedge;
-      if (!side.is_flexible(t_, segments_) || !side.find_wedge(t_, segments_, wedge)) continue;
-      if (wedge.faces.size() > 2 && is_nearly_pi(wedge.angle)) {
-        if (!flip_out(side.in, side.out, wedge.faces.size() - 2)) return;
-        wedge = {};
-        side.find_wedge(t_, segments_, wedge);
-      }
+      if (!side.find_free_wedge(t_, segments_, wedge)) continue;
+      if (wedge.faces.size() > 2 && is_nearly_pi(wedge.angle()) &&
+          !flip_out(side.in, side.out, wedge.faces.size() - 2))
+        return;
       ++result_.wedge_checks;
       const Comparison_result c =
           side.is_turn(t_, segments_) ? SMALLER : session_.compare_angle_to_pi(side.in, side.out);

@@ -37,28 +37,15 @@ struct Joint_side {
     return false;
   }
 
-  // whether nothing is on this side that would be crossed when the joint moves there: no curve, no border
-  bool is_flexible(const Triangulation& t, const Curve_segments& segments) const {
+  // Whether nothing is on this side that would be crossed when the joint moves there: no curve, no border. If so, finds the
+  // wedge there, which is empty if the curve turns back.
+  bool find_free_wedge(const Triangulation& t, const Curve_segments& segments, Wedge& wedge) const {
     const auto& number = t.numbers();
     const std::uint32_t h = number.halfedge(in);
     if (is_turn(t, segments)) return segments.beside(first, h) == second;
-    if (segments.outermost(h) != first || segments.outermost(number.halfedge(out)) != second)
-      return false;
-    Halfedge g = in;
-    while (true) {
-      if (face(g, t.mesh()) == boost::graph_traits<typename Triangulation::Mesh>::null_face())
-        return false;
-      g = next(g, t.mesh());
-      if (g == out) return true;
-      if (!segments.is_free(number.halfedge(g))) return false;
-      g = opposite(g, t.mesh());
-      if (g == in) return false; // another fan of a vertex that is not manifold
-    }
-  }
-
-  // false on the border
-  bool find_wedge(const Triangulation& t, const Curve_segments& segments, Wedge& wedge) const {
-    return is_turn(t, segments) || internal::find_wedge(t, in, out, wedge);
+    return segments.outermost(h) == first && segments.outermost(number.halfedge(out)) == second &&
+           internal::find_wedge(t, in, out, wedge,
+                                [&](Halfedge g) { return segments.is_free(number.halfedge(g)); });
   }
 
 private:

@@ -97,11 +97,11 @@ private:
   Joint_side_report report(std::uint32_t s, bool is_left, const Compare& compare) const {
     const Side side(t_, network_.segments_, s, is_left);
     Joint_side_report r;
-    r.is_flexible = side.is_flexible(t_, network_.segments_);
-    Wedge wedge;
+    Wedge free, all;
+    r.is_flexible = side.find_free_wedge(t_, network_.segments_, free);
     if (side.is_turn(t_, network_.segments_))
       r.angle = SMALLER;
-    else if (internal::find_wedge(t_, side.in, side.out, wedge))
+    else if (internal::find_wedge(t_, side.in, side.out, all))
       r.angle = compare(side.in, side.out);
     return r;
   }

@@ -155,7 +155,7 @@ private:
     const std::array<bool, 2> is_whole{
         find_wedge(t_, in, out, wedges[0]),
         find_wedge(t_, opposite(out, mesh), opposite(in, mesh), wedges[1])};
-    const std::size_t first = wedges[1].angle < wedges[0].angle ? 1 : 0;
+    const std::size_t first = wedges[1].angle() < wedges[0].angle() ? 1 : 0;
     for (const std::size_t side : {first, 1 - first}) {
       if (!is_whole[side]) continue;
       ++result_.wedge_checks;
