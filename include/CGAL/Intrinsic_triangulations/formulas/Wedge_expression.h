@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
+#include <CGAL/Uncertain.h>
+
 #include <cstddef>
 #include <span>
 
@@ -27,6 +29,11 @@ struct Wedge_product {
   FT real, imaginary;
 };
 
+template <class FT>
+Wedge_product<FT> product(const Wedge_product<FT>& z, const Wedge_product<FT>& w) {
+  return {z.real * w.real - z.imaginary * w.imaginary, z.real * w.imaginary + z.imaginary * w.real};
+}
+
 // the product of the z of the corners at the sources of the first sides, each times its scale
 template <class FT>
 Wedge_product<FT> wedge_product(std::span<const Face_values<FT>> faces,
@@ -37,11 +44,25 @@ Wedge_product<FT> wedge_product(std::span<const Face_values<FT>> faces,
     return Wedge_product<FT>{(l[0] + l[2] - l[1]) * scale, a * scale};
   };
   Wedge_product<FT> z = factor(0);
-  for (std::size_t k = 1; k < faces.size(); ++k) {
-    const Wedge_product<FT> w = factor(k);
-    z = {z.real * w.real - z.imaginary * w.imaginary, z.real * w.imaginary + z.imaginary * w.real};
-  }
+  for (std::size_t k = 1; k < faces.size(); ++k) z = product(z, factor(k));
   return z;
+}
+
+} // namespace internal
+
+namespace internal {
+
+// Tells whether the sines of the sums of the first m corners are positive for all m, as far as intervals tell; see
+// `compare_wedge_to_pi()`.
+template <class FT>
+bool has_certainly_positive_sines(std::span<const Face_values<FT>> faces,
+                                  std::span<const double> scales) {
+  Wedge_product<FT> z = wedge_product(faces.first(1), scales);
+  for (std::size_t k = 1; CGAL::certainly(z.imaginary > 0); ++k) {
+    if (k == faces.size()) return true;
+    z = product(z, wedge_product(faces.subspan(k, 1), scales.subspan(k)));
+  }
+  return false;
 }
 
 } // namespace internal

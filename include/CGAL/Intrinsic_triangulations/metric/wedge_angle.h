@@ -54,6 +54,8 @@ struct Wedge {
     scales.push_back(scale);
     if (first_beyond_pi == 0 && half_turns_ > 0) first_beyond_pi = faces.size();
   }
+  std::span<const Indexed_face> all_faces() const { return {faces.data(), faces.size()}; }
+  std::span<const double> all_scales() const { return {scales.data(), scales.size()}; }
   double angle() const {
     return static_cast<double>(half_turns_) * std::numbers::pi + std::atan2(imaginary_, real_);
   }
@@ -74,8 +76,8 @@ inline Diamond diamond_of_corners(const Indexed_face& f, const Indexed_face& g) 
 // whose sine is negative is beyond pi, whatever the others are: one that seems to be is tried first.
 template <class Sign_of>
 Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
-  const std::span<const Indexed_face> faces(w.faces.data(), w.faces.size());
-  const std::span<const double> scales(w.scales.data(), w.scales.size());
+  const std::span<const Indexed_face> faces = w.all_faces();
+  const std::span<const double> scales = w.all_scales();
   const auto sine = [&](std::size_t from, std::size_t n) {
     return sign_of(faces.subspan(from, n), Wedge_sine_expression{scales.subspan(from, n)});
   };

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/whole_star.h>
 
@@ -88,12 +89,17 @@ public:
   \param h a halfedge
   \param g a halfedge from the target of `h`; the opposite of `h`: the angle is all about the vertex
   \pre no border is in between
-  \complexity linear in the number of faces in between, quadratic if it is nearly pi
+  \complexity linear in the number of faces in between, quadratic if it is nearly pi or beyond
   */
   Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
     internal::Wedge wedge;
     internal::find_wedge(t_, h, g, wedge);
     const auto& metric = t_.metric();
+    if constexpr (internal::Has_enclosures<typename Triangulation::Metric>)
+      if (metric.holds_for_enclosures(wedge.all_faces(), [&](const auto& faces) {
+            return internal::has_certainly_positive_sines(faces, wedge.all_scales());
+          }))
+        return SMALLER;
     return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
       using Expression = std::decay_t<decltype(expression)>;
       if constexpr (std::is_same_v<Expression, Wedge_sine_expression>)
