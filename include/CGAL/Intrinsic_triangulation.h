@@ -192,13 +192,13 @@ public:
 
   /// returns the squared length of an edge as a double, in the units of the input; with exact traits to 1e-12 of it.
   double squared_length(edge_descriptor e) const {
-    halfedge_descriptor h = halfedge(e, mesh_);
-    if (face(h, mesh_) == boost::graph_traits<Mesh>::null_face()) h = opposite(h, mesh_);
-    internal::accurate_values(*this, face(h, mesh_));
-    return std::ldexp(metric_.approximate_squared_length(index(e)), -2 * metric_.scale_exponent());
+    return std::ldexp(internal::accurate_squared_length(*this, e), -2 * metric_.scale_exponent());
   }
-  /// returns the length of an edge as a double, in the units of the input; see `squared_length()`.
-  double length(edge_descriptor e) const { return std::sqrt(squared_length(e)); }
+  /// returns the length of an edge as a double, in the units of the input; as accurate as `squared_length()`, which may overflow.
+  double length(edge_descriptor e) const {
+    return std::ldexp(std::sqrt(internal::accurate_squared_length(*this, e)),
+                      -metric_.scale_exponent());
+  }
   /// returns the area of a face as a double, in the units of the input; with exact traits to 1e-12 of it.
   double area(face_descriptor f) const {
     return std::ldexp(internal::accurate_values(*this, f).quadruple_area,

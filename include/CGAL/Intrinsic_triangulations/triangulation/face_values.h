@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <span>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -53,6 +55,16 @@ Face_values<double> accurate_values(const Triangulation& t,
     }
   }
   return approximate_values(t.metric(), face);
+}
+
+// The squared length of an edge in scaled units, as accurate.
+template <class Triangulation>
+double accurate_squared_length(const Triangulation& t, typename Triangulation::edge_descriptor e) {
+  typename Triangulation::halfedge_descriptor h = halfedge(e, t.mesh());
+  if (face(h, t.mesh()) == boost::graph_traits<typename Triangulation::Mesh>::null_face())
+    h = opposite(h, t.mesh());
+  accurate_values(t, face(h, t.mesh()));
+  return t.metric().approximate_squared_length(t.index(e));
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
