@@ -194,8 +194,11 @@ public:
   double squared_length(edge_descriptor e) const {
     return std::ldexp(internal::accurate_squared_length(*this, e), -2 * metric_.scale_exponent());
   }
-  /// returns the length of an edge as a double, in the units of the input; see `squared_length()`.
-  double length(edge_descriptor e) const { return std::sqrt(squared_length(e)); }
+  /// returns the length of an edge as a double, in the units of the input; as accurate as `squared_length()`, which may overflow.
+  double length(edge_descriptor e) const {
+    return std::ldexp(std::sqrt(internal::accurate_squared_length(*this, e)),
+                      -metric_.scale_exponent());
+  }
   /// returns the area of a face as a double, in the units of the input; with exact traits to 1e-12 of it.
   double area(face_descriptor f) const {
     return std::ldexp(internal::accurate_values(*this, f).quadruple_area,

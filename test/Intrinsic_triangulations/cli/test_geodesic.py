@@ -85,6 +85,10 @@ class Curves(Geodesic_test):
         g = self.geodesic(mesh, "--path", "0,7")
         self.assert_geodesic(g)
         self.assert_close(g["length"], math.sqrt(5), 1e-12)
+        lower, upper = g["curves"][0]["length_bounds"]
+        self.assertLess(lower * lower, 5)
+        self.assertGreater(upper * upper, 5)
+        self.assertLess(upper - lower, 1e-12)
         self.assertEqual(g["joints"], 0)
 
     def test_several_paths_that_do_not_cross(self):

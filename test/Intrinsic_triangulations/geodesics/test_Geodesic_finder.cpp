@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/insert_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "meshes.h"
 #include "numbered_as_mesh.h"
+#include "unfolded_paths.h"
+
+#include <CGAL/Interval_nt.h>
 
 #include <gtest/gtest.h>
 
@@ -17,7 +22,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <random>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -194,5 +201,100 @@ TEST(GeodesicFinderOfPoints, PointsThatAreNotConnectedAreReported) {
   EXPECT_EQ(path.status, Status::stalled);
   EXPECT_TRUE(path.points.empty());
 }
+
+// ---- An oracle in 200 digits
+
+/// The vertices that a geodesic passes and the faces between, by what makes it a path of edges.
+std::vector<unfolded_paths::Piece> pieces(Triangulation t, Gluing_map::Vertex from,
+                                          Gluing_map::Vertex to) {
+  std::vector<unfolded_paths::Piece> result;
+  for (const auto h : insert_geodesic(t, from, to).halfedges)
+    result.push_back({t.index(source(h, t.mesh())), t.index(target(h, t.mesh())),
+                      trace_curve(t, std::vector{h}).faces});
+  return result;
+}
+
+void expect_as_unfolded(const Geodesic_path& path, const unfolded_paths::Path& unfolded) {
+  using namespace unfolded_paths;
+  const CGAL::Interval_nt<>& bounds = path.length_enclosure;
+  const Wide error = tiny() * unfolded.length; // of the oracle
+  EXPECT_TRUE(bounds.inf() <= unfolded.length + error && unfolded.length - error <= bounds.sup())
+      << bounds << " lacks " << unfolded.length;
+  EXPECT_LE(bounds.sup() - bounds.inf(), 1e-12 * path.length);
+  EXPECT_NEAR(bounds.inf(), path.length, 1e-12 * path.length);
+  EXPECT_LE(unfolded.deviation, tiny());
+  EXPECT_GE(unfolded.least_angle, pi() - tiny());
+}
+
+/// Geodesics between random vertices, before and after flips to Delaunay.
+void expect_unfolded_paths(const meshes::Mesh& mesh, unsigned paths, unsigned seed,
+                           std::size_t& passed) {
+  const unfolded_paths::Unfolder unfold(mesh);
+  std::mt19937 random(seed);
+  for (const bool is_delaunay : {false, true}) {
+    Triangulation t = numbered_as<Triangulation>(mesh);
+    if (is_delaunay) flip_to_delaunay(t);
+    IT::Geodesic_finder<Triangulation> find(t);
+    for (unsigned i = 0; i < paths; ++i) {
+      const auto vertex = [&] {
+        return t.numbers().vertex_at(static_cast<std::uint32_t>(random() % num_vertices(t.mesh())));
+      };
+      const auto from = vertex(), to = vertex();
+      const Geodesic_path path = find(from, to);
+      if (path.status == Status::stalled) continue; // in another component
+      ASSERT_EQ(path.status, Status::done);
+      const std::vector<unfolded_paths::Piece> way = pieces(t, from, to);
+      std::vector<std::uint32_t> faces;
+      for (const unfolded_paths::Piece& p : way)
+        faces.insert(faces.end(), p.faces.begin(), p.faces.end());
+      ASSERT_EQ(faces, path.faces);
+      expect_as_unfolded(path, unfold(way));
+      passed += way.empty() ? 0 : way.size() - 1;
+    }
+  }
+}
+
+TEST(GeodesicFinderUnfolded, LengthsAndAnglesAreThoseIn200Digits) {
+  std::size_t passed = 0;
+  for (unsigned seed = 0; seed < 4; ++seed)
+    for (const meshes::Mesh& mesh :
+         {meshes::rough_grid(12, seed), meshes::potato(3, seed),
+          meshes::integer_terrain(90, 64, seed), meshes::integer_height_field(9, 4, seed),
+          meshes::sheared_grid(7, 7, 5.5), meshes::box(3, 4, 5), meshes::l_shape(5),
+          meshes::scaled(meshes::rough_grid(7, seed), 0x1p-600),
+          meshes::scaled(meshes::potato(2, seed), 0x1p500)}) {
+      SCOPED_TRACE("seed " + std::to_string(seed));
+      expect_unfolded_paths(mesh, 12, seed, passed);
+    }
+  EXPECT_GT(passed, 300U);
+}
+
+// Doubles do not know how wrong they are, intervals do.
+TEST(GeodesicFinderUnfolded, EnclosuresWithoutBoundsOfErrorsAreUnbounded) {
+  using Doubles = IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>,
+                                              IT::Integer_coordinates>;
+  const meshes::Mesh mesh = meshes::rough_grid(5, 1);
+  Doubles t = numbered_as<Doubles>(mesh);
+  const Geodesic_path path =
+      IT::Geodesic_finder<Doubles>(t)(t.numbers().vertex_at(0), t.numbers().vertex_at(30));
+  ASSERT_EQ(path.status, Status::done);
+  EXPECT_EQ(path.length_enclosure.inf(), 0);
+  EXPECT_EQ(path.length_enclosure.sup(), std::numeric_limits<double>::infinity());
+}
+
+#ifdef INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR
+TEST(GeodesicFinderUnfolded, LengthsAndAnglesAreThoseIn200DigitsOnMeshesOfCgal) {
+  std::size_t passed = 0;
+  for (const std::string name : {"anchor", "bull", "couplingdown", "elephant", "fandisk", "homer",
+                                 "joint", "pinion", "rotor_small", "triceratops"}) {
+    SCOPED_TRACE(name);
+    const IT::Triangle_soup soup =
+        IT::read_triangle_soup(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "/" + name + ".off");
+    const meshes::Mesh mesh{soup.points, soup.triangles};
+    expect_unfolded_paths(mesh, 20, 5, passed);
+  }
+  EXPECT_GT(passed, 300U);
+}
+#endif
 
 } // namespace

@@ -13,10 +13,13 @@
 #include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/certify_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
+
+#include <CGAL/Interval_nt.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -123,6 +126,8 @@ private:
            {"length", network_.length(c)},
            {"initial_length", initial_length_[c]},
            {"is_loop", network_.is_loop(c)}});
+      if (const CGAL::Interval_nt<> bounds = network_.length_enclosure(c); CGAL::is_finite(bounds))
+        curves.back()["length_bounds"] = {bounds.inf(), bounds.sup()};
       if (is_contracted && !t_.is_inserted(network_.start(c)))
         curves.back()["vertex"] = t_.input_vertex(network_.start(c));
     }
@@ -151,7 +156,8 @@ private:
           throw std::runtime_error(options_.input + ": curve " + std::to_string(c) +
                                    " cannot be found on the mesh, as rounding has spoilt the "
                                    "signposts; use --correspondence integer");
-        for (const IT::Surface_point& p : curve.points) line.points.push_back(in_space(p));
+        for (const IT::Surface_point& p : curve.points)
+          line.points.push_back(IT::point_in_space(t_, p, points_));
         if (line.is_closed) line.points.pop_back(); // the start again
       }
       result.push_back(std::move(line));
@@ -164,18 +170,7 @@ private:
     const auto out = opposite(halfedge(v, t_.mesh()), t_.mesh());
     const IT::Traced_curve star = IT::trace_curve(t_, std::vector{out});
     if (star.points.empty()) return {};
-    return {in_space(star.points.front())};
-  }
-
-  Point in_space(const IT::Surface_point& p) const {
-    const auto& input = t_.correspondence().input();
-    Point x{0, 0, 0};
-    std::uint32_t h = p.halfedge;
-    for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
-      const Point& corner = points_[t_.input().names().vertices.user(input.source(h))];
-      for (std::size_t i = 0; i < 3; ++i) x[i] += p.weights[k] * corner[i];
-    }
-    return x;
+    return {IT::point_in_space(t_, star.points.front(), points_)};
   }
 
   Loaded<Triangulation>& loaded_;

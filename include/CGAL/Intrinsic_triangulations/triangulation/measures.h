@@ -10,10 +10,16 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 
+#include <CGAL/Interval_nt.h>
 #include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 /*!
@@ -22,6 +28,41 @@ Measures of single elements and of the whole surface (§2.3 of the course).
 */
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Stores numbers that are exact, or intervals that contain the exact ones.
+template <class Metric>
+concept Encloses_lengths = requires(const Metric& m, std::uint32_t e) {
+  CGAL::to_interval(m.squared_length(e));
+  requires Metric::is_exact || std::same_as<typename Metric::FT, Interval_nt<false>>;
+};
+
+} // namespace internal
+
+/*!
+\brief returns an interval that contains the length of an edge: that of the input as its numbers define it, after mollification,
+between vertices where they have been inserted.
+
+With exact traits the bounds differ by 1e-12 of the length at most, with `Interval_traits` by what intervals have grown to. Other inexact
+arithmetic knows no bounds of its errors: then the interval is [0, infinity].
+\param t the triangulation
+\param e the edge
+\return bounds in the units of the input
+\complexity that of `Intrinsic_triangulation::length()`
+*/
+template <class Triangulation>
+Interval_nt<> length_enclosure(const Triangulation& t, typename Triangulation::edge_descriptor e) {
+  if constexpr (internal::Encloses_lengths<typename Triangulation::Metric>) {
+    t.length(e); // makes what is stored narrow
+    const auto squared = CGAL::to_interval(t.metric().squared_length(t.index(e)));
+    const int s = t.metric().scale_exponent(); // 2^-s need not be a double, its parts are
+    return sqrt(Interval_nt<>(squared)) * Interval_nt<>(std::ldexp(1.0, -s / 2)) *
+           Interval_nt<>(std::ldexp(1.0, s / 2 - s));
+  } else {
+    return {0, std::numeric_limits<double>::infinity()};
+  }
+}
 
 /*!
 \brief returns the cotangent weight of an edge: half the sum of the cotangents of the angles opposite it (Eq. 4 of

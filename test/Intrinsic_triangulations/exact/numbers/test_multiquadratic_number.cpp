@@ -114,6 +114,27 @@ TEST_F(Multiquadratic_number, inverse_uses_only_the_subfield_of_the_number) {
   EXPECT_EQ(x * x.inverse(), 1);
 }
 
+// The sum of 40 roots has 40 terms of 2^40 that are possible: its square takes 1600 products, not 3^40.
+TEST_F(Multiquadratic_number, products_of_few_terms_take_few_steps) {
+  IT::Square_class_basis basis;
+  Number sum;
+  int squares = 0;
+  unsigned roots = 0;
+  for (int p = 2; roots < 40; ++p) {
+    bool is_prime = true;
+    for (int q = 2; q * q <= p; ++q) is_prime = is_prime && p % q != 0;
+    if (!is_prime) continue;
+    sum += root(basis, Gmpq(p));
+    squares += p;
+    ++roots;
+  }
+  const Number square = sum * sum;
+  EXPECT_EQ(square.number_of_terms(), 1 + 40U * 39 / 2);
+  EXPECT_EQ(square.coefficient(0), Gmpq(squares));
+  EXPECT_EQ(square.coefficient(3), Gmpq(2));
+  EXPECT_EQ(square * sum, sum * square);
+}
+
 TEST_F(Multiquadratic_number, satisfies_the_laws_of_a_field) {
   std::mt19937_64 random(6);
   for (int i = 0; i < 30; ++i) {

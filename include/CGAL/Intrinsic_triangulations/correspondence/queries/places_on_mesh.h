@@ -52,6 +52,19 @@ inline void check_is_mesh_of(const Input& input, std::uint32_t vertices) {
         "elements; collect its garbage before the triangulation is built");
 }
 
+// A point of the input, from coordinates of the user's vertices by number.
+template <class Coordinates>
+std::array<double, 3> combination_of_corners(const Input& input, const Surface_point& p,
+                                             const Coordinates& coordinates) {
+  std::array<double, 3> x{0, 0, 0};
+  std::uint32_t h = p.halfedge;
+  for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
+    const std::array<double, 3> corner = coordinates(input.names().vertices.user(input.source(h)));
+    for (std::size_t c = 0; c < 3; ++c) x[c] += p.weights[k] * corner[c];
+  }
+  return x;
+}
+
 // The user's mesh as the names of the input know it.
 template <class Mesh>
 class Named_mesh_elements {
@@ -110,13 +123,9 @@ public:
     const auto map = Mesh_adaptor<Mesh>::point_map(mesh_);
     using User_point = std::remove_cvref_t<
         typename boost::property_traits<std::remove_cv_t<decltype(map)>>::value_type>;
-    std::array<double, 3> x{0, 0, 0};
-    std::uint32_t h = p.halfedge;
-    for (std::size_t k = 0; k < 3; ++k, h = input_.next(h)) {
-      const auto v = number_.vertex_at(input_.names().vertices.user(input_.source(h)));
-      const std::array<double, 3> corner = Mesh_adaptor<Mesh>::coordinates(get(map, v));
-      for (std::size_t c = 0; c < 3; ++c) x[c] += p.weights[k] * corner[c];
-    }
+    const std::array<double, 3> x = combination_of_corners(input_, p, [&](std::uint32_t v) {
+      return Mesh_adaptor<Mesh>::coordinates(get(map, number_.vertex_at(v)));
+    });
     return User_point(x[0], x[1], x[2]);
   }
 
@@ -232,6 +241,20 @@ Face_location<typename Triangulation::Mesh> face_location(const Triangulation& t
 template <NumberedTriangulation Triangulation, class Mesh>
 auto point_in_space(const Triangulation& t, const Surface_point& p, const Mesh& mesh) {
   return internal::Named_mesh_elements<Mesh>(internal::kept_input(t), mesh).point(p);
+}
+
+/*!
+\brief returns where a point of the input is in space.
+\param t the triangulation
+\param p the point
+\param points coordinates of the vertices of the mesh that `t` was built from, in its order
+\complexity constant
+*/
+template <NumberedTriangulation Triangulation>
+std::array<double, 3> point_in_space(const Triangulation& t, const Surface_point& p,
+                                     const std::vector<std::array<double, 3>>& points) {
+  return internal::combination_of_corners(internal::kept_input(t), p,
+                                          [&](std::uint32_t v) { return points[v]; });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -106,7 +106,8 @@ inline Multiquadratic_terms joined(Multiquadratic_terms low, const Multiquadrati
   return low;
 }
 
-// x y = (a + b s)(c + e s) with s^2 = d_g, by three products (Karatsuba) if none of them is zero
+// x y = (a + b s)(c + e s) with s^2 = d_g, by three products (Karatsuba) where that takes fewer pairs of terms than four: where few terms of many
+// possible ones are there, sums have as many as their summands together
 inline Multiquadratic_terms product(const Square_class_basis* basis, const Multiquadratic_terms& x,
                                     const Multiquadratic_terms& y) {
   if (x.empty() || y.empty()) return {};
@@ -121,7 +122,10 @@ inline Multiquadratic_terms product(const Square_class_basis* basis, const Multi
   const Multiquadratic_terms low = sum(ac, scaled(be, basis->product(g)));
   if (a.empty()) return joined(low, product(basis, b, c), g);
   if (c.empty()) return joined(low, product(basis, a, e), g);
-  const Multiquadratic_terms all = product(basis, sum(a, b), sum(c, e));
+  const Multiquadratic_terms ab = sum(a, b), ce = sum(c, e);
+  if (ab.size() * ce.size() >= a.size() * e.size() + b.size() * c.size())
+    return joined(low, sum(product(basis, a, e), product(basis, b, c)), g);
+  const Multiquadratic_terms all = product(basis, ab, ce);
   return joined(low, sum(all, sum(ac, be), true), g);
 }
 

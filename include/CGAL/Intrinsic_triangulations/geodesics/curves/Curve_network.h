@@ -8,6 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_order.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_segments.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
+
+#include <CGAL/Interval_nt.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -124,6 +127,15 @@ public:
   double length() const {
     double sum = 0;
     for (std::uint32_t c = 0; c < number_of_curves(); ++c) sum += length(c);
+    return sum;
+  }
+
+  /// returns an interval that contains the length of a curve, see `length_enclosure()`. \complexity linear
+  Interval_nt<> length_enclosure(std::uint32_t curve) const {
+    Interval_nt<> sum(0);
+    for_each_segment(curve, [&](std::uint32_t s) {
+      sum += Intrinsic_triangulations::length_enclosure(*t_, edge(halfedge_of(s), t_->mesh()));
+    });
     return sum;
   }
 

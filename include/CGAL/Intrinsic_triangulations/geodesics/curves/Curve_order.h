@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -37,17 +38,14 @@ public:
 
   // whether curves cross at the source of h: their joints are nested about it, unless they cross
   bool has_crossing(Halfedge h) const {
-    const std::vector<std::uint32_t> joints = joints_about_source(h);
-    std::vector<std::uint32_t> open;
-    for (const std::uint32_t j : joints) {
-      if (std::count(joints.begin(), joints.end(), j) == 1)
-        continue; // to another fan of the vertex
-      if (!open.empty() && open.back() == j)
-        open.pop_back();
-      else
-        open.push_back(j);
-    }
-    return !open.empty();
+    std::vector<std::uint32_t> open = without_nested(joints_about_source(h));
+    std::unordered_map<std::uint32_t, unsigned> ends;
+    for (const std::uint32_t j : open) ++ends[j];
+    // what is met once leads to another fan of the vertex
+    open.erase(
+        std::remove_if(open.begin(), open.end(), [&](std::uint32_t j) { return ends[j] == 1; }),
+        open.end());
+    return !without_nested(open).empty();
   }
 
 private:
@@ -66,6 +64,17 @@ private:
       g = turned_left(g);
     } while (g != h);
     return joints;
+  }
+
+  // leaves out joints between whose ends there is nothing else, and so on; whether others nest does not depend on it
+  static std::vector<std::uint32_t> without_nested(const std::vector<std::uint32_t>& joints) {
+    std::vector<std::uint32_t> open;
+    for (const std::uint32_t j : joints)
+      if (!open.empty() && open.back() == j)
+        open.pop_back();
+      else
+        open.push_back(j);
+    return open;
   }
 
   // the next halfedge from the same source, counterclockwise, across a border too

@@ -27,6 +27,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief finds shortest paths along edges between vertices, by Dijkstra's algorithm from both ends.
 
 Lengths are those of the triangulation, in doubles. Memory is kept from one search to the next, so that a search costs what it visits.
+At a vertex that is not manifold a search goes on in one of its fans of faces only, see `for_each_outgoing()`: paths that lead through such a vertex into
+another fan are not found.
 \tparam Triangulation a model of `GeodesicTriangulation`
 */
 template <class Triangulation>

@@ -85,8 +85,8 @@ public:
     - `maximum_distance(d)`: how far to look, in the units of the input. Default: as far as there are faces.
     - `targets(p)`: a vertex, a `Surface_point`, or a range of either: the search stops once their distances are known. Default:
       none, it goes everywhere.
-    - `maximum_number(n)`: cap on the number of windows, which ends the search on bodies so thin that rounding hides which
-      paths are shorter. Default: 500 per halfedge and 4 million.
+    - `maximum_number(n)`: cap on the number of windows, which ends the search on bodies so thin that there are too many: k times as long as
+      thick, they have up to about 100 k (it is reached from 10^5 on). Default: 500 per halfedge and 4 million.
     - `visitor(v)`: see `Polyhedral_distance_visitor`
   \pre points are in faces, and their weights are not negative
   \complexity O(n^2 log n) for n faces that shortest paths cross once, as they do in space (Chen and Han; Xin and Wang); about

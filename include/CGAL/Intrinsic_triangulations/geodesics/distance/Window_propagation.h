@@ -35,9 +35,9 @@ layout of the faces before it: they hold on any Delta-complex, also where a shor
 when a vertex comes its distance is final.
 
 **It ends.** Windows are useless that are farther than all vertices and an edge; nearer ones are finitely many, as a straight line
-turns by less than half a turn around each vertex that it passes, and the next is some way off. With rounding
-a cap on their number stands in for the proof: on a body a million times as long as thick those that wind around it are hardly
-longer than those that do not.
+turns by less than half a turn around each vertex that it passes, and the next is some way off. On a body k times as
+long as thick windows wind around it up to about k times before they are longer than those that do not, so that their number grows with k, and from
+10^7 on rounding hides which are longer: a cap on their number stands in for the proof.
 
 **Rounding.** Comparisons are tolerant in the direction that keeps windows. A window drawn to a corner shows it if that lies off
 its rays by rounding; no corner is lost between two windows so, at an error of second order. Distances never come from
@@ -119,6 +119,7 @@ private:
   std::vector<Wedge> fan_;     // of the vertex that is dealt with
   double radius_ = std::numeric_limits<double>::infinity();
   std::uint64_t count_ = 0;
+  std::uint64_t most_windows_ = std::numeric_limits<std::uint64_t>::max();
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -266,7 +266,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::look_through(Windo
     w = shown == 2 ? right : left;
     const double key = w.least_distance();
     if (key > radius_) return;
-    if (key > queue_.least()) {
+    if (key > queue_.least() || count_ >= most_windows_) {
       queue_.push_window(key, w);
       return;
     }
@@ -287,13 +287,13 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Window_propagation::run(
     const Propagation_limits& limits, const std::function<bool(std::uint64_t, double)>& progress) {
   radius_ = limits.radius;
   field_.radius = limits.radius;
-  const std::uint64_t most_windows =
+  most_windows_ =
       std::min<std::uint64_t>(limits.windows, std::numeric_limits<std::uint32_t>::max() - 1);
   Window w;
   std::uint32_t v = 0;
   for (std::uint64_t step = 1; !queue_.is_empty(); ++step) {
     const bool is_known = step % 1024 == 0 && knows_targets(limits);
-    const bool is_cap = count_ >= most_windows;
+    const bool is_cap = count_ >= most_windows_;
     if (is_known || is_cap || (step % 65536 == 0 && !progress(count_, queue_.least()))) {
       field_.radius = std::min(limits.radius, queue_.least());
       return is_known ? Status::done : is_cap ? Status::cap : Status::cancelled;

@@ -12,6 +12,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
+
+#include <CGAL/Interval_nt.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -35,6 +38,8 @@ struct Traced_curve {
   std::vector<std::uint32_t> faces;
   /// Its length, in the units of the input; with exact traits to 1e-12 of it.
   double length = 0;
+  /// An interval that contains its length; [0, infinity] if the traits know no bounds of their errors, see `length_enclosure()`.
+  Interval_nt<> length_enclosure{0};
 };
 
 namespace internal {
@@ -76,6 +81,7 @@ void append_edge(const Triangulation& t, typename Triangulation::halfedge_descri
     curve.points.push_back(point(i));
   }
   curve.length += t.length(edge(h, t.mesh()));
+  curve.length_enclosure += length_enclosure(t, edge(h, t.mesh()));
 }
 
 } // namespace internal
@@ -92,7 +98,7 @@ Traced_curve trace_curve(const Triangulation& t, const HalfedgeRange& halfedges)
   Traced_curve curve;
   for (const typename Triangulation::halfedge_descriptor h : halfedges) {
     internal::append_edge(t, h, curve);
-    if (curve.status == Status::not_traceable) return {curve.status, {}, {}, 0};
+    if (curve.status == Status::not_traceable) return {curve.status, {}, {}, 0, {0}};
   }
   return curve;
 }
