@@ -207,8 +207,10 @@ private:
         const auto inserted = t_.split_edge(g, g == h ? y : 1 - y);
         if (inserted.status != Move_status::done) continue;
         const std::size_t place = replace(g, halves_of(g, inserted.vertex), i, k);
+        const double before = length(sides_[i].way[place]),
+                     after = length(sides_[i].way[place + 1]);
         split_before(i, place + 1, inserted.vertex);
-        return {inserted.vertex, y, true};
+        return {inserted.vertex, before / (before + after), true};
       }
     }
     return {sides_[i].from, -1, false};
