@@ -129,6 +129,19 @@ private:
                                               : farthest_of_all;
   }
 
+  // The point moved inwards: in a thin face, where that is a large part of the height, at right angles to the side.
+  template <class View>
+  static std::array<double, 3> beside(const View& view, std::uint32_t h,
+                                      const std::array<double, 3>& w, double distance) {
+    if (w[2] == 0 && distance > usual_farthest) {
+      const auto [ij, jk, ki] = squared_lengths_of_face(view, h);
+      const double foot = (ij + ki - jk) / (2 * ij); // of the height
+      const std::array<double, 3> p{w[0] - distance * (1 - foot), w[1] - distance * foot, distance};
+      if (p[0] > 0 && p[1] > 0) return p;
+    }
+    return inside(w, distance);
+  }
+
   // the point, or one near it if sides of the face are near
   template <class Layout, class Triangulation, class Coordinates>
   std::optional<Placed_insertion>
@@ -136,11 +149,12 @@ private:
              std::uint32_t h, const std::array<double, 3>& weights, bool along_side) {
     // a point of a side that runs across input faces cannot be represented, as a rule: one beside it can
     double distance = weights[2] == 0 && !along_side ? nearness : 0;
-    const double last = farthest(Intrinsic_view<Triangulation>(t), h);
+    const Intrinsic_view<Triangulation> view(t);
+    const double last = farthest(view, h);
     const bool is_near_side = *std::min_element(weights.begin(), weights.end()) < last;
     for (; distance <= last; distance = std::max(16 * distance, nearness)) {
       const auto p =
-          place_in_face(layout, t, coordinates, h, inside(weights, distance), along_side);
+          place_in_face(layout, t, coordinates, h, beside(view, h, weights, distance), along_side);
       if (p || along_side || !is_near_side) return p;
     }
     return std::nullopt;
