@@ -68,26 +68,18 @@ IT::Geodesic random_geodesic(const T& t, double longest, Random& random) {
 // Directions at random, so that no line meets itself but at one point or all along.
 TYPED_TEST(InsertTracedPath, OnDeltaComplexesIsAPathOfItsLength) {
   std::mt19937 random(8);
-  // Where lines of length 30 have cut a face of side 1 into slivers, exact traits may find no place for the next vertex.
-  unsigned lines = 0, refused = 0;
   for (const gallery::Surface& s : gallery::oriented()) {
     if (s.expected.isolated_vertices > 0) continue;
     for (unsigned i = 0; i < 40; ++i) {
       auto t = built<TypeParam>(s);
       const IT::Geodesic g = random_geodesic(t, i % 4 == 0 ? 30 : 4, random);
       const auto path = insert_traced_path(t, g);
-      ++lines;
       EXPECT_TRUE(IT::is_valid_delta_complex(t.mesh())) << s.name << ", line " << i;
-      if (path.status == Move_status::not_traceable && i % 4 == 0) {
-        ++refused;
-        continue;
-      }
       EXPECT_EQ(path.status, Move_status::done) << s.name << ", line " << i;
       EXPECT_NEAR(paths::length_of_path(t, path.halfedges), g.length, 1e-9 * (1 + g.length))
           << s.name << ", line " << i;
     }
   }
-  EXPECT_LE(50 * refused, lines);
 }
 
 // A line of slope 2/3 comes back to where it starts.

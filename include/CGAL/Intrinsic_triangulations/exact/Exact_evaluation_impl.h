@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/without_corner.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
@@ -76,6 +77,20 @@ struct Exact_evaluation::Memory {
       return false;
   }
 
+  // A part of a diamond over which an expression is zero if and only if it is over the diamond, if there is one. Convexity at
+  // one end does not depend on where the other one is.
+  template <class Expression>
+  static std::optional<Unfolded_diamond> decisive_part(const Unfolded_diamond& diamond,
+                                                       const Expression&) {
+    if (diamond.triangles.size() <= few_triangles) return std::nullopt;
+    if constexpr (std::is_same_v<Expression, Convexity_at_source_expression>)
+      return without_corner(diamond, 1);
+    else if constexpr (std::is_same_v<Expression, Convexity_at_target_expression>)
+      return without_corner(diamond, 0);
+    else
+      return std::nullopt;
+  }
+
   // computes with a memory of input faces in a type of so many bits
   template <class Result, class Compute>
   Result at_precision(unsigned bits, const Compute& compute) {
@@ -129,8 +144,10 @@ struct Exact_evaluation::Memory {
   Sign sign_beyond_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
                            const Expression& expression, Diamond_values<Interval_nt<false>>& better,
                            Predicate_statistics& statistics) {
-    if (is_tie_of_strip(input, diamond, expression) ||
-        is_mirrored_tie(input, diamond, expression)) {
+    const std::optional<Unfolded_diamond> decisive = decisive_part(diamond, expression);
+    const Unfolded_diamond& part = decisive ? *decisive : diamond;
+    const std::size_t size = part.triangles.size();
+    if (is_tie_of_strip(input, part, expression) || is_mirrored_tie(input, part, expression)) {
       ++statistics.certified_zero;
       return ZERO;
     }
@@ -142,17 +159,17 @@ struct Exact_evaluation::Memory {
     };
     const auto [sign, seems_zero] = in_balls(short_balls);
     if (sign) return *sign;
-    const auto zero_answer = [&] { return is_zero(input, diamond, expression); };
+    const auto zero_answer = [&] { return is_zero(input, part, expression); };
     std::optional<Zero_answer> answer;
-    if (seems_zero && diamond.triangles.size() <= few_triangles) answer = zero_answer();
+    if (seems_zero && size <= few_triangles) answer = zero_answer();
     if (answer == Zero_answer::zero) {
       ++statistics.certified_zero;
       return ZERO;
     }
     if (const auto s = in_balls(long_balls).first) return *s;
-    return internal::escalated_sign(
-        [&] { return values(input, diamond); }, diamond.triangles.size() <= many_triangles,
-        [&] { return answer ? *answer : zero_answer(); }, expression, better, statistics);
+    return internal::escalated_sign([&] { return values(input, diamond); }, size <= many_triangles,
+                                    [&] { return answer ? *answer : zero_answer(); }, expression,
+                                    better, statistics);
   }
 };
 

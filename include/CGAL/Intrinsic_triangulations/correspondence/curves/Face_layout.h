@@ -27,6 +27,13 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
+inline double approximation(double x) { return x; }
+inline double approximation(const Interval_nt<false>& x) { return CGAL::to_double(x); }
+template <class Center>
+double approximation(const Ball<Center>& x) {
+  return x.to_double();
+}
+
 // whether a number may be a copy of another one
 inline bool are_identical(double x, double y) { return x == y; }
 inline bool are_identical(const Interval_nt<false>& x, const Interval_nt<false>& y) {
@@ -146,7 +153,7 @@ protected:
   };
 
   static Plane_point<double> approximate(const Point& p) {
-    return {CGAL::to_double(p.x), CGAL::to_double(p.y)};
+    return {internal::approximation(p.x), internal::approximation(p.y)};
   }
   std::uint32_t last() const { return static_cast<std::uint32_t>(triangles_.size() - 1); }
 

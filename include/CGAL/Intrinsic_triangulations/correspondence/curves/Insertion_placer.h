@@ -47,13 +47,12 @@ auto values_from(const Input& input, Faces faces) {
   };
 }
 
-template <class U, class View, class Coordinates, class Values>
-auto place_with(U& face, const View& view, const Coordinates& coordinates, std::uint32_t h,
-                const std::array<double, 3>& weights, bool along_side, const Values& values) {
-  face.unfold(view, coordinates, h, values);
-  return along_side ? face.place_on_side(coordinates.input(),
-                                         location_on_side(view, coordinates, h, weights[1]))
-                    : face.place(coordinates.input(), weights);
+template <class Layout, class View, class Coordinates>
+auto place_in(const Layout& layout, const View& view, const Coordinates& coordinates,
+              std::uint32_t h, const std::array<double, 3>& weights, bool along_side) {
+  return along_side ? layout.place_on_side(coordinates.input(),
+                                           location_on_side(view, coordinates, h, weights[1]))
+                    : layout.place(coordinates.input(), weights);
 }
 
 } // namespace internal
@@ -78,27 +77,35 @@ public:
   \param weights barycentric coordinates, approximately; if the last one is zero, the vertex will be on the side, if
   that runs along an input edge, else within rounding of it, inside the face
   \note For exact metrics a place on a curve beyond a side is replaced by one beside the curve, and a point that
-  rounding puts outside of the face is moved inwards, up to 2^-28 of the height.
+  rounding puts outside of the face is moved inwards, by a part of the height that is below 2^-28 or, in thin faces, of which
+  few points can be represented, by less than 2^-44 of the longest side.
   \return the place; nothing if it is within rounding of a vertex, or, for exact metrics, not proven to be in the face
   */
   template <class Triangulation, CurveCoordinates Coordinates>
   std::optional<Placed_insertion> operator()(const Triangulation& t, const Coordinates& coordinates,
                                              std::uint32_t h,
                                              const std::array<double, 3>& weights) {
+    const Intrinsic_view<Triangulation> view(t);
     const bool along_side = weights[2] == 0 && coordinates.normal_coordinate(h / 2) < 0;
     if constexpr (internal::Defined_by_places<typename Triangulation::Metric>) {
-      // a point of a side that runs across input faces cannot be represented, as a rule: one beside it can
-      double distance = weights[2] == 0 && !along_side ? nearness : 0;
-      const bool is_near_side = *std::min_element(weights.begin(), weights.end()) < farthest;
-      for (; distance <= farthest; distance = std::max(16 * distance, nearness)) {
-        const auto p = place_in_face(t, coordinates, h, inside(weights, distance), along_side);
-        if (p || along_side || !is_near_side) return p;
+      short_.is_unfolded = long_.is_unfolded = longest_.is_unfolded = false;
+      face_.unfold(
+          view, coordinates, h,
+          internal::values_from(coordinates.input(), intervals_.of(coordinates.input().metric())));
+      if (along_side || !face_.is_vague()) {
+        const auto p = place_near(face_, t, coordinates, h, weights, along_side);
+        if (p || along_side) return p;
       }
-      return std::nullopt;
+      // intervals grow with the number of triangles that are unfolded one from another, and what is in the middle of them
+      // means less and less; centers of balls lose no more than rounding does
+      return internal::to_nearest([&] {
+        unfold(short_, view, coordinates, h);
+        return place_near(short_.face, t, coordinates, h, weights, along_side);
+      });
     } else {
       const Input& input = coordinates.input();
-      return placed(internal::place_with(rough_, Intrinsic_view<Triangulation>(t), coordinates, h,
-                                         weights, along_side, approximate_values(input)),
+      rough_.unfold(view, coordinates, h, approximate_values(input));
+      return placed(internal::place_in(rough_, view, coordinates, h, weights, along_side),
                     along_side);
     }
   }
@@ -110,7 +117,48 @@ private:
   // distance of points of a side from it, in units of the height of the face
   static constexpr double nearness = 0x1p-40;
   // distance up to which they, and points that rounding puts outside, are moved into the face
-  static constexpr double farthest = 0x1p-28;
+  static constexpr double usual_farthest = 0x1p-28, farthest_of_all = 0x1p-2;
+
+  // in a thin face 2^-44 of the longest side
+  template <class View>
+  static double farthest(const View& view, std::uint32_t h) {
+    const std::array<double, 3> l = squared_lengths_of_face(view, h);
+    const double height =
+        view.quadruple_area(view.face(h)) / (2 * *std::max_element(l.begin(), l.end()));
+    return height * farthest_of_all > 0x1p-44 ? std::max(usual_farthest, 0x1p-44 / height)
+                                              : farthest_of_all;
+  }
+
+  // The point moved inwards: in a thin face, where that is a large part of the height, at right angles to the side.
+  template <class View>
+  static std::array<double, 3> beside(const View& view, std::uint32_t h,
+                                      const std::array<double, 3>& w, double distance) {
+    if (w[2] == 0 && distance > usual_farthest) {
+      const auto [ij, jk, ki] = squared_lengths_of_face(view, h);
+      const double foot = (ij + ki - jk) / (2 * ij); // of the height
+      const std::array<double, 3> p{w[0] - distance * (1 - foot), w[1] - distance * foot, distance};
+      if (p[0] > 0 && p[1] > 0) return p;
+    }
+    return inside(w, distance);
+  }
+
+  // the point, or one near it if sides of the face are near
+  template <class Layout, class Triangulation, class Coordinates>
+  std::optional<Placed_insertion>
+  place_near(const Layout& layout, const Triangulation& t, const Coordinates& coordinates,
+             std::uint32_t h, const std::array<double, 3>& weights, bool along_side) {
+    // a point of a side that runs across input faces cannot be represented, as a rule: one beside it can
+    double distance = weights[2] == 0 && !along_side ? nearness : 0;
+    const Intrinsic_view<Triangulation> view(t);
+    const double last = farthest(view, h);
+    const bool is_near_side = *std::min_element(weights.begin(), weights.end()) < last;
+    for (; distance <= last; distance = std::max(16 * distance, nearness)) {
+      const auto p =
+          place_in_face(layout, t, coordinates, h, beside(view, h, weights, distance), along_side);
+      if (p || along_side || !is_near_side) return p;
+    }
+    return std::nullopt;
+  }
 
   // the point, or one nearby that has a distance from all sides
   static std::array<double, 3> inside(std::array<double, 3> w, double distance) {
@@ -123,18 +171,17 @@ private:
   }
 
   // where a point is put on a curve if that is in the face, else beside the curve
-  template <class Triangulation, class Coordinates>
+  template <class Layout, class Triangulation, class Coordinates>
   std::optional<Placed_insertion>
-  place_in_face(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
-                const std::array<double, 3>& weights, bool along_side) {
+  place_in_face(const Layout& layout, const Triangulation& t, const Coordinates& coordinates,
+                std::uint32_t h, const std::array<double, 3>& weights, bool along_side) {
     const Input& input = coordinates.input();
-    auto place = internal::place_with(face_, Intrinsic_view<Triangulation>(t), coordinates, h,
-                                      weights, along_side,
-                                      internal::values_from(input, intervals_.of(input.metric())));
+    auto place = internal::place_in(layout, Intrinsic_view<Triangulation>(t), coordinates, h,
+                                    weights, along_side);
     if (place && is_in_face(t, coordinates, h, *place, along_side))
       return placed(place, along_side);
     if (!place || along_side || !place->region.is_on_curve) return std::nullopt;
-    place = face_.place(input, weights, Unfolded_face<FT>::least_nearness);
+    place = layout.place(input, weights, Layout::least_nearness);
     if (place && is_in_face(t, coordinates, h, *place, false)) return placed(place, false);
     return std::nullopt;
   }
@@ -143,17 +190,19 @@ private:
   template <class Triangulation, class Coordinates, class Place>
   bool is_in_face(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                   const Place& place, bool along_side) {
-    values_ = face_.values(place);
+    const Protect_FPU_rounding<true> upwards(CGAL_FE_UPWARD);
+    values_ = face_.values(place.triangle, place.weights);
     if (along_side) values_.quadruple_areas[0] = FT(0);
-    if (are_positive(values_, along_side)) return true;
-    for (const FT& area : values_.quadruple_areas)
-      if (area.sup() < 0) return false;
     const Intrinsic_view<Triangulation> view(t);
-    const auto is_proven_in = [&](auto& numbers) {
+    const auto sharpen = [&](auto& numbers) {
       ++t.metric().statistics().sharpenings[std::decay_t<decltype(numbers)>::bits];
-      return find_values(numbers, view, coordinates, h, place, along_side);
+      find_values(numbers, view, coordinates, h, place, along_side);
     };
-    return is_proven_in(short_) || is_proven_in(long_);
+    if (!is_open(along_side)) return are_positive(along_side);
+    sharpen(short_);
+    if (is_open(along_side)) sharpen(long_);
+    if (is_open(along_side)) sharpen(longest_);
+    return are_positive(along_side);
   }
 
   template <class Place>
@@ -162,12 +211,19 @@ private:
     return Placed_insertion{along_side, p->region, p->location};
   }
 
-  static bool are_positive(const Vertex_move_values<FT>& v, bool along_side) {
+  // whether the values are those of a point of the face
+  bool are_positive(bool along_side) const {
     for (std::size_t k = 0; k < 3; ++k)
-      if (!(v.squared_lengths[k].inf() > 0) ||
-          (!(v.quadruple_areas[k].inf() > 0) && !(along_side && k == 0)))
+      if (!(values_.squared_lengths[k].inf() > 0) ||
+          (!(values_.quadruple_areas[k].inf() > 0) && !(along_side && k == 0)))
         return false;
     return true;
+  }
+  // whether that cannot be told
+  bool is_open(bool along_side) const {
+    for (const FT& area : values_.quadruple_areas)
+      if (area.sup() < 0) return false;
+    return !are_positive(along_side);
   }
 
   // balls with centers of a type
@@ -176,23 +232,32 @@ private:
     static constexpr unsigned bits = Ball<Center>::bits;
     Unfolded_face<Ball<Center>> face;
     Input_face_intervals<Ball<Center>> input;
+    bool is_unfolded = false;
   };
 
-  // in more bits; an area that shows no sign in 256 is not worth an insertion
-  template <class Center, class View, class Coordinates, class Place>
-  bool find_values(Numbers<Center>& numbers, const View& view, const Coordinates& coordinates,
-                   std::uint32_t h, const Place& place, bool along_side) {
+  // rounding must be to the nearest
+  template <class Center, class View, class Coordinates>
+  static void unfold(Numbers<Center>& numbers, const View& view, const Coordinates& coordinates,
+                     std::uint32_t h) {
+    if (numbers.is_unfolded) return;
     const Input& input = coordinates.input();
+    numbers.face.unfold(view, coordinates, h,
+                        internal::values_from(input, numbers.input.of(input.metric())));
+    numbers.is_unfolded = true;
+  }
+
+  // in more bits; an area that shows no sign in the most of them is not worth an insertion
+  template <class Center, class View, class Coordinates, class Place>
+  void find_values(Numbers<Center>& numbers, const View& view, const Coordinates& coordinates,
+                   std::uint32_t h, const Place& place, bool along_side) {
     const Vertex_move_values<Ball<Center>> wide = internal::to_nearest([&] {
-      numbers.face.unfold(view, coordinates, h,
-                          internal::values_from(input, numbers.input.of(input.metric())));
-      return numbers.face.values({place.region, place.triangle, place.weights, place.location});
+      unfold(numbers, view, coordinates, h);
+      return numbers.face.values(place.triangle, place.weights);
     });
     for (std::size_t k = 0; k < 3; ++k) {
       values_.squared_lengths[k] = wide.squared_lengths[k].interval();
       if (!along_side || k > 0) values_.quadruple_areas[k] = wide.quadruple_areas[k].interval();
     }
-    return are_positive(values_, along_side);
   }
 
   Unfolded_face<double> rough_;
@@ -200,6 +265,7 @@ private:
   Input_face_intervals<FT> intervals_;
   Numbers<Double_double> short_;
   Numbers<Mpfr_256> long_;
+  Numbers<Mpfr_1024> longest_;
   Vertex_move_values<FT> values_;
 };
 

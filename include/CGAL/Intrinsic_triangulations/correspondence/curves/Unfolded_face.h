@@ -86,6 +86,16 @@ public:
     return result;
   }
 
+  /// tells whether errors of points grow so large that what is in the middle of them may be anywhere.
+  bool is_vague() const {
+    const auto is_vague = [](const FT& x) {
+      return !(x.sup() - x.inf() <= 0x1p-26 * std::max(1., std::abs(x.sup())));
+    };
+    return std::any_of(triangles_.begin(), triangles_.end(), [&](const Triangle& t) {
+      return is_vague(t.point[2].x) || is_vague(t.point[2].y);
+    });
+  }
+
   using Face_layout<FT>::values;
   /// computes the values at a vertex that is inserted at a place.
   Vertex_move_values<FT> values(const Place& p) const { return values(p.triangle, p.weights); }

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_BALL_H
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_256.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
@@ -23,16 +23,14 @@ many bits, which allocates.
 
 What overflows, or is divided by what may be zero, gets a radius that is infinite or not a number. All operations ask for
 rounding to the nearest, but for `interval()`.
-\tparam Center `Double_double` or `Mpfr_256`
+\tparam Center `Double_double` or an `Mpfr_number`
 \cgalModels{Field}
 */
 template <class Center>
 class Ball {
-  static constexpr bool is_short = std::is_same_v<Center, Double_double>;
-
 public:
   /// Bits of the center, of which rounding takes a few.
-  static constexpr unsigned bits = is_short ? 106 : 256;
+  static constexpr unsigned bits = Center::bits;
 
   /// constructs zero.
   Ball() = default;
@@ -90,6 +88,9 @@ public:
     return center_ == other.center_ && radius_ == other.radius_;
   }
 
+  /// returns a double near the center.
+  double to_double() const { return rounded(center_); }
+
   /// returns an interval that contains the number. \pre rounding is upwards
   Interval_nt<false> interval() const {
     using Interval = Interval_nt<false>;
@@ -105,8 +106,7 @@ private:
   // adds rounding errors to a radius: of the operation, of the radius, of what underflows
   Ball(const Center& c, double radius)
       : center_(c), magnitude_(std::abs(rounded(c))),
-        radius_((radius + magnitude_ * (is_short ? 0x1p-102 : 0x1p-254)) * (1 + slack) +
-                0x1p-1060) {}
+        radius_((radius + magnitude_ * Center::rounding) * (1 + slack) + 0x1p-1060) {}
 
   static double rounded(const Center& x) { return x.to_double(); }
 

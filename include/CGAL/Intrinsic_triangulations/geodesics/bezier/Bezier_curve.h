@@ -21,8 +21,8 @@ template <class Triangulation>
 struct Geodesic_midpoint {
   /// The vertex there.
   typename Triangulation::vertex_descriptor vertex;
-  /// Where it was inserted on its edge: 0 at the source and 1 at the target. The nearest double, or, where no vertex can be, one
-  /// within 2^-10 of it, relative.
+  /// Where it is on the edge that it was inserted on, by the lengths of the halves: 0 at the source and 1 at the target. With exact
+  /// traits it is rounded on the input, and told to 1e-12. Where no vertex can be, it is within 2^-10 of the middle of the side.
   double parameter = 0;
   /// Whether it was inserted; else it is a vertex that was there already.
   bool is_new = false;

@@ -178,13 +178,17 @@ private:
     sides_[i].to = m;
     sides_.push_back(std::move(second));
   }
-  // A point that is rounded off its edge may be beyond a vertex close by: then the other face is tried, and places near it. Where
-  // faces are so thin that all of this fails, those at the edge are made Delaunay first, which leaves them thin only where a vertex is.
+  // A point that is rounded off its edge may be beyond a vertex close by: then the other face is tried. Where
+  // faces are so thin that both fail, those at the edge are made Delaunay first, which leaves them thin only where a vertex is, and
+  // places near it are tried.
   Midpoint split_at_edge(std::size_t i, std::size_t k, double x) {
-    const Midpoint m = try_split_at_edge(i, k, x);
+    Midpoint m = try_split_at_edge(i, k, x);
     if (m.parameter >= 0) return m;
     flip_other_edges_to_delaunay();
-    return try_split_at_edge(i, k, x);
+    for (const double nudge :
+         {0., 0x1p-44, -0x1p-44, 0x1p-32, -0x1p-32, 0x1p-20, -0x1p-20, 0x1p-10, -0x1p-10})
+      if (m.parameter < 0) m = try_split_at_edge(i, k, x * (1 + nudge));
+    return m;
   }
   void flip_other_edges_to_delaunay() {
     std::vector<char> is_on_side(t_.numbers().edge_capacity(t_.mesh()), 0);
@@ -200,16 +204,13 @@ private:
   }
   Midpoint try_split_at_edge(std::size_t i, std::size_t k, double x) {
     const Halfedge h = sides_[i].way[k], back = opposite(h, t_.mesh());
-    for (const double nudge :
-         {0., 0x1p-44, -0x1p-44, 0x1p-32, -0x1p-32, 0x1p-20, -0x1p-20, 0x1p-10, -0x1p-10}) {
-      const double y = x * (1 + nudge);
-      for (const Halfedge g : {h, back}) {
-        const auto inserted = t_.split_edge(g, g == h ? y : 1 - y);
-        if (inserted.status != Move_status::done) continue;
-        const std::size_t place = replace(g, halves_of(g, inserted.vertex), i, k);
-        split_before(i, place + 1, inserted.vertex);
-        return {inserted.vertex, y, true};
-      }
+    for (const Halfedge g : {h, back}) {
+      const auto inserted = t_.split_edge(g, g == h ? x : 1 - x);
+      if (inserted.status != Move_status::done) continue;
+      const std::size_t place = replace(g, halves_of(g, inserted.vertex), i, k);
+      const double before = length(sides_[i].way[place]), after = length(sides_[i].way[place + 1]);
+      split_before(i, place + 1, inserted.vertex);
+      return {inserted.vertex, before / (before + after), true};
     }
     return {sides_[i].from, -1, false};
   }

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_LINE_INSERTER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Accurate_view.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Path_record.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
@@ -27,7 +27,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // the side, over what has become of the triangulation: it may come across edges again, and across itself.
 template <class Triangulation>
 class Line_inserter {
-  using View = Intrinsic_view<Triangulation>;
+  using View = Accurate_view<Triangulation>;
   using Walk = Geodesic_walk<View>;
   using Session = typename Triangulation::Session;
   using Weights = std::array<double, 3>;
@@ -119,9 +119,10 @@ private:
   // the halfedge before h in its face
   std::uint32_t last(std::uint32_t h) const { return view_.next(view_.next(h)); }
 
-  // The distance from edges and vertices that is taken for none, near a side of a length: not less than the error with which
-  // points of the input are located.
-  static double tolerance(double length) { return 0x1p-36 * length; }
+  // The distance from edges and vertices that is taken for none, near a side of a length: more than the error with which
+  // points of the input are located, which grows along a line. Beside a vertex that is missed by less, edges are so short that
+  // directions are lost.
+  static double tolerance(double length) { return 0x1p-31 * length; }
   static double tolerance(const Walk& walk, const typename Walk::Exit& e) {
     return tolerance(walk.face().length[e.side]);
   }

@@ -5,9 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POLYLINE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Accurate_view.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Line_inserter.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_traced_path.h>
@@ -79,7 +79,7 @@ std::optional<Corner_direction> direction_at_vertex(const Triangulation& t, std:
                                                     const Tangent_vector& vector) {
   const std::optional<Tangent_vector> here = tangent_to_intrinsic(t, vector);
   if (!here) return std::nullopt;
-  const Intrinsic_view<Triangulation> view(t);
+  const Accurate_view<Triangulation> view(t);
   const Geodesic_face face(view, here->point.halfedge);
   const auto& w = here->point.weights;
   const auto k = static_cast<unsigned>(std::max_element(w.begin(), w.end()) - w.begin());
