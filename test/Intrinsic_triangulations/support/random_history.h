@@ -70,6 +70,7 @@ public:
   template <class Expression>
   CGAL::Sign sign(Map::Halfedge h, const Expression& e) {
     IT::Diamond_values<CGAL::Interval_nt<false>> values;
+    const CGAL::Protect_FPU_rounding<true> upwards; // as intervals ask for
     if (const auto u = unfolded(h)) return evaluation_.sign(input, *u, e, values, statistics);
     return evaluation_.sign(input, history, side(h), side(Map::opposite(h)), e, values, statistics);
   }

@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Complex_ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_256.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 
 #include <CGAL/Gmpq.h>
 

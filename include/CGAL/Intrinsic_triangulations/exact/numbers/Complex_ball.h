@@ -40,7 +40,7 @@ template <class Number>
 struct Enclosure_parts<Ball<Number>> {
   using FT = Ball<Number>;
   using Center = Number;
-  static constexpr double unit = FT::bits == 106 ? 0x1p-102 : 0x1p-254;
+  static constexpr double unit = Number::rounding;
   static const Center& center(const FT& x) { return x.center(); }
   static double radius(const FT& x, const Center&) { return x.radius(); }
   static FT make(const Center& center, double radius) { return FT::around(center, radius); }

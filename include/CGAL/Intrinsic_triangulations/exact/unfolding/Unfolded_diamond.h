@@ -114,15 +114,7 @@ struct Unfolded_diamond {
     if constexpr (requires { typename internal::Enclosure_parts<FT>::Center; })
       return enclosed_positions<FT>(input);
     Positions<FT> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
-    for (const Triangle& t : triangles) {
-      const auto& face = input(t.face);
-      const FT& l = face.first[t.entry];
-      const FT p = l + face.first[(t.entry + 2) % 3] - face.first[(t.entry + 1) % 3];
-      const Position<FT> e = z[t.end()] - z[t.start()], &a = z[t.start()];
-      const FT r = FT(1) / (l + l);
-      z.push_back(
-          {a.x + (e.x * p - e.y * face.second) * r, a.y + (e.x * face.second + e.y * p) * r});
-    }
+    for (const Triangle& t : triangles) z.push_back(apex(t, z, input(t.face)));
     return z;
   }
 
@@ -157,8 +149,21 @@ struct Unfolded_diamond {
   }
 
 private:
+  // the apex of a triangle, from the positions of its other corners
+  template <class FT, class Face>
+  static Position<FT> apex(const Triangle& t, const Positions<FT>& z, const Face& face) {
+    const auto& [l, area] = face;
+    const FT p = l[t.entry] + l[(t.entry + 2) % 3] - l[(t.entry + 1) % 3];
+    const Position<FT> e = z[t.end()] - z[t.start()], &a = z[t.start()];
+    const FT r = FT(1) / (l[t.entry] + l[t.entry]);
+    return {a.x + (e.x * p - e.y * area) * r, a.y + (e.x * area + e.y * p) * r};
+  }
+
   // Sides follow from each other along the tree, so that their errors relative to their lengths only add up; differences of
-  // positions would have the errors of all sides before, again and again.
+  // positions would have the errors of all sides before, again and again. The first few positions are better as differences: they take
+  // fewer operations, some of them exact.
+  static constexpr std::size_t few_points = 10;
+
   template <class FT, class Input_values>
   Positions<FT> enclosed_positions(const Input_values& input) const {
     using Vector = Complex_ball<FT>;
@@ -176,7 +181,9 @@ private:
       sides.back()[next] = side * Vector(l[last] - l[t.entry] - l[next], area, twice);
       sides.back()[last] = -to_apex;
       const Position<FT>& a = z[t.start()];
-      z.push_back({a.x + to_apex.real(), a.y + to_apex.imaginary()});
+      z.push_back(z.size() < few_points
+                      ? apex(t, z, input(t.face))
+                      : Position<FT>{a.x + to_apex.real(), a.y + to_apex.imaginary()});
     }
     return z;
   }
