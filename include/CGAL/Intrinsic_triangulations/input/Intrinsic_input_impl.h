@@ -126,9 +126,10 @@ scaled_and_ordered(Intrinsic_input&& in, Input_report& report) {
       embedded ? scale_points(in.mesh, in.points) : scale_squared_lengths(in.squared_lengths);
   Input_names names = std::move(in.names);
   if (embedded && in.may_renumber && is_badly_ordered(in.mesh)) {
-    const Input_names order = renumber(in.mesh, in.points);
-    names = {order.vertices, names.edges.after(order.edges), order.faces,
-             std::move(names.polygon_of_triangle)};
+    Input_names order = renumber(in.mesh, in.points);
+    names.vertices = std::move(order.vertices);
+    names.edges = names.edges.after(order.edges);
+    names.faces = std::move(order.faces);
     report.renumbered = true;
   }
   start_at_single_sides(in.mesh);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGULATE_POLYGONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGULATE_POLYGONS_H
 
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
@@ -187,4 +187,4 @@ void triangulate_polygons(const Polygons& polygons, Triangle_soup& soup, Fail fa
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGULATE_POLYGONS_H
