@@ -69,7 +69,7 @@ class Refused_input(Cli_test):
         for word in ("a\0b", "a\x1b[31m", "x" * 5000):
             for name, text in (("w.off", word), ("f.obj", f"v 0 0 0\nf 1 {word} 2\n"),
                                ("n.ply", f"ply\nformat {word} 1.0\n"), ("i.idt", word),
-                               ("j.idt", f"IDT 4 {word}\n")):
+                               ("j.idt", f"IDT 5 {word}\n")):
                 run = self.run_program("info", self.write(name, text))
                 self.assert_fails(run, name)
                 self.assertLess(len(run.err), len(self.directory) + 300)

@@ -172,7 +172,7 @@ private:
     Point x{0, 0, 0};
     std::uint32_t h = p.halfedge;
     for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
-      const Point& corner = points_[t_.input().names().vertices.user(input.source(h))];
+      const Point& corner = points_[t_.input().names().row(input.source(h))];
       for (std::size_t i = 0; i < 3; ++i) x[i] += p.weights[k] * corner[i];
     }
     return x;

@@ -33,9 +33,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// the number of the user's faces of which triangles were reversed, all or none
-inline std::size_t number_of_reversed(const std::vector<char>& triangles,
-                                      const std::vector<std::uint32_t>& polygon_of_triangle) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t
+number_of_reversed(const std::vector<char>& triangles,
+                   const std::vector<std::uint32_t>& polygon_of_triangle) {
   std::size_t count = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (triangles[t] != 0 && (polygon_of_triangle.empty() || t == 0 ||
