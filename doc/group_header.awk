@@ -20,6 +20,7 @@ BEGIN {
   group["IO/idt/Input_reader.h"]                             = "ref_inside"
   group["IO/idt/Text_reader.h"]                              = "ref_inside"
   group["domains/"]                                          = "ref_input"
+  group["domains/Delaunay_star.h"]                           = "ref_inside"
   group["domains/Double_cover.h"]                            = "ref_inside"
   group["domains/Soup_builder.h"]                            = "ref_inside"
   group["IO/soup/scan_"]                                     = "ref_inside"

@@ -178,6 +178,19 @@ TEST(Tufted_laplacian, does_not_depend_on_the_order_and_orientation_of_faces) {
   }
 }
 
+TEST(Tufted_laplacian, of_faces_that_are_all_repeated_is_as_many_times_that_of_one) {
+  std::vector<std::pair<std::string, Mesh>> all = bordered_meshes();
+  for (unsigned seed = 0; seed < 6; ++seed)
+    all.emplace_back("random soup " + std::to_string(seed),
+                     soups::random_without_repetition(6 + seed, 15 + 2 * seed, seed));
+  for (const auto& [name, m] : all) {
+    Mesh repeated = m;
+    for (int r = 1; r < 3; ++r)
+      repeated.triangles.insert(repeated.triangles.end(), m.triangles.begin(), m.triangles.end());
+    expect_near(3 * tufted_laplacian(m), tufted_laplacian(shuffled(repeated, 1)), name);
+  }
+}
+
 TEST(Tufted_laplacian, of_a_mirrored_soup_is_the_same) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     const Mesh m = soups::random_without_repetition(6 + seed, 15 + 2 * seed, seed);

@@ -55,7 +55,8 @@ matched by their end vertices.
   double cover: a front and a back of each face; two of them are glued where the faces meet.
 - Else it is the tufted cover: around each edge, in the order of their angles, the side of each face that looks at the
   next face is glued to the side of that which looks back. A single face is glued to its own back. Angles are compared
-  exactly; faces in the same direction follow each other in the order of their numbers.
+  exactly; faces in one half plane follow each other in the order of their numbers, and repeated faces go around once more:
+  faces that are all there r times have r times the Laplacian.
 
 Covers are oriented manifolds, so that all algorithms run on them unchanged. There, vertices are split into one per
 neighbourhood; matrices have the rows of the user's vertices nevertheless, `Intrinsic_triangulation::input_vertex()`, and

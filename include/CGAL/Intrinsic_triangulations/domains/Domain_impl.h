@@ -149,6 +149,23 @@ private:
   std::vector<std::uint32_t> edge_;
 };
 
+// Orders the faces at an edge by their angles, and lets those that are repeated go around once more: each is then glued to other
+// faces, as if none were repeated, and not to a copy of itself.
+inline std::vector<std::uint32_t>
+order_around_edge(const std::vector<std::array<double, 3>>& points, std::uint32_t a,
+                  std::uint32_t b, const std::vector<std::uint32_t>& apices) {
+  std::vector<std::uint32_t> order =
+      sort_around_edge(points, std::min(a, b), std::max(a, b), apices);
+  std::vector<std::uint32_t> by_apex = order, round(apices.size(), 0);
+  std::stable_sort(by_apex.begin(), by_apex.end(),
+                   [&apices](std::uint32_t i, std::uint32_t j) { return apices[i] < apices[j]; });
+  for (std::size_t i = 1; i < by_apex.size(); ++i)
+    if (apices[by_apex[i]] == apices[by_apex[i - 1]]) round[by_apex[i]] = round[by_apex[i - 1]] + 1;
+  std::stable_sort(order.begin(), order.end(),
+                   [&round](std::uint32_t i, std::uint32_t j) { return round[i] < round[j]; });
+  return order;
+}
+
 // The tufted cover of triangles, any number of which meet at an edge.
 inline Double_cover tufted_cover(const Gluing& faces, Halfedges_by_edge& sides,
                                  const std::vector<std::array<double, 3>>& points) {
@@ -165,10 +182,10 @@ inline Double_cover tufted_cover(const Gluing& faces, Halfedges_by_edge& sides,
       apices.clear();
       for (const Double_cover::Side& s : fan)
         apices.push_back(faces.origin[Gluing::next(Gluing::next(s.halfedge))]);
-      const std::uint32_t a = faces.origin[fan[0].halfedge],
-                          b = faces.origin[Gluing::next(fan[0].halfedge)];
+      const std::uint32_t h = fan[0].halfedge;
       sorted.clear();
-      for (const std::uint32_t i : sort_around_edge(points, std::min(a, b), std::max(a, b), apices))
+      for (const std::uint32_t i :
+           order_around_edge(points, faces.origin[h], faces.origin[Gluing::next(h)], apices))
         sorted.push_back(fan[i]);
       fan.swap(sorted);
     }

@@ -23,17 +23,19 @@ class Half_planes {
 public:
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
-  Half_planes(const Point& a, const Point& b, const std::vector<Point>& apices)
-      : a_(a), b_(b), apices_(apices), sector_(apices.size(), 4) {
+  // \param numbers by which points are known to be the same without a predicate
+  Half_planes(const Point& a, const Point& b, const std::vector<Point>& apices,
+              const std::vector<std::uint32_t>& numbers)
+      : a_(a), b_(b), apices_(apices), numbers_(numbers), sector_(apices.size(), 4) {
     std::size_t first = 0;
     while (first < apices.size() && CGAL::collinear(a, b, apices[first])) ++first;
     for (std::size_t i = first; i < apices.size(); ++i)
-      sector_[i] = sector(apices[first], apices[i]);
+      sector_[i] = numbers[i] == numbers[first] ? 0 : sector(apices[first], apices[i]);
   }
 
   bool is_before(std::uint32_t i, std::uint32_t j) const {
     if (sector_[i] != sector_[j]) return sector_[i] < sector_[j];
-    return sector_[i] % 2 == 1 &&
+    return sector_[i] % 2 == 1 && numbers_[i] != numbers_[j] &&
            CGAL::orientation(a_, b_, apices_[i], apices_[j]) == CGAL::POSITIVE;
   }
 
@@ -48,6 +50,7 @@ private:
 
   const Point &a_, &b_;
   const std::vector<Point>& apices_;
+  const std::vector<std::uint32_t>& numbers_;
   std::vector<int> sector_;
 };
 
@@ -60,7 +63,7 @@ sort_around_edge(const std::vector<std::array<double, 3>>& points, std::uint32_t
   std::vector<Half_planes::Point> corners;
   for (const std::uint32_t v : apices) corners.push_back(point(v));
   const Half_planes::Point from = point(a), to = point(b);
-  const Half_planes planes(from, to, corners);
+  const Half_planes planes(from, to, corners, apices);
   std::vector<std::uint32_t> order(apices.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
