@@ -9,12 +9,14 @@
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/tangent_axes.h>
+#include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 
+#include <boost/iterator/counting_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
@@ -36,12 +38,13 @@ class Local_triangulator {
 public:
   using Point = std::array<double, 3>;
 
-  // \param members the numbers of the points, no two of which are at one place
-  Local_triangulator(const std::vector<Point>& points, const std::vector<std::uint32_t>& members,
-                     std::size_t neighbours)
+  // \param points no two of which are at one place, near ones near each other in memory
+  Local_triangulator(const std::vector<Point>& points, std::size_t neighbours)
       : points_(points), wanted_(static_cast<unsigned>(neighbours) + 1),
         traits_(Point_map(Point_of{&points})),
-        tree_(members.begin(), members.end(), Tree::Splitter(), traits_) {
+        tree_(boost::counting_iterator<std::uint32_t>(0),
+              boost::counting_iterator<std::uint32_t>(static_cast<std::uint32_t>(points.size())),
+              Tree::Splitter(), traits_) {
     tree_.build();
   }
 
@@ -125,19 +128,20 @@ private:
   std::vector<Point> vectors_;
 };
 
-// the first of the points at each place
+// The first of the points at each place, near ones near each other.
 inline std::vector<std::uint32_t>
 distinct_points(const std::vector<std::array<double, 3>>& points) {
+  if (points.empty()) return {};
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&points](std::uint32_t i, std::uint32_t j) {
     return std::pair(points[i], i) < std::pair(points[j], j);
   });
-  order.erase(
-      std::unique(order.begin(), order.end(),
-                  [&points](std::uint32_t i, std::uint32_t j) { return points[i] == points[j]; }),
-      order.end());
-  std::sort(order.begin(), order.end());
+  std::vector<char> is_first(points.size(), 1);
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (points[order[i]] == points[order[i - 1]]) is_first[order[i]] = 0;
+  order = morton_order(points);
+  std::erase_if(order, [&is_first](std::uint32_t v) { return is_first[v] == 0; });
   return order;
 }
 
@@ -162,12 +166,16 @@ make_point_cloud(const std::vector<std::array<double, 3>>& points, std::size_t n
   if (members.size() < 3) internal::fail_without_triangles(points.size());
   Triangle_soup soup;
   soup.points = points;
-  internal::Local_triangulator triangulator(points, members, report.neighbours);
-  for (const std::uint32_t v : members) {
+  std::vector<std::array<double, 3>> ordered;
+  for (const std::uint32_t v : members) ordered.push_back(points[v]);
+  internal::Local_triangulator triangulator(ordered, report.neighbours);
+  for (std::uint32_t i = 0; i < members.size(); ++i) {
     const std::size_t before = soup.triangles.size();
-    report.is_on_border[v] = triangulator.add(v, soup.triangles) ? 0 : 1;
+    report.is_on_border[members[i]] = triangulator.add(i, soup.triangles) ? 0 : 1;
     if (soup.triangles.size() == before) ++report.points_without_triangles;
   }
+  for (std::array<std::uint32_t, 3>& t : soup.triangles)
+    for (std::uint32_t& v : t) v = members[v];
   report.triangles = soup.input_faces = soup.triangles.size();
   if (soup.triangles.empty()) internal::fail_without_triangles(points.size());
   Point_cloud cloud;
