@@ -8,6 +8,10 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map_impl.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input_impl.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans_impl.h>
+#include <CGAL/Intrinsic_triangulations/domains/Delaunay_star_impl.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud_impl.h>
+#include <CGAL/Intrinsic_triangulations/domains/sort_around_edge_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator_impl.h>

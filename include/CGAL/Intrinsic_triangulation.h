@@ -174,9 +174,9 @@ public:
 
   /// returns the number that vertex `v` has in the input, in the order of iteration there; of an
   /// inserted vertex, one that follows those, without gaps: removal of a vertex changes those after it. It is the row
-  /// of `v` in all matrices of operators, and its place in files.
+  /// of `v` in all matrices of operators. Vertices of a cover that are copies of one vertex share its row.
   std::uint32_t input_vertex(vertex_descriptor v) const {
-    return is_inserted(v) ? rows_.row(index(v)) : input_->names().vertices.user(index(v));
+    return is_inserted(v) ? rows_.row(index(v)) : input_->names().row(index(v));
   }
   /// returns the number of vertices, which is that of rows of matrices.
   std::uint32_t number_of_vertices() const { return rows_.number_of_rows(); }
@@ -301,7 +301,7 @@ private:
       : Intrinsic_triangulation(std::move(p.mesh), std::move(p.metric), std::move(p.input)) {}
 
   internal::Vertex_rows rows_of_mesh() const {
-    internal::Vertex_rows rows(input_->number_of_vertices());
+    internal::Vertex_rows rows(input_->number_of_vertices(), input_->number_of_rows());
     for (const vertex_descriptor v : vertices(mesh_))
       if (is_inserted(v)) rows.insert(index(v));
     return rows;

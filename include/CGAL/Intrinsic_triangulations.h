@@ -31,6 +31,9 @@ What most programs need of the package. To be included besides: operators, which
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
+#include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/bezier/make_bezier_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/curve_labels.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_polyline.h>

@@ -37,12 +37,12 @@ struct Adaptive_progress {
 Json adaptive_json(const IT::Adaptive_refinement_result& result, const Adaptive_criteria& criteria,
                    double unit);
 
-/// returns the area of a triangulation, in units of the input.
+/// returns the area of the faces that a triangulation is of, in units of the input.
 template <class Triangulation>
 double total_area(const Triangulation& t) {
   double area = 0;
   for (const typename Triangulation::face_descriptor f : faces(t.mesh())) area += t.area(f);
-  return area;
+  return area / t.input().names().sheets;
 }
 
 /*!
@@ -53,10 +53,10 @@ template <class Triangulation>
 void refine_adaptively(Triangulation& t, const IT::Marked_edges<Triangulation>& constrained,
                        const Options& options, Json& json, Progress& progress) {
   const Adaptive_criteria& criteria = options.adaptive;
-  if (criteria.source >= t.input().number_of_vertices())
+  if (criteria.source >= t.input().number_of_rows())
     throw std::runtime_error(options.input + ": vertex " + std::to_string(criteria.source) +
                              " does not exist; give --source a number below " +
-                             std::to_string(t.input().number_of_vertices()));
+                             std::to_string(t.input().number_of_rows()));
   Stopwatch watch;
   const double area = total_area(t);
   const auto estimate = [&](Triangulation& now) {

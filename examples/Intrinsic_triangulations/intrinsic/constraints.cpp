@@ -24,7 +24,9 @@ bool is_diagonal(const Mesh_file& file, std::uint32_t e) {
   const IT::Gluing_map& mesh = file.input.mesh;
   const std::uint32_t f = mesh.face(Halfedge{2 * e}).index,
                       g = mesh.face(Halfedge{2 * e + 1}).index;
-  return f != IT::Gluing::none && g != IT::Gluing::none &&
+  const std::uint32_t sheets =
+      file.domain.sheets; // of which the sides of a triangle are consecutive
+  return f != IT::Gluing::none && g != IT::Gluing::none && f / sheets != g / sheets &&
          file.polygon_of_triangle[f] == file.polygon_of_triangle[g];
 }
 
@@ -81,13 +83,14 @@ void constrain_listed_edges(const Mesh_file& file, const Options& options, Const
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
     const Halfedge inner{mesh.face(Halfedge{2 * e}).index == IT::Gluing::none ? 2 * e + 1 : 2 * e};
     if (!is_diagonal(file, e))
-      edges.push_back({ordered(mesh.source(inner).index, mesh.target(inner).index), e});
+      edges.push_back(
+          {ordered(file.vertex(mesh.source(inner)), file.vertex(mesh.target(inner))), e});
   }
   std::sort(edges.begin(), edges.end());
   Text_lines lines(options.constraints);
   while (lines.next()) {
     lines.expect_words(2, "the numbers of two vertices");
-    const std::size_t n = mesh.number_of_vertices();
+    const std::size_t n = file.input.names.number_of_rows(mesh.number_of_vertices());
     const std::uint32_t i = lines.element(0, "vertex", n), j = lines.element(1, "vertex", n);
     auto edge = std::lower_bound(edges.begin(), edges.end(), std::pair(ordered(i, j), 0U));
     if (edge == edges.end() || edge->first != ordered(i, j))

@@ -35,12 +35,12 @@
 
 namespace program {
 
-/// returns one point per vertex of the input, in its order and units.
+/// returns one point per vertex of the mesh file, in its order and units.
 template <class Triangulation>
 std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
   const Triangulation& t = loaded.triangulation;
   const std::vector<Point>& scaled = loaded.scaled_points();
-  std::vector<Point> points(scaled.size());
+  std::vector<Point> points(t.input().number_of_rows());
   for (std::uint32_t v = 0; v < scaled.size(); ++v) {
     Point& p = points[t.input_vertex({v})];
     p = scaled[v];
@@ -88,7 +88,7 @@ Drawn_subdivision drawn_subdivision(const Loaded<Triangulation>& loaded, const O
   IT::Common_subdivision s = subdivide(loaded, options, json);
   IT::label_with_polygons(s, loaded.polygon_of_triangle);
   std::vector<Point> points = IT::positions(s, input_points(loaded));
-  json["subdivision"]["area"] = area(s, points);
+  json["subdivision"]["area"] = area(s, points) / loaded.domain.sheets;
   return {std::move(s), std::move(points)};
 }
 

@@ -12,6 +12,13 @@ IT::Mollification mollification_of(const Options& options) {
   return IT::Mollification::automatic;
 }
 
+IT::Domain_kind domain_of(const Options& options) {
+  if (options.domain == "manifold") return IT::Domain_kind::manifold;
+  if (options.domain == "orientation-cover") return IT::Domain_kind::orientation_cover;
+  if (options.domain == "tufted") return IT::Domain_kind::tufted_cover;
+  return IT::Domain_kind::automatic;
+}
+
 std::string arithmetic_of(const Options& options) {
   if (!is_triangulation_file(options.input)) return options.arithmetic;
   std::string arithmetic = IT::read_intrinsic_triangulation_arithmetic(options.input);
@@ -24,6 +31,8 @@ std::string arithmetic_of(const Options& options) {
   if (options.is_mollification_given)
     fail("a stored triangulation cannot be mollified; leave --mollification out, or start from the "
          "mesh");
+  if (options.domain != "auto")
+    fail("a stored triangulation has its surface; leave --domain out, or start from the mesh");
   return arithmetic;
 }
 

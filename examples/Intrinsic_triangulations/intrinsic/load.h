@@ -38,10 +38,11 @@ struct Loaded {
   /// One point per vertex of the triangulation, scaled as its metric is; empty where that keeps
   /// them itself or there are none.
   std::vector<Point> points;
-  /// Input face of each triangle of the input; empty if all faces are triangles.
+  /// Face of the file that each triangle of the input is a part or a side of; empty if each is one.
   std::vector<std::uint32_t> polygon_of_triangle;
-  Constraints constraints; ///< edges of the input that are kept
-  Metric_report metric{};  ///< what changed lengths needed
+  Constraints constraints;    ///< edges of the input that are kept
+  Metric_report metric{};     ///< what changed lengths needed
+  IT::Domain_report domain{}; ///< which surface was made of the faces of a file
 
   /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
   const std::vector<Point>& scaled_points() const {
@@ -53,6 +54,9 @@ struct Loaded {
 
 /// returns what the option `--mollification` means.
 IT::Mollification mollification_of(const Options& options);
+
+/// returns what the option `--domain` means.
+IT::Domain_kind domain_of(const Options& options);
 
 /// tells whether a file name has the extension of intrinsic triangulations.
 inline bool is_triangulation_file(const std::string& path) {
@@ -72,7 +76,7 @@ template <class Triangulation>
 Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   Stopwatch watch;
   progress.show("reading");
-  Mesh_file file = read_mesh(options.input, mollification_of(options));
+  Mesh_file file = read_mesh(options.input, mollification_of(options), domain_of(options));
   progress.show("building");
   Constraints constraints = constraints_of(file, options);
   // exact traits keep the points unless they only keep changed lengths
@@ -87,11 +91,13 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
                                  {},
                                  std::move(file.polygon_of_triangle),
                                  std::move(constraints),
-                                 metric};
+                                 metric,
+                                 std::move(file.domain)};
     const Triangulation& t = loaded.triangulation;
     loaded.points.reserve(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) {
-      loaded.points.push_back(points[t.input_vertex({static_cast<std::uint32_t>(v)})]);
+      loaded.points.push_back(
+          points[t.input().names().vertices.user(static_cast<std::uint32_t>(v))]);
       for (double& x : loaded.points.back()) x = std::ldexp(x, t.metric().scale_exponent());
     }
     loaded.seconds = {file.seconds, watch.lap() - file.seconds};

@@ -33,11 +33,12 @@ bool is_positive_definite(const Tensor& m) {
 
 IT::Scaled_metric scaled_by_factors(const Mesh_file& file, const Number_table& table,
                                     const Options& options) {
-  table.expect_rows(file.input.mesh.number_of_vertices(), "vertices of " + options.input);
+  table.expect_rows(file.input.names.number_of_rows(file.input.mesh.number_of_vertices()),
+                    "vertices of " + options.input);
   for (std::size_t v = 0; v < table.rows(); ++v)
     if (!(table.values[v] > 0)) table.refuse(v, "a factor must be positive; correct it");
   return IT::scale_conformally(
-      file.input, [&](IT::Gluing_map::Vertex v) { return std::log(table.values[v.index]); },
+      file.input, [&](IT::Gluing_map::Vertex v) { return std::log(table.values[file.vertex(v)]); },
       IT::parameters::triangle_inequality(IT::Triangle_inequality::repair));
 }
 

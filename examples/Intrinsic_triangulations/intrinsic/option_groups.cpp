@@ -126,6 +126,11 @@ void add_common_options(CLI::App& command, Options& options) {
           "treatment of faces without area: automatic (only where flips cannot remove them, "
           "default), none, lengths or squared")
       ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
+  command
+      .add_option("--domain", options.domain,
+                  "which surface is made of the faces: auto (the first of these that they allow, "
+                  "default), manifold, orientation-cover or tufted")
+      ->check(CLI::IsMember({"auto", "manifold", "orientation-cover", "tufted"}));
   command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
       ->type_name("FILE");
   command

@@ -55,12 +55,14 @@ struct Options {
   /// `none`, `integer`, `signposts` or `crossings`; empty: what the command takes by default
   std::string correspondence;
   std::string mollification = "automatic"; ///< `automatic`, `none`, `lengths` or `squared`
-  std::string output;                      ///< empty: none
-  std::string view;                        ///< page that shows the triangulation; empty: none
-  std::string mass;                        ///< empty: none
-  std::string mass_kind = "lumped";        ///< `lumped` or `galerkin`
-  std::string stats;                       ///< empty: none; `-`: standard output
-  std::string laplacian;                   ///< empty: none
+  /// `auto`, `manifold`, `orientation-cover` or `tufted`
+  std::string domain = "auto";
+  std::string output;               ///< empty: none
+  std::string view;                 ///< page that shows the triangulation; empty: none
+  std::string mass;                 ///< empty: none
+  std::string mass_kind = "lumped"; ///< `lumped` or `galerkin`
+  std::string stats;                ///< empty: none; `-`: standard output
+  std::string laplacian;            ///< empty: none
   std::string interpolation; ///< from the intrinsic triangulation to the subdivision; empty: none
   std::string input_interpolation;   ///< from the input to the subdivision; empty: none
   std::optional<double> sharp_angle; ///< in degrees: edges folded by more are kept

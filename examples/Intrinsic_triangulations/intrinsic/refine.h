@@ -114,7 +114,7 @@ void refine(Triangulation& t, const Constrained& constrained, const Options& opt
   Stopwatch watch;
   Refinement_progress visitor;
   visitor.line = &progress;
-  visitor.sizes = Sizes(read_sizes(options, t.input().number_of_vertices()));
+  visitor.sizes = Sizes(read_sizes(options, t.input().number_of_rows()));
   progress.show("refining");
   const Refinement_criteria& criteria = options.refinement;
   const auto result =

@@ -90,6 +90,18 @@ Json input_json(const Options& options, const std::string& arithmetic,
   return json;
 }
 
+Json domain_json(const IT::Domain_report& report, std::size_t vertices) {
+  const char* const kind = report.kind == IT::Domain_kind::tufted_cover        ? "tufted"
+                           : report.kind == IT::Domain_kind::orientation_cover ? "orientation-cover"
+                                                                               : "manifold";
+  return {{"kind", kind},
+          {"reason", report.reason},
+          {"sheets", report.sheets},
+          {"vertices", vertices},
+          {"nonmanifold_edges", report.nonmanifold_edges},
+          {"unoriented_edges", report.unoriented_edges}};
+}
+
 Json metric_json(const Metric_report& report) {
   return {{"violating_faces", report.violating_faces},
           {"changed_edges", report.changed_edges},
@@ -167,6 +179,10 @@ void print_summary(std::ostream& stream, const Json& json) {
   (input["genus"].is_null() ? out << "none: not orientable" : out << input["genus"])
       << ", boundary loops " << input["boundary_loops"] << " (" << input["boundary_edges"]
       << " edges)\n";
+  if (json.contains("domain") && json["domain"]["kind"] != "manifold")
+    row("surface") << json["domain"]["kind"].get<std::string>() << ", of "
+                   << json["domain"]["vertices"]
+                   << " vertices: " << json["domain"]["reason"].get<std::string>() << '\n';
   for (const auto& [key, what] : {std::pair("triangulated_polygons", "polygons were triangulated"),
                                   std::pair("reversed_faces", "faces were turned around"),
                                   std::pair("degenerate_faces", "faces have no area"),

@@ -41,7 +41,7 @@ struct Delaunay_check {
   std::vector<char> is_tie;        ///< per edge, by number
 };
 
-/// Integrals over the surface in the units of the input.
+/// Integrals over the surface in the units of the input; of a cover, over the faces below it.
 struct Integrals {
   double area = 0;
   double trace = 0;                     ///< sum of the diagonal of the Laplacian
@@ -102,8 +102,8 @@ Integrals integrals_of(Triangulation& t, const std::vector<Point>& scaled_points
   typename Triangulation::Session session(t);
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto i = source(halfedge(e, mesh), mesh), j = target(halfedge(e, mesh), mesh);
-    if (i == j) continue;
-    const double weight = weight_of(session, t, e, check);
+    if (t.input_vertex(i) == t.input_vertex(j)) continue;
+    const double weight = weight_of(session, t, e, check) / t.input().names().sheets;
     trace += 2 * weight;
     if (scaled_points.empty()) continue;
     for (unsigned k = 0; k < 3; ++k) {
@@ -112,7 +112,7 @@ Integrals integrals_of(Triangulation& t, const std::vector<Point>& scaled_points
     }
   }
   Integrals result;
-  result.area = std::ldexp(static_cast<double>(area), -2 * s - 2);
+  result.area = std::ldexp(static_cast<double>(area), -2 * s - 2) / t.input().names().sheets;
   result.trace = static_cast<double>(trace);
   for (unsigned k = 0; k < 3; ++k)
     result.dirichlet[k] = std::ldexp(static_cast<double>(dirichlet[k]), -2 * s);
@@ -135,7 +135,8 @@ double input_area(const Loaded<Triangulation>& loaded) {
       const IT::Input_metric& input = t.metric().input();
       for (std::uint32_t f = 0; f < input.number_of_faces(); ++f)
         sum += area(p[input.sides(f)[0]], p[input.sides(f)[1]], p[input.sides(f)[2]]);
-      return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent());
+      return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent()) /
+             t.input().names().sheets;
     }
   }
   for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
@@ -143,13 +144,16 @@ double input_area(const Loaded<Triangulation>& loaded) {
     sum += area(p[source(h, t.mesh()).index], p[target(h, t.mesh()).index],
                 p[target(n, t.mesh()).index]);
   }
-  return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent());
+  return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent()) /
+         t.input().names().sheets;
 }
 
 /// returns what is known of input and mollification, and the program's version.
 Json input_json(const Options& options, const std::string& arithmetic,
                 const std::string& correspondence, const Input_facts& facts,
                 const IT::Input_report& report);
+/// returns which surface was made of the faces, and why.
+Json domain_json(const IT::Domain_report& report, std::size_t vertices);
 /// returns what changed lengths needed.
 Json metric_json(const Metric_report& report);
 /// returns what is known of constrained edges.
@@ -183,6 +187,8 @@ Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
   const Triangulation& t = loaded.triangulation;
   Json json = input_json(options, Triangulation::Metric::is_exact ? "exact" : "double",
                          Triangulation::Correspondence::name, loaded.facts, t.report());
+  if (!loaded.domain.reason.empty())
+    json["domain"] = domain_json(loaded.domain, t.input().number_of_rows());
   if (!options.metric.empty()) json["metric"] = metric_json(loaded.metric);
   json["seconds"] = {{"read", loaded.seconds.read},
                      {"build", loaded.seconds.build},

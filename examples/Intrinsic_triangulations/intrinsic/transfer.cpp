@@ -97,7 +97,7 @@ void transfer(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   const Triangulation& t = loaded.triangulation;
   const Number_table table = read_numbers(options.field);
   const bool from_input = options.from == "input";
-  if (from_input) table.expect_rows(t.input().number_of_vertices(), "vertices of " + options.input);
+  if (from_input) table.expect_rows(t.input().number_of_rows(), "vertices of " + options.input);
   Json json = improve_and_measure(loaded, options, progress);
   if (!from_input)
     table.expect_rows(t.number_of_vertices(), "vertices of the intrinsic triangulation");

@@ -55,7 +55,7 @@ class Cli_test(unittest.TestCase):
         keep."""
         with open(self.path(name), encoding="ascii") as file:
             text = file.read()
-        if text.startswith("IDT 4 exact\n"):
+        if text.startswith("IDT 5 exact\n"):
             return text
         edges = text.index("\nedges ")
         faces = text.index("\nfaces ")

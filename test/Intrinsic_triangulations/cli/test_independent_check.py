@@ -113,7 +113,7 @@ def read_idt(path):
     """Edges, as pairs of vertices with a sum of cotangents, and the area, from an .idt file."""
     with open(path) as file:
         lines = file.read().split("\n")
-    exact = lines[0] == "IDT 4 exact"
+    exact = lines[0] == "IDT 5 exact"
     number = (lambda words: (float.fromhex(words[0]) + float.fromhex(words[2])) / 2) if exact else \
         (lambda words: float.fromhex(words[0]))
     scale = int(lines[1].split()[1])

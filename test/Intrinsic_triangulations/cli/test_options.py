@@ -198,7 +198,7 @@ class Options(Cli_test):
                 text = file.read()
             # the signal may come after the file was replaced: then it is complete
             self.assertIn(process.returncode, (0, -signal.SIGINT))
-            is_complete = text.startswith("IDT 4 ") and text.endswith("\nend\n")
+            is_complete = text.startswith("IDT 5 ") and text.endswith("\nend\n")
             if process.returncode == 0:
                 self.assertTrue(is_complete)
             self.assertTrue(is_complete or text == "what was there before")

@@ -40,13 +40,13 @@ class Surface:
 
 
 class Stored:
-    """The sections of a file of version 4 with an input of points, or none."""
+    """The sections of a file of version 5 with an input of points, or none."""
 
     def __init__(self, path):
         with open(path, encoding="ascii") as file:
             lines = [line.split(" ") for line in file.read().split("\n")]
         self.at = iter(lines)
-        assert next(self.at)[:2] == ["IDT", "4"]
+        assert next(self.at)[:2] == ["IDT", "5"]
         self.exact = lines[0][2] == "exact"
         self.scale = int(next(self.at)[1])
         for key in ("degenerate_faces", "mollification", "renumbered", "triangulated_polygons",
@@ -66,6 +66,8 @@ class Stored:
             self.points = [[decimal(w) for w in words[2:]] for words in vertices]
             self.input = Surface([words[1:] for words in faces], self.section("input_border"))
         self.section("polygons")
+        assert next(self.at) == ["sheets", "1"]
+        self.section("rows")
         self.vertices = self.section("vertices")
         edges = self.section("edges")
         values = 3 if self.exact else 1

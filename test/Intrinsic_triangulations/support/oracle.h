@@ -57,26 +57,29 @@ struct Answer {
 template <class Number>
 class Triangulation {
 public:
+  struct Side {
+    std::size_t triangle, k;
+    bool operator==(const Side&) const = default;
+  };
+  static constexpr Side border{static_cast<std::size_t>(-1), 0};
+
   explicit Triangulation(const meshes::Mesh& m) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, Side> side;
-    for (const auto& t : m.triangles) {
-      Triangle triangle{t, {}, {}};
-      for (std::size_t k = 0; k < 3; ++k) {
-        Number sum(0);
-        for (std::size_t x = 0; x < 3; ++x) {
-          const Number d = Number(m.points[t[k]][x]) - Number(m.points[t[(k + 1) % 3]][x]);
-          sum = sum + d * d;
-        }
-        triangle.length[k] = sqrt(sum);
-        side[{t[k], t[(k + 1) % 3]}] = {triangles_.size(), k};
-      }
-      triangles_.push_back(triangle);
-    }
+    add_triangles(m);
+    for (std::size_t f = 0; f < triangles_.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k)
+        side[{m.triangles[f][k], m.triangles[f][(k + 1) % 3]}] = {f, k};
     for (Triangle& t : triangles_)
       for (std::size_t k = 0; k < 3; ++k) {
         const auto found = side.find({t.vertex[(k + 1) % 3], t.vertex[k]});
         t.across[k] = found == side.end() ? border : found->second;
       }
+  }
+
+  /// Triangles that are glued as is said, not by their vertices.
+  Triangulation(const meshes::Mesh& m, const std::vector<std::array<Side, 3>>& across) {
+    add_triangles(m);
+    for (std::size_t f = 0; f < triangles_.size(); ++f) triangles_[f].across = across[f];
   }
 
   Answer flip_to_delaunay() {
@@ -96,12 +99,6 @@ public:
   }
 
 private:
-  struct Side {
-    std::size_t triangle, k;
-    bool operator==(const Side&) const = default;
-  };
-  static constexpr Side border{static_cast<std::size_t>(-1), 0};
-
   // side k runs from vertex k to vertex k + 1
   struct Triangle {
     std::array<std::uint32_t, 3> vertex;
@@ -112,6 +109,21 @@ private:
   struct Vector {
     Number x, y;
   };
+
+  void add_triangles(const meshes::Mesh& m) {
+    for (const auto& t : m.triangles) {
+      Triangle triangle{t, {}, {}};
+      for (std::size_t k = 0; k < 3; ++k) {
+        Number sum(0);
+        for (std::size_t x = 0; x < 3; ++x) {
+          const Number d = Number(m.points[t[k]][x]) - Number(m.points[t[(k + 1) % 3]][x]);
+          sum = sum + d * d;
+        }
+        triangle.length[k] = sqrt(sum);
+      }
+      triangles_.push_back(triangle);
+    }
+  }
 
   static Side turned(Side s, std::size_t by) { return {s.triangle, (s.k + by) % 3}; }
   const Number& length(Side s) const { return triangles_[s.triangle].length[s.k]; }

@@ -46,7 +46,7 @@ public:
   /// adds the curves. \throws std::runtime_error naming what cannot be added, and the remedy
   void run() {
     const std::vector<Asked_curve> curves =
-        asked_curves(options_, t_.input().number_of_vertices(), loaded_.facts.polygons);
+        asked_curves(options_, t_.input().number_of_rows(), loaded_.facts.polygons);
     std::vector<Vertices> vertices;
     for (const Asked_curve& curve : curves) vertices.push_back(vertices_of(curve));
     fix_vertices(curves, vertices);
@@ -117,9 +117,7 @@ private:
   Vertices vertices_of(const Asked_curve& curve) {
     Vertices result;
     for (const Asked_point& p : curve.points) {
-      const Vertex v = p.is_vertex
-                           ? t_.numbers().vertex_at(t_.input().names().vertices.here(p.element))
-                           : vertex_in_face(p, curve);
+      const Vertex v = p.is_vertex ? vertex_in_file(p.element, result) : vertex_in_face(p, curve);
       if (halfedge(v, t_.mesh()).index == IT::Gluing::none)
         throw std::runtime_error(curve.source + ": " + name(v) +
                                  " is isolated: no face has it; choose another");
@@ -128,13 +126,29 @@ private:
     return result;
   }
 
+  // On a cover, that copy of a vertex to which edges lead from the point before, if there is one.
+  Vertex vertex_in_file(std::uint32_t number, const Vertices& before) const {
+    const IT::Input_names& names = t_.input().names();
+    const Vertex first = t_.numbers().vertex_at(names.vertex(number));
+    if (names.row_of_vertex.empty() || before.empty()) return first;
+    IT::Edge_path_finder<Triangulation> find(t_);
+    const auto [begin, end] =
+        std::equal_range(names.row_of_vertex.begin(), names.row_of_vertex.end(), number);
+    for (auto copy = begin; copy != end; ++copy) {
+      const Vertex v = t_.numbers().vertex_at(
+          names.vertices.here(static_cast<std::uint32_t>(copy - names.row_of_vertex.begin())));
+      if (v != before.back() && !find(before.back(), v).empty()) return v;
+    }
+    return first;
+  }
+
   Vertex vertex_in_face(const Asked_point& p, const Asked_curve& curve) {
     const std::string face =
         curve.source + ": face " + std::to_string(p.element) + " of " + options_.input;
     std::uint32_t triangle = p.element;
     if (const std::vector<std::uint32_t>& polygon = loaded_.polygon_of_triangle; !polygon.empty()) {
       const auto [begin, end] = std::equal_range(polygon.begin(), polygon.end(), p.element);
-      if (end - begin != 1)
+      if (end - begin != loaded_.domain.sheets)
         throw std::runtime_error(face + " is a polygon, in which barycentric coordinates name no "
                                         "point; triangulate it before");
       triangle = static_cast<std::uint32_t>(begin - polygon.begin());

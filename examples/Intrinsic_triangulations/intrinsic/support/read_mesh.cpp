@@ -33,15 +33,18 @@ Input_facts facts_of(const IT::Gluing_map& mesh) {
   return facts;
 }
 
-Mesh_file read_mesh(const std::string& path, IT::Mollification mollification) {
+Mesh_file read_mesh(const std::string& path, IT::Mollification mollification,
+                    IT::Domain_kind domain) {
   Stopwatch watch;
   IT::Triangle_soup soup = IT::read_triangle_soup(path);
   const double seconds = watch.lap();
   const std::size_t polygons = soup.input_faces, triangulated = soup.triangulated_polygons;
   try {
-    IT::Intrinsic_input input(std::move(soup), mollification);
-    std::vector<std::uint32_t> polygon_of_triangle = std::move(input.names.polygon_of_triangle);
-    return {std::move(input), std::move(polygon_of_triangle), polygons, triangulated, seconds};
+    IT::Domain made = IT::make_domain(std::move(soup), domain, mollification);
+    std::vector<std::uint32_t> polygon_of_triangle =
+        std::move(made.input.names.polygon_of_triangle);
+    return {std::move(made.input), std::move(polygon_of_triangle), polygons, triangulated, seconds,
+            std::move(made.report)};
   } catch (const IT::Invalid_input& e) {
     const char* const note =
         triangulated == 0 ? "" : " (faces are numbered after triangulating polygons)";

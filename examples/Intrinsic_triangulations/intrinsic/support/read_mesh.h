@@ -4,6 +4,7 @@
 #ifndef INTRINSIC_SUPPORT_READ_MESH_H
 #define INTRINSIC_SUPPORT_READ_MESH_H
 
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <array>
@@ -34,14 +35,19 @@ Input_facts facts_of(const IT::Gluing_map& mesh);
 /// What a mesh file contains.
 struct Mesh_file {
   IT::Intrinsic_input input;
-  /// Polygon of each triangle; empty if all faces are triangles.
+  /// Face of the file that each triangle is a part or a side of; empty if each is one.
   std::vector<std::uint32_t> polygon_of_triangle;
   std::size_t polygons = 0, triangulated_polygons = 0;
   double seconds = 0; ///< that reading took, without matching edges
+  IT::Domain_report domain;
+
+  /// returns the vertex of the file that a vertex of the mesh is, or is a copy of.
+  std::uint32_t vertex(IT::Gluing_map::Vertex v) const { return input.names.row(v.index); }
 };
 
-/// reads a mesh file. \throws Invalid_input naming the file, the element and the remedy
-Mesh_file read_mesh(const std::string& path, IT::Mollification mollification);
+/// reads a mesh file, and makes the surface that is asked for. \throws Invalid_input naming the file, the element and the remedy
+Mesh_file read_mesh(const std::string& path, IT::Mollification mollification,
+                    IT::Domain_kind domain);
 
 } // namespace program
 

@@ -65,29 +65,9 @@ private:
   std::vector<Entry> entries_;
 };
 
-// Reports two faces that run along an edge in the same direction.
-[[noreturn]] inline void fail_orientation(const Gluing& g, std::uint32_t h) {
-  const std::uint32_t other = Gluing::partner(g.glue[h]);
-  throw Invalid_input(
-      Element_kind::edge, h,
-      "edge (" + std::to_string(g.origin[h]) + ", " + std::to_string(g.origin[Gluing::next(h)]) +
-          ") is traversed in the same direction by faces " + std::to_string(h / 3) + " and " +
-          std::to_string(other / 3) +
-          (find_orientation(g).is_orientable
-               ? "; reverse one of them to orient the mesh consistently"
-               : "; the surface has only one side, as a Moebius strip has: no reversal of faces "
-                 "orients it, cut it open"));
-}
-
-} // namespace internal
-
-namespace internal {
-
-// Glues triangles that share edges, whether they agree in orientation or not. `conflict` is set to a halfedge of the first
-// edge along which two faces run in the same direction, if there is one.
+// Triangles of which no side is glued yet.
 template <class TriangleRange>
-Gluing glue_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles,
-                      std::uint32_t& conflict) {
+Gluing unglued_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles) {
   Gluing g;
   g.number_of_vertices = number_of_vertices;
   g.origin.reserve(3 * triangles.size());
@@ -107,28 +87,61 @@ Gluing glue_triangles(std::uint32_t number_of_vertices, const TriangleRange& tri
     }
   }
   g.glue.assign(g.origin.size(), Gluing::none);
-  conflict = Gluing::none;
-  Halfedges_by_edge(g).for_each_edge([&](auto first, auto last) {
-    const std::uint32_t h = first->halfedge;
-    const auto name = [&] {
-      return "edge (" + std::to_string(g.origin[h]) + ", " +
-             std::to_string(g.origin[Gluing::next(h)]) + ")";
-    };
-    if (last - first > 2) {
-      std::string faces;
-      for (auto i = first; i != last; ++i)
-        faces += (i == first ? "" : ", ") + std::to_string(i->halfedge / 3);
-      throw Invalid_input(Element_kind::edge, h,
-                          name() + " has " + std::to_string(last - first) + " faces (" + faces +
-                              "); remove faces or duplicate vertices so that at most two remain");
-    }
-    if (last - first < 2) return;
-    const std::uint32_t other = (last - 1)->halfedge;
+  return g;
+}
+
+// "edge (0, 1) has 3 faces (4, 5, 6)"
+template <class Iterator>
+std::string edge_with_faces(const Gluing& g, Iterator first, Iterator last) {
+  std::string result = "edge (" + std::to_string(g.origin[first->halfedge]) + ", " +
+                       std::to_string(g.origin[Gluing::next(first->halfedge)]) + ") has " +
+                       std::to_string(last - first) + " faces (";
+  for (auto i = first; i != last; ++i)
+    result += (i == first ? "" : ", ") + std::to_string(i->halfedge / 3);
+  return result + ")";
+}
+
+// Refuses the sides of an edge with more than two faces.
+template <class Iterator>
+[[noreturn]] void fail_nonmanifold(const Gluing& g, Iterator first, Iterator last) {
+  throw Invalid_input(Element_kind::edge, first->halfedge,
+                      edge_with_faces(g, first, last) +
+                          "; remove faces or duplicate vertices so that at most two remain, or "
+                          "take the tufted cover");
+}
+
+// What was found where triangles share edges.
+struct Shared_edges {
+  std::uint32_t conflict =
+      Gluing::none; // a halfedge of the first edge along which two faces run in the same direction
+  std::size_t conflicts = 0; // number of these edges
+};
+
+// Glues triangles that share edges, whether they agree in orientation or not. Calls `nonmanifold(first, last)` for the sides of
+// edges with more than two faces, which are not glued.
+template <class Function>
+Shared_edges glue_pairs(Gluing& g, Halfedges_by_edge& sides, const Function& nonmanifold) {
+  Shared_edges result;
+  sides.for_each_edge([&](auto first, auto last) {
+    if (last - first > 2) nonmanifold(first, last);
+    if (last - first != 2) return;
+    const std::uint32_t h = first->halfedge, other = (last - 1)->halfedge;
     const bool is_conflict = g.origin[h] == g.origin[other];
-    if (is_conflict && conflict == Gluing::none) conflict = h;
+    if (is_conflict && result.conflicts++ == 0) result.conflict = h;
     g.glue[h] = is_conflict ? Gluing::reversed(other) : other;
     g.glue[other] = is_conflict ? Gluing::reversed(h) : h;
   });
+  return result;
+}
+
+// `conflict` is set to that of `Shared_edges`.
+template <class TriangleRange>
+Gluing glue_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles,
+                      std::uint32_t& conflict) {
+  Gluing g = unglued_triangles(number_of_vertices, triangles);
+  Halfedges_by_edge sides(g);
+  const auto refuse = [&g](auto first, auto last) { fail_nonmanifold(g, first, last); };
+  conflict = glue_pairs(g, sides, refuse).conflict;
   return g;
 }
 

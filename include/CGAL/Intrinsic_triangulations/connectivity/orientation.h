@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -99,6 +100,24 @@ inline Orientation_result orient_faces(Gluing& g) {
     if (r.reversed_faces[f] != 0) std::swap(g.origin[3 * f + 1], g.origin[3 * f + 2]);
   return r;
 }
+
+namespace internal {
+
+// Reports two faces that run along an edge in the same direction.
+[[noreturn]] inline void fail_orientation(const Gluing& g, std::uint32_t h) {
+  const std::uint32_t other = Gluing::partner(g.glue[h]);
+  throw Invalid_input(
+      Element_kind::edge, h,
+      "edge (" + std::to_string(g.origin[h]) + ", " + std::to_string(g.origin[Gluing::next(h)]) +
+          ") is traversed in the same direction by faces " + std::to_string(h / 3) + " and " +
+          std::to_string(other / 3) +
+          (find_orientation(g).is_orientable
+               ? "; reverse one of them to orient the mesh consistently"
+               : "; the surface has only one side, as a Moebius strip has: no reversal of faces "
+                 "orients it; cut it open, or take the orientation double cover"));
+}
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

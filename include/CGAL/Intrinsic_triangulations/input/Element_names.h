@@ -60,6 +60,9 @@ private:
 
 /*!
 \brief names the vertices, edges and faces of the input as the user's mesh does.
+
+Of a cover (see `make_domain()`), names are those of the cover: its vertices are copies of the user's, its faces parts of
+theirs.
 */
 struct Input_names {
   Element_names vertices; ///< rows of matrices
@@ -68,6 +71,22 @@ struct Input_names {
   /// The user's face that each triangle, by its name, is a part of; empty: all faces are triangles.
   std::vector<std::uint32_t> polygon_of_triangle;
 
+  /// The user's vertex that each vertex, by its name, is a copy of, ascending; empty: all are vertices of the user.
+  std::vector<std::uint32_t> row_of_vertex;
+  /// How many sheets of the surface lie over each face of the user: 2 if it is a double cover.
+  std::uint32_t sheets = 1;
+
+  /// returns the user's vertex that an input vertex is, or is a copy of: its row in matrices.
+  std::uint32_t row(std::uint32_t vertex) const {
+    const std::uint32_t v = vertices.user(vertex);
+    return row_of_vertex.empty() ? v : row_of_vertex[v];
+  }
+  /// returns an input vertex that is the user's vertex, or the first copy of it.
+  std::uint32_t vertex(std::uint32_t row) const;
+  /// returns the number of the user's vertices, where there are so many input vertices.
+  std::uint32_t number_of_rows(std::uint32_t vertices_of_input) const {
+    return row_of_vertex.empty() ? vertices_of_input : row_of_vertex.back() + 1;
+  }
   /// returns the user's face that an input face is, or is a part of.
   std::uint32_t polygon(std::uint32_t face) const {
     const std::uint32_t triangle = faces.user(face);

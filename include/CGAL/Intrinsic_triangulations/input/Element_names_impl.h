@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -21,6 +22,12 @@ Element_names::after(const Element_names& renumbered) const {
   users.reserve(renumbered.user_.size());
   for (const std::uint32_t i : renumbered.user_) users.push_back(user(i));
   return Element_names(std::move(users));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::uint32_t Input_names::vertex(std::uint32_t row) const {
+  if (row_of_vertex.empty()) return vertices.here(row);
+  const auto first = std::lower_bound(row_of_vertex.begin(), row_of_vertex.end(), row);
+  return vertices.here(static_cast<std::uint32_t>(first - row_of_vertex.begin()));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::uint32_t>

@@ -109,6 +109,8 @@ public:
 
   /// returns the number of vertices.
   std::uint32_t number_of_vertices() const { return number_of_vertices_; }
+  /// returns the number of the user's vertices: fewer on a cover, where vertices are copies of them.
+  std::uint32_t number_of_rows() const { return names_.number_of_rows(number_of_vertices_); }
   /// returns the number of edges.
   std::uint32_t number_of_edges() const { return mesh_.number_of_edges(); }
   /// returns the number of halfedges.

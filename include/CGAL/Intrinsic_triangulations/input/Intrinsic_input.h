@@ -149,6 +149,10 @@ Mollification needed_mollification(Mollification asked, const Input& input, cons
              : Mollification::none;
 }
 
+// the number of the user's faces of which triangles were reversed, all or none
+std::size_t number_of_reversed(const std::vector<char>& triangles,
+                               const std::vector<std::uint32_t>& polygon_of_triangle);
+
 // One point per vertex, or one squared length per edge: numbers of elements are indices without a check.
 void check_sizes(const Intrinsic_input& in);
 

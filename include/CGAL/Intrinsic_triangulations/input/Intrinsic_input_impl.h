@@ -33,9 +33,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// the number of the user's faces of which triangles were reversed, all or none
-inline std::size_t number_of_reversed(const std::vector<char>& triangles,
-                                      const std::vector<std::uint32_t>& polygon_of_triangle) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t
+number_of_reversed(const std::vector<char>& triangles,
+                   const std::vector<std::uint32_t>& polygon_of_triangle) {
   std::size_t count = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (triangles[t] != 0 && (polygon_of_triangle.empty() || t == 0 ||
@@ -126,9 +126,10 @@ scaled_and_ordered(Intrinsic_input&& in, Input_report& report) {
       embedded ? scale_points(in.mesh, in.points) : scale_squared_lengths(in.squared_lengths);
   Input_names names = std::move(in.names);
   if (embedded && in.may_renumber && is_badly_ordered(in.mesh)) {
-    const Input_names order = renumber(in.mesh, in.points);
-    names = {order.vertices, names.edges.after(order.edges), order.faces,
-             std::move(names.polygon_of_triangle)};
+    Input_names order = renumber(in.mesh, in.points);
+    names.vertices = std::move(order.vertices);
+    names.edges = names.edges.after(order.edges);
+    names.faces = std::move(order.faces);
     report.renumbered = true;
   }
   start_at_single_sides(in.mesh);

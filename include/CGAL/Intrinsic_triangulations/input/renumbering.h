@@ -162,7 +162,9 @@ inline Input_names renumber(Gluing_map& mesh, std::vector<std::array<double, 3>>
   return {Element_names(std::move(order), std::move(number.vertices)),
           names(number.edges),
           names(number.faces),
-          {}};
+          {},
+          {},
+          1};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

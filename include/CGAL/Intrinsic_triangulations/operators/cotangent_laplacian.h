@@ -62,7 +62,7 @@ std::vector<Symmetric_entry> cotangent_entries(const Triangulation& t) {
     if (i == j) continue;
     const double weight = session.cotangent_weight(e);
     if (!std::isfinite(weight)) throw_degenerate_face(t, smaller_face(t, e));
-    if (weight != 0) entries.push_back({i, j, -weight});
+    if (weight != 0) entries.push_back({i, j, -weight / t.input().names().sheets});
   }
   return entries;
 }
@@ -79,7 +79,8 @@ x^T L x = integral of |grad x|^2 for the piecewise linear function x. (Many pape
 sign.) It is the weak form: the smooth equation Laplacian u = f becomes `L u = M f`, with a mass matrix
 `M` of `mass_matrix.h`. Border edges have one cotangent, which is the natural (Neumann) boundary
 condition. Several edges between the same vertices add up; edges from a vertex to itself do not
-contribute. In a Delaunay triangulation no inner edge has a negative weight (a border edge has one
+contribute. Of a cover (`make_domain()`), vertices that are copies of one share its row, and the sum is divided by the number
+of sheets: the matrix is that of the user's surface (§6.1). In a Delaunay triangulation no inner edge has a negative weight (a border edge has one
 where it faces an obtuse angle), and the matrix does not depend on which one it is (Bobenko and
 Springborn 2007).
 

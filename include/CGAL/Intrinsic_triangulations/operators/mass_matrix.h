@@ -19,13 +19,19 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
+// The area of a face on each sheet of a cover: together, its sheets have the area of the user's surface.
+template <class Triangulation>
+double area_per_sheet(const Triangulation& t, typename Triangulation::face_descriptor f) {
+  return t.area(f) / t.input().names().sheets;
+}
+
 // the sum of the areas of the faces at each vertex; a face counts once per corner
 template <class Triangulation>
 Eigen::VectorXd areas_at_vertices(const Triangulation& t) {
   const auto& mesh = t.mesh();
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(checked_matrix_size(t));
   for (const typename Triangulation::face_descriptor f : faces(mesh)) {
-    const double area = t.area(f);
+    const double area = area_per_sheet(t, f);
     typename Triangulation::halfedge_descriptor h = halfedge(f, mesh);
     for (int corner = 0; corner < 3; ++corner, h = next(h, mesh))
       sum[t.input_vertex(target(h, mesh))] += area;
@@ -39,7 +45,8 @@ Eigen::VectorXd areas_at_vertices(const Triangulation& t) {
 \brief assembles the lumped mass matrix (§2.5.1 of the course, Eq. 5): a third of the area of the faces
 at each vertex, on the diagonal.
 
-A face that has a vertex at several corners counts at each. The trace is the area of the surface.
+A face that has a vertex at several corners counts at each. The trace is the area of the surface; of a cover, of the surface
+below it, by the vertices of which rows are numbered.
 
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
@@ -77,8 +84,9 @@ Eigen::SparseMatrix<double> galerkin_mass_matrix(const Triangulation& t) {
   entries.reserve(num_edges(mesh));
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const typename Triangulation::halfedge_descriptor h = halfedge(e, mesh), o = opposite(h, mesh);
-    const double area = (face(h, mesh) == null ? 0 : t.area(face(h, mesh))) +
-                        (face(o, mesh) == null ? 0 : t.area(face(o, mesh)));
+    double area = 0;
+    for (const auto f : {face(h, mesh), face(o, mesh)})
+      if (f != null) area += internal::area_per_sheet(t, f);
     const auto i = static_cast<int>(t.input_vertex(source(h, mesh)));
     const auto j = static_cast<int>(t.input_vertex(target(h, mesh)));
     if (i == j)

@@ -140,7 +140,8 @@ Eigen::SparseMatrix<double> subdivision_mass_matrix(const Triangulation& t,
   std::vector<Symmetric_entry> entries;
   entries.reserve(3 * (s.corner.size() - 2 * s.number_of_faces()));
   for_each_subdivision_triangle(
-      t, s, [&](std::size_t, const std::array<std::uint32_t, 3>& v, double area) {
+      t, s, [&](std::size_t, const std::array<std::uint32_t, 3>& v, double area_on_sheet) {
+        const double area = area_on_sheet / t.input().names().sheets;
         for (std::size_t k = 0; k < 3; ++k) {
           const auto i = static_cast<int>(v[k]), j = static_cast<int>(v[(k + 1) % 3]);
           diagonal[i] += area / 6;

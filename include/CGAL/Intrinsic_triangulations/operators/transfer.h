@@ -45,7 +45,7 @@ Needs no correspondence: no vertex of the input was removed, and both numbers ar
 template <NumberedTriangulation Triangulation, class Derived>
 typename Derived::PlainObject copy_to_input(const Triangulation& t,
                                             const Eigen::MatrixBase<Derived>& f) {
-  return f.topRows(t.input().number_of_vertices());
+  return f.topRows(t.input().number_of_rows());
 }
 
 /*!
@@ -185,7 +185,7 @@ double L2_distance(const Triangulation& t, const Common_subdivision& s, const Ei
           sum += area / 3 * middle * middle;
         }
       });
-  return std::sqrt(sum);
+  return std::sqrt(sum / t.input().names().sheets);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -14,7 +14,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // of the numbers. After a removal, they are counted again when somebody asks.
 class Vertex_rows {
 public:
-  explicit Vertex_rows(std::uint32_t input_vertices = 0) : first_(input_vertices) {}
+  Vertex_rows() = default;
+  Vertex_rows(std::uint32_t input_vertices, std::uint32_t input_rows)
+      : first_(input_vertices), first_row_(input_rows) {}
 
   // the number of an inserted vertex, and of one that is removed
   void insert(std::uint32_t number) {
@@ -22,7 +24,7 @@ public:
     if (i >= is_there_.size()) is_there_.resize(i + 1, 0);
     is_there_[i] = 1;
     if (is_current_ && i == row_.size())
-      row_.push_back(first_ + count_);
+      row_.push_back(first_row_ + count_);
     else
       is_current_ = false;
     ++count_;
@@ -33,17 +35,17 @@ public:
     --count_;
   }
 
+  // of an inserted vertex
   std::uint32_t row(std::uint32_t number) const {
-    if (number < first_) return number;
     if (!is_current_) count_again();
     return row_[number - first_];
   }
-  std::uint32_t number_of_rows() const { return first_ + count_; }
+  std::uint32_t number_of_rows() const { return first_row_ + count_; }
 
 private:
   void count_again() const {
     row_.resize(is_there_.size());
-    std::uint32_t next = first_;
+    std::uint32_t next = first_row_;
     for (std::size_t i = 0; i < row_.size(); ++i) {
       row_[i] = next;
       next += is_there_[i];
@@ -51,7 +53,7 @@ private:
     is_current_ = true;
   }
 
-  std::uint32_t first_, count_ = 0;
+  std::uint32_t first_ = 0, first_row_ = 0, count_ = 0;
   std::vector<std::uint8_t> is_there_;
   mutable std::vector<std::uint32_t> row_;
   mutable bool is_current_ = true;

@@ -646,11 +646,14 @@ TEST(Damaged_sections, are_refused) {
     EXPECT_EQ(message.rfind("file.idt:", 0), 0U) << message;
     EXPECT_NE(message.find(what), std::string::npos) << message;
   };
-  expect_refused(replaced(s, "IDT 4", "IDT 3"), "only version 4");
+  expect_refused(replaced(s, "IDT 5", "IDT 4"), "only version 5");
   expect_refused(replaced(s, "scale ", "scale 2000000000"), "exponent");
   expect_refused(replaced(s, "input points", "input squared_lengths"), "");
   expect_refused(replaced(s, "input points", "input none"), "");
   expect_refused(replaced(s, "\npolygons 0\n", "\npolygons 1\n0\n"), "every face");
+  expect_refused(replaced(s, "\nrows 0\n", "\nrows 1\n0\n"), "every vertex");
+  expect_refused(replaced(s, "\nrows 0\n", "\nrows 2\n1\n0\n"), "row 1");
+  expect_refused(replaced(s, "\nsheets 1\n", "\nsheets 0\n"), "sheets");
   for (const std::string count : {"input_vertices", "input_edges", "input_faces", "input_border",
                                   "vertices", "edges", "faces", "border", "places"}) {
     const std::size_t at = s.find("\n" + count + " ") + count.size() + 2;

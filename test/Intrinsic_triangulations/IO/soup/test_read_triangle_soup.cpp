@@ -611,11 +611,19 @@ TEST_F(Read_triangle_soup, a_diagonal_never_doubles_another_edge) {
   }
 }
 
-TEST_F(Read_triangle_soup, a_polygon_without_a_free_diagonal_is_named) {
-  expect_error_in("q.off",
-                  "OFF\n6 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n0 0 2\n4 0 1 2 3\n3 0 2 4\n"
-                  "3 1 3 5\n",
-                  Element_kind::face, 0, {"face 0 with 4 sides", "divide it"});
+TEST_F(Read_triangle_soup, a_polygon_without_a_free_diagonal_makes_a_soup_and_no_mesh) {
+  const Triangle_soup s = read_triangle_soup(
+      file("q.off", "OFF\n6 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n0 0 2\n4 0 1 2 3\n3 0 2 4\n"
+                    "3 1 3 5\n"));
+  EXPECT_EQ(s.triangles.size(), 4U);
+  EXPECT_EQ(s.triangulated_polygons, 1U);
+  try {
+    const CGAL::Intrinsic_triangulations::Intrinsic_input input(s);
+    ADD_FAILURE() << "a diagonal with three faces is no mesh";
+  } catch (const Invalid_input& error) {
+    EXPECT_EQ(error.kind(), Element_kind::edge);
+    EXPECT_NE(std::string(error.what()).find(" has 3 faces ("), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(Read_triangle_soup, text_with_numbers_of_every_kind_agrees_with_the_reader_of_CGAL) {

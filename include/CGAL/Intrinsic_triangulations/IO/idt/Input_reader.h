@@ -163,7 +163,25 @@ private:
     });
     if (count != 0 && count != connectivity_.mesh.number_of_faces() && has_surface())
       in_.fail("every face of the input needs its polygon, or none");
+    in_.line("sheets", [&] {
+      names.sheets = in_.index(most_sheets, "number of sheets");
+      if (names.sheets == 0) in_.fail("there is no surface without sheets");
+    });
+    read_rows(names.row_of_vertex);
     return names;
+  }
+
+  // Every row has a vertex, in their order.
+  void read_rows(std::vector<std::uint32_t>& rows) {
+    const std::uint32_t vertices = connectivity_.mesh.number_of_vertices(),
+                        count = read_count(in_, "rows", vertices);
+    in_.lines(count, [&](std::uint32_t i) {
+      rows.push_back(in_.index(count, "row"));
+      if (rows[i] > (i == 0 ? 0 : rows[i - 1] + 1) || (i > 0 && rows[i] < rows[i - 1]))
+        in_.fail("row " + std::to_string(rows[i]) + " is not where it belongs");
+    });
+    if (count != 0 && count != vertices)
+      in_.fail("every vertex of the input needs its row, or none");
   }
 
   // Checks that no name is given twice, and that elements with names are in their order unless they were renumbered.
@@ -180,6 +198,7 @@ private:
     return is_identity ? Element_names() : Element_names(std::move(names));
   }
 
+  static constexpr std::uint32_t most_sheets = 1U << 16;
   static constexpr int maximal_exponent = 2200; // beyond that of the quotient of any two doubles
 
   Text_reader& in_;

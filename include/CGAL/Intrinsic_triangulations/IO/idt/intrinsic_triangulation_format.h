@@ -25,7 +25,7 @@ and `read_intrinsic_triangulation()`.
 namespace CGAL::Intrinsic_triangulations {
 
 /// Version of the file format, the only one that is read.
-constexpr int intrinsic_triangulation_format_version = 4;
+constexpr int intrinsic_triangulation_format_version = 5;
 
 namespace internal {
 

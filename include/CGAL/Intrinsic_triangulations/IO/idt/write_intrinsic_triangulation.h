@@ -50,6 +50,8 @@ public:
     else
       write_input(coordinates_->input());
     write_list("polygons", t_.input().names().polygon_of_triangle);
+    out_.line("sheets", t_.input().names().sheets);
+    write_list("rows", t_.input().names().row_of_vertex);
     write_vertices();
     write_edges();
     write_faces();

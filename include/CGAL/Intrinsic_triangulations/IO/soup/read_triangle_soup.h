@@ -26,13 +26,12 @@ Faces with more than three sides are triangulated: a quadrilateral along the dia
 `CGAL::Polygon_mesh_processing::triangulate_faces()` takes, others by constrained Delaunay
 triangulation in the plane normal to their vector area, or with least area where their projection to
 that plane crosses itself. As edges are later matched by their end vertices, a diagonal between two
-vertices that another edge joins is avoided by another triangulation of the polygon.
+vertices that another edge joins is avoided by another triangulation of the polygon, if there is one.
 
 \throws Invalid_input naming the file, its line where it has lines, the element and the remedy if
   the file does not exist or cannot be read, is empty, truncated or not of its format, has a
   coordinate that is not finite, a face with fewer than three vertices, with a repeated vertex or
-  with one out of range, a line of more than 64 MiB, or no faces, or has a polygon with no triangulation that avoids edges of
-  other faces
+  with one out of range, a line of more than 64 MiB, or no faces, or has a polygon with no triangulation
 \complexity linear for text and binary alike, \f$n\log n\f$ for STL and in the number of diagonals;
   memory follows the size of the file, never a count in it
 */

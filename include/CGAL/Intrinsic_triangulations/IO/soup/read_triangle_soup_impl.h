@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/IO/soup/Soup_builder.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_OBJ.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_OFF.h>
@@ -12,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_STL.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/domains/Soup_builder.h>
 
 #include <CGAL/IO/GOCAD.h>
 #include <CGAL/Simple_cartesian.h>

@@ -4,8 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_OFF_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_OFF_H
 
-#include <CGAL/Intrinsic_triangulations/IO/soup/Soup_builder.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
+#include <CGAL/Intrinsic_triangulations/domains/Soup_builder.h>
 
 #include <algorithm>
 #include <cstddef>

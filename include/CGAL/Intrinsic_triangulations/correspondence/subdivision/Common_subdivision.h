@@ -213,9 +213,7 @@ With `position()` it tells where points that functions such as `locate_on_input(
 */
 template <class Triangulation>
 Weighted_vertices weighted_vertices(const Triangulation& t, const Surface_point& p) {
-  const auto user = [&input = t.input()](std::uint32_t v) {
-    return input.names().vertices.user(v);
-  };
+  const auto user = [&input = t.input()](std::uint32_t v) { return input.names().row(v); };
   const auto [i, j, k] = sides_of_face(t.input(), p.halfedge);
   return {3,
           {user(t.input().source(i)), user(t.input().source(j)), user(t.input().source(k))},

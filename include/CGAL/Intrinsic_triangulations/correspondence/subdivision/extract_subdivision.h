@@ -39,14 +39,13 @@ public:
 private:
   static constexpr std::uint32_t none = Common_subdivision::none;
 
-  std::uint32_t user_vertex(std::uint32_t v) const { return t_.input().names().vertices.user(v); }
+  std::uint32_t user_vertex(std::uint32_t v) const { return t_.input().names().row(v); }
   std::uint32_t user_face(std::uint32_t f) const { return t_.input().names().faces.user(f); }
 
   std::uint32_t row(std::uint32_t v) const { return t_.input_vertex(t_.numbers().vertex_at(v)); }
 
   void add_vertices() {
-    const auto& input = coordinates_.input();
-    s_.number_of_input_vertices = input.number_of_vertices();
+    s_.number_of_input_vertices = t_.input().number_of_rows();
     for (const typename Triangulation::vertex_descriptor d : vertices(t_.mesh())) {
       const std::uint32_t v = t_.numbers().vertex(d);
       if (v >= vertex_.size()) vertex_.resize(v + 1, none);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGULATE_POLYGONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGULATE_POLYGONS_H
 
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
@@ -36,7 +36,7 @@ struct Polygons {
 };
 
 // Triangulates the polygons of a soup such that no diagonal joins two vertices that another edge
-// joins already: edges are later matched by their end vertices.
+// joins already, where that is possible: edges are later matched by their end vertices.
 template <class Fail>
 class Soup_triangulator {
 public:
@@ -161,9 +161,7 @@ private:
       const auto is_free = [&](std::size_t j, std::size_t k) {
         return taken.count(key(polygons_.corner(i, j), polygons_.corner(i, k))) == 0;
       };
-      if (!triangulator_.triangulate_least_area(is_free, true, triangles_))
-        fail(i, "cannot be triangulated without a second edge between two of its vertices that an "
-                "edge of the mesh joins already; divide it, or that other face, in the file");
+      if (!triangulator_.triangulate_least_area(is_free, true, triangles_)) continue;
       write(i);
       for_each_diagonal(i, [&](std::uint32_t u, std::uint32_t v) { taken.insert(key(u, v)); });
     }
@@ -187,4 +185,4 @@ void triangulate_polygons(const Polygons& polygons, Triangle_soup& soup, Fail fa
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_TRIANGULATE_POLYGONS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGULATE_POLYGONS_H

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SOUP_BUILDER_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SOUP_BUILDER_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_SOUP_BUILDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_SOUP_BUILDER_H
 
-#include <CGAL/Intrinsic_triangulations/IO/soup/triangulate_polygons.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/domains/triangulate_polygons.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <algorithm>
@@ -18,9 +18,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Collects the vertices and faces of a file, and refuses the first one that is unusable.
+// Collects the vertices and faces of a file, or of arrays, and refuses the first one that is unusable.
 class Soup_builder {
 public:
+  // \param file the name of the file, for messages; empty: there is none
   explicit Soup_builder(std::string file) : file_(std::move(file)) {}
 
   // Line that the reader is at, from 1, for messages; 0 if the file has no lines.
@@ -58,7 +59,7 @@ public:
           " has a coordinate that is not a finite number; correct the coordinate, or remove "
           "the vertex and its faces");
     if (v == maximal_vertices)
-      fail(Element_kind::vertex, v, "the file has more than 4294967294 vertices; split the mesh");
+      fail(Element_kind::vertex, v, "there are more than 4294967294 vertices; split the mesh");
     soup_.points.push_back({x, y, z});
   }
 
@@ -99,7 +100,8 @@ private:
   [[noreturn]] void fail_at(std::size_t at, Element_kind kind, std::size_t index,
                             const std::string& what) const {
     throw Invalid_input(kind, index,
-                        file_ + (at == 0 ? "" : ":" + std::to_string(at)) + ": " + what);
+                        file_ + (at == 0 ? "" : ":" + std::to_string(at)) +
+                            (file_.empty() ? "" : ": ") + what);
   }
 
   std::string out_of_range(std::size_t f, std::int64_t v) const {
@@ -167,4 +169,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SOUP_BUILDER_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_SOUP_BUILDER_H

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DELAUNAY_STAR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DELAUNAY_STAR_H
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The triangles at the origin in the Delaunay triangulation of it and of points in the plane: those of the hull of the inverted
+// points that face it. Only exact predicates are asked. Of four points on a circle, the diagonal is at the one of least number,
+// whichever point the star is of.
+class Delaunay_star {
+public:
+  struct Neighbour {
+    std::array<double, 2> at;
+    std::uint32_t number;
+  };
+
+  // \param center the number of the point at the origin
+  // \param neighbours which are sorted and thinned out; those left are the corners of triangles, counterclockwise
+  // \return whether the last of them and the first are, too: the star goes all around
+  static bool find(std::uint32_t center, std::vector<Neighbour>& neighbours);
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/domains/Delaunay_star_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DELAUNAY_STAR_H

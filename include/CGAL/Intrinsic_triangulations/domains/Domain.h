@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_H
+
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// Which surface is made of triangles, see `make_domain()`.
+enum class Domain_kind {
+  automatic,         ///< the first of the others that the triangles allow
+  manifold,          ///< the triangles themselves, oriented
+  orientation_cover, ///< both sides of every triangle, glued where two triangles meet; border stays border
+  tufted_cover ///< both sides of every triangle, glued around every edge, in one surface without border
+};
+
+/*!
+\brief reports which surface was made of triangles, and why.
+*/
+struct Domain_report {
+  /// What was made: never `automatic`.
+  Domain_kind kind = Domain_kind::manifold;
+  /// What decided, in words that name the edge and its faces, by the numbers of triangles.
+  std::string reason;
+  /// Number of sheets over each face: 2 for covers.
+  std::uint32_t sheets = 1;
+  /// Number of edges with more than two faces.
+  std::size_t nonmanifold_edges = 0;
+  /// Number of edges with two faces that run along the edge in the same direction, as they were given.
+  std::size_t unoriented_edges = 0;
+};
+
+/*!
+\brief holds what a triangulation can be built from, and a report of how it was made.
+*/
+struct Domain {
+  Intrinsic_input input; ///< the surface, to be moved into an `Intrinsic_triangulation`
+  Domain_report report;  ///< what it is, and why
+};
+
+/*!
+\brief makes a surface of any triangles in space (§6.1 of the course).
+
+Edges may have any number of faces, faces any orientation; faces may be repeated, vertices isolated. Edges are
+matched by their end vertices.
+
+- If every edge has at most two faces, and they can be oriented consistently, the surface is the triangles.
+- If every edge has at most two faces, but the surface has only one side, as a Moebius strip, it is the orientation
+  double cover: a front and a back of each face; two of them are glued where the faces meet.
+- Else it is the tufted cover: around each edge, in the order of their angles, the side of each face that looks at the
+  next face is glued to the side of that which looks back. A single face is glued to its own back. Angles are compared
+  exactly; faces in one half plane follow each other in the order of their numbers, and repeated faces go around once more:
+  faces that are all there r times have r times the Laplacian.
+
+Covers are oriented manifolds, so that all algorithms run on them unchanged. There, vertices are split into one per
+neighbourhood; matrices have the rows of the user's vertices nevertheless, `Intrinsic_triangulation::input_vertex()`, and
+are divided by the number of sheets, so that they are those of the triangles. The front and the back of face `f` of the soup
+are faces `2f` and `2f + 1` by name. A tufted cover has no border: with exact traits, no weight of its Delaunay Laplacian is
+negative.
+
+\param soup points and triangles, see `triangle_soup()` and `read_triangle_soup()`
+\param kind what is asked for
+\param mollification treatment of degenerate faces
+\throws Invalid_input naming the element if a face repeats a vertex or has one out of range, a coordinate is not finite,
+  or if the triangles are not what is asked for: `manifold` needs edges of at most two faces that agree, `orientation_cover`
+  edges of at most two faces
+\complexity linear for edges with a bounded number of faces
+*/
+Domain make_domain(Triangle_soup soup, Domain_kind kind = Domain_kind::automatic,
+                   Mollification mollification = Mollification::automatic);
+
+/*!
+\brief makes a surface of triangles that are glued already: a cover of it, or an orientation for it.
+
+See above. Edges are not matched: they are those of the gluing, which may have squared lengths in place of points. Of a mesh,
+`Intrinsic_input(mesh)` makes such an input, polygons triangulated.
+\param input what would be the surface otherwise, oriented or not
+\param kind what is asked for
+\throws Invalid_input naming the edge if `manifold` is asked for and the surface has only one side
+\complexity linear
+*/
+Domain make_domain(Intrinsic_input input, Domain_kind kind = Domain_kind::automatic);
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_H

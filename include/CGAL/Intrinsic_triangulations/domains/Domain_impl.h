@@ -1,0 +1,257 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/domains/Double_cover.h>
+#include <CGAL/Intrinsic_triangulations/domains/sort_around_edge.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Angles around edges are compared before anything else looks at coordinates.
+inline void check_coordinates(const std::vector<std::array<double, 3>>& points) {
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (const double x : points[v])
+      if (!std::isfinite(x))
+        throw Invalid_input::about(
+            Element_kind::vertex, v,
+            " has a coordinate that is not finite; correct it, or remove the "
+            "vertex and its faces");
+}
+
+// Makes a surface, or a cover of it, of triangles that are glued in pairs, and of what else is known of them.
+class Domain_maker {
+public:
+  // \param input what the surface is but for the mesh
+  // \param faces how the triangles are glued
+  // \param edge of the squared lengths, by sides of faces; empty if the input has points
+  Domain_maker(Intrinsic_input input, Domain_report report, Gluing faces,
+               std::vector<std::uint32_t> edge)
+      : result_{std::move(input), std::move(report)}, faces_(std::move(faces)),
+        edge_(std::move(edge)) {}
+
+  // If no edge has more than two faces. `conflict` is a side of one at which two of them disagree, if there is one.
+  Domain make(Domain_kind kind, std::uint32_t conflict) {
+    if (kind == Domain_kind::tufted_cover || kind == Domain_kind::orientation_cover)
+      return cover(kind, "it was asked for");
+    const Orientation_result r =
+        conflict == Gluing::none ? Orientation_result{} : orient_faces(faces_);
+    if (r.is_orientable) return manifold(r.reversed_faces);
+    if (kind == Domain_kind::manifold) fail_orientation(faces_, conflict);
+    return cover(Domain_kind::orientation_cover,
+                 "the surface has only one side: faces " + std::to_string(conflict / 3) + " and " +
+                     std::to_string(Gluing::partner(faces_.glue[conflict]) / 3) +
+                     " disagree, and no reversal of faces orients it");
+  }
+
+  // The cover of other faces than those that are glued in pairs.
+  Domain finish(Double_cover cover, Domain_kind kind, std::string reason) {
+    std::vector<std::uint32_t> vertex;
+    Gluing_map mesh = Gluing_map::from_valid(cover.take(vertex));
+    Intrinsic_input& in = result_.input;
+    in.squared_lengths = squared_lengths(mesh, &Double_cover::side);
+    in.mesh = std::move(mesh);
+    if (!in.points.empty()) {
+      std::vector<std::array<double, 3>> points;
+      points.reserve(vertex.size());
+      for (const std::uint32_t v : vertex) points.push_back(in.points[v]);
+      in.points = std::move(points);
+    }
+    in.names = names_of_cover(std::move(vertex));
+    result_.report.sheets = in.names.sheets;
+    result_.report.kind = kind;
+    result_.report.reason = std::move(reason);
+    return std::move(result_);
+  }
+
+private:
+  Domain manifold(const std::vector<char>& reversed) {
+    Intrinsic_input& in = result_.input;
+    const auto side = [&reversed](std::uint32_t h) { // as `orient_faces()` renames them
+      return !reversed.empty() && reversed[h / 3] != 0 ? h - h % 3 + (2 - h % 3) : h;
+    };
+    if (in.mesh.number_of_faces() == 0 ||
+        !reversed.empty()) { // else it is kept, with the numbers of its edges
+      Gluing_map mesh = Gluing_map::from_valid(faces_);
+      in.squared_lengths = squared_lengths(mesh, side);
+      in.mesh = std::move(mesh);
+    }
+    in.reversed_faces = number_of_reversed(reversed, in.names.polygon_of_triangle);
+    result_.report.kind = Domain_kind::manifold;
+    result_.report.sheets = in.names.sheets;
+    result_.report.reason = "every edge has at most two faces, and they agree in orientation";
+    if (in.reversed_faces > 0)
+      result_.report.reason +=
+          " once " + std::to_string(in.reversed_faces) + " of them were turned around";
+    return std::move(result_);
+  }
+
+  Domain cover(Domain_kind kind, const std::string& reason) {
+    Double_cover cover(faces_);
+    for (std::uint32_t h = 0; h < faces_.glue.size(); ++h) {
+      const std::uint32_t other = Gluing::partner(faces_.glue[h]);
+      if (other == Gluing::none) {
+        if (kind == Domain_kind::tufted_cover) cover.glue(std::array{Double_cover::Side{h, true}});
+      } else if (h < other)
+        cover.glue(std::array{Double_cover::Side{h, true},
+                              Double_cover::Side{other, Gluing::is_reversed(faces_.glue[h])}});
+    }
+    return finish(std::move(cover), kind, reason);
+  }
+
+  // \param side the side of `faces_`, as given, that side k of face f of the mesh is, by 3f + k
+  template <class Side>
+  std::vector<double> squared_lengths(const Gluing_map& mesh, const Side& side) const {
+    std::vector<double> result;
+    if (edge_.empty()) return result;
+    result.resize(mesh.number_of_edges());
+    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
+      for (std::uint32_t k = 0; k < 3; ++k)
+        result[mesh.sides({f})[k].index / 2] =
+            result_.input.squared_lengths[edge_[side(3 * f + k)]];
+    return result;
+  }
+
+  Input_names names_of_cover(std::vector<std::uint32_t> vertex) const {
+    const Input_names& below = result_.input.names;
+    Input_names names;
+    names.sheets = 2 * below.sheets;
+    for (std::uint32_t& v : vertex) v = below.row(v);
+    names.row_of_vertex = std::move(vertex);
+    names.polygon_of_triangle.reserve(2 * std::size_t{faces_.number_of_faces()});
+    for (std::uint32_t f = 0; f < faces_.number_of_faces(); ++f)
+      names.polygon_of_triangle.insert(names.polygon_of_triangle.end(), 2, below.polygon(f));
+    return names;
+  }
+
+  Domain result_;
+  Gluing faces_;
+  std::vector<std::uint32_t> edge_;
+};
+
+// Orders the faces at an edge by their angles, and lets those that are repeated go around once more: each is then glued to other
+// faces, as if none were repeated, and not to a copy of itself.
+inline std::vector<std::uint32_t>
+order_around_edge(const std::vector<std::array<double, 3>>& points, std::uint32_t a,
+                  std::uint32_t b, const std::vector<std::uint32_t>& apices) {
+  std::vector<std::uint32_t> order =
+      sort_around_edge(points, std::min(a, b), std::max(a, b), apices);
+  std::vector<std::uint32_t> by_apex = order, round(apices.size(), 0);
+  std::stable_sort(by_apex.begin(), by_apex.end(),
+                   [&apices](std::uint32_t i, std::uint32_t j) { return apices[i] < apices[j]; });
+  for (std::size_t i = 1; i < by_apex.size(); ++i)
+    if (apices[by_apex[i]] == apices[by_apex[i - 1]]) round[by_apex[i]] = round[by_apex[i - 1]] + 1;
+  std::stable_sort(order.begin(), order.end(),
+                   [&round](std::uint32_t i, std::uint32_t j) { return round[i] < round[j]; });
+  return order;
+}
+
+// The tufted cover of triangles, any number of which meet at an edge.
+inline Double_cover tufted_cover(const Gluing& faces, Halfedges_by_edge& sides,
+                                 const std::vector<std::array<double, 3>>& points) {
+  Double_cover cover(faces);
+  std::vector<Double_cover::Side> fan, sorted;
+  std::vector<std::uint32_t> apices;
+  sides.for_each_edge([&](auto first, auto last) {
+    fan.clear();
+    for (auto i = first; i != last; ++i) {
+      const std::uint32_t h = i->halfedge;
+      fan.push_back({h, faces.origin[h] < faces.origin[Gluing::next(h)]});
+    }
+    if (fan.size() > 2) {
+      apices.clear();
+      for (const Double_cover::Side& s : fan)
+        apices.push_back(faces.origin[Gluing::next(Gluing::next(s.halfedge))]);
+      const std::uint32_t h = fan[0].halfedge;
+      sorted.clear();
+      for (const std::uint32_t i :
+           order_around_edge(points, faces.origin[h], faces.origin[Gluing::next(h)], apices))
+        sorted.push_back(fan[i]);
+      fan.swap(sorted);
+    }
+    cover.glue(fan);
+  });
+  return cover;
+}
+
+inline void check_size_of_cover(std::size_t faces) {
+  constexpr std::size_t most = Gluing::reversed_bit / 6;
+  if (faces > most)
+    throw Invalid_input(Element_kind::none, 0,
+                        "a cover is made of at most " + std::to_string(most) +
+                            " faces; split the mesh");
+}
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Triangle_soup soup, Domain_kind kind,
+                                                        Mollification mollification) {
+  internal::check_coordinates(soup.points);
+  internal::check_size_of_cover(soup.triangles.size());
+  Gluing faces =
+      internal::unglued_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
+  internal::Halfedges_by_edge sides(faces);
+  Domain_report report;
+  const internal::Shared_edges shared =
+      internal::glue_pairs(faces, sides, [&](auto first, auto last) {
+        if (kind == Domain_kind::manifold || kind == Domain_kind::orientation_cover)
+          internal::fail_nonmanifold(faces, first, last);
+        if (report.nonmanifold_edges++ == 0)
+          report.reason = internal::edge_with_faces(faces, first, last);
+      });
+  report.unoriented_edges = shared.conflicts;
+  Intrinsic_input input;
+  input.points = std::move(soup.points);
+  input.mollification = mollification;
+  input.triangulated_polygons = soup.triangulated_polygons;
+  input.names.polygon_of_triangle = std::move(soup.polygon_of_triangle);
+  if (report.nonmanifold_edges == 0)
+    return internal::Domain_maker(std::move(input), report, std::move(faces), {})
+        .make(kind, shared.conflict);
+  internal::Double_cover cover = internal::tufted_cover(faces, sides, input.points);
+  return internal::Domain_maker(std::move(input), report, std::move(faces), {})
+      .finish(std::move(cover), Domain_kind::tufted_cover, report.reason);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Intrinsic_input input, Domain_kind kind) {
+  internal::check_coordinates(input.points);
+  internal::check_sizes(input);
+  internal::check_size_of_cover(input.mesh.number_of_faces());
+  Gluing faces = gluing_from_map(input.mesh);
+  Domain_report report;
+  std::uint32_t conflict = Gluing::none;
+  for (std::uint32_t h = 0; h < faces.glue.size(); ++h)
+    if (Gluing::is_reversed(faces.glue[h]) && h < Gluing::partner(faces.glue[h]) &&
+        report.unoriented_edges++ == 0)
+      conflict = h;
+  std::vector<std::uint32_t> edge;
+  if (!input.squared_lengths.empty())
+    for (std::uint32_t f = 0; f < input.mesh.number_of_faces(); ++f)
+      for (const Gluing_map::Halfedge h : input.mesh.sides({f})) edge.push_back(h.index / 2);
+  return internal::Domain_maker(std::move(input), report, std::move(faces), std::move(edge))
+      .make(kind, conflict);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_IMPL_H

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_POINT_CLOUD_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_POINT_CLOUD_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
+#include <CGAL/Intrinsic_triangulations/domains/tangent_axes.h>
+#include <CGAL/Intrinsic_triangulations/input/renumbering.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Finds the triangles at points of a cloud, one point at a time.
+class Local_triangulator {
+public:
+  using Point = std::array<double, 3>;
+
+  // \param points no two of which are at one place, near ones near each other in memory
+  Local_triangulator(const std::vector<Point>& points, std::size_t neighbours)
+      : points_(points), wanted_(static_cast<unsigned>(neighbours) + 1),
+        traits_(Point_map(Point_of{&points})),
+        tree_(boost::counting_iterator<std::uint32_t>(0),
+              boost::counting_iterator<std::uint32_t>(static_cast<std::uint32_t>(points.size())),
+              Tree::Splitter(), traits_) {
+    tree_.build();
+  }
+
+  // Appends the triangles at a point. \return whether they go all around it
+  bool add(std::uint32_t center, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    find_neighbours(center);
+    const bool is_closed = Delaunay_star::find(center, star_);
+    const auto add = [&](std::uint32_t a,
+                         std::uint32_t b) { // rounding may make a triangle of a line
+      if (!CGAL::collinear(point(center), point(a), point(b))) triangles.push_back({center, a, b});
+    };
+    for (std::size_t i = 0; i + 1 < star_.size(); ++i) add(star_[i].number, star_[i + 1].number);
+    if (is_closed) add(star_.back().number, star_.front().number);
+    return is_closed;
+  }
+
+private:
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  struct Point_of {
+    const std::vector<Point>* points;
+    Kernel::Point_3 operator()(std::uint32_t v) const {
+      const Point& p = (*points)[v];
+      return Kernel::Point_3(p[0], p[1], p[2]);
+    }
+  };
+  using Point_map = boost::function_property_map<Point_of, std::uint32_t, Kernel::Point_3>;
+  using Traits =
+      CGAL::Search_traits_adapter<std::uint32_t, Point_map, CGAL::Search_traits_3<Kernel>>;
+  using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
+  using Tree = Search::Tree;
+
+  Kernel::Point_3 point(std::uint32_t v) const { return Point_of{&points_}(v); }
+
+  // projected to the plane that fits them best, with the center at the origin
+  void find_neighbours(std::uint32_t center) {
+    const Search search(tree_, point(center), wanted_, 0, true,
+                        typename Search::Distance(traits_.point_property_map()));
+    star_.clear();
+    vectors_.clear();
+    Point mean{};
+    for (const auto& found : search) {
+      if (found.first == center) continue;
+      Point& v = vectors_.emplace_back();
+      for (unsigned k = 0; k < 3; ++k) {
+        v[k] = points_[found.first][k] - points_[center][k];
+        mean[k] += v[k];
+      }
+      star_.push_back({{}, found.first});
+    }
+    const auto axes = tangent_axes(covariance(mean));
+    for (std::size_t i = 0; i < star_.size(); ++i)
+      for (unsigned k = 0; k < 2; ++k)
+        star_[i].at[k] =
+            axes[k][0] * vectors_[i][0] + axes[k][1] * vectors_[i][1] + axes[k][2] * vectors_[i][2];
+  }
+
+  // of the neighbours and the center, in units in which it neither overflows nor underflows
+  Symmetric_matrix_3 covariance(Point mean) const {
+    const double n = static_cast<double>(vectors_.size()) + 1;
+    double largest = 0;
+    for (const Point& v : vectors_)
+      largest = std::max({largest, std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    Symmetric_matrix_3 m{};
+    if (largest == 0) return m;
+    for (double& x : mean) x /= n * largest;
+    const auto add = [&](const Point& v) {
+      for (unsigned i = 0; i < 3; ++i)
+        for (unsigned j = 0; j < 3; ++j)
+          m[i][j] += (v[i] / largest - mean[i]) * (v[j] / largest - mean[j]);
+    };
+    add({0, 0, 0});
+    for (const Point& v : vectors_) add(v);
+    return m;
+  }
+
+  const std::vector<Point>& points_;
+  unsigned wanted_;
+  Traits traits_;
+  Tree tree_;
+  std::vector<Delaunay_star::Neighbour> star_;
+  std::vector<Point> vectors_;
+};
+
+// The first of the points at each place, near ones near each other.
+inline std::vector<std::uint32_t>
+distinct_points(const std::vector<std::array<double, 3>>& points) {
+  if (points.empty()) return {};
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&points](std::uint32_t i, std::uint32_t j) {
+    return std::pair(points[i], i) < std::pair(points[j], j);
+  });
+  std::vector<char> is_first(points.size(), 1);
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (points[order[i]] == points[order[i - 1]]) is_first[order[i]] = 0;
+  order = morton_order(points);
+  std::erase_if(order, [&is_first](std::uint32_t v) { return is_first[v] == 0; });
+  return order;
+}
+
+[[noreturn]] inline void fail_without_triangles(std::size_t points) {
+  throw Invalid_input(Element_kind::none, 0,
+                      "no three of the " + std::to_string(points) +
+                          " points make a triangle; give points near a surface, and at least two "
+                          "neighbours");
+}
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Point_cloud
+make_point_cloud(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
+                 Mollification mollification) {
+  internal::check_coordinates(points);
+  const std::vector<std::uint32_t> members = internal::distinct_points(points);
+  Point_cloud_report report;
+  report.duplicated_points = points.size() - members.size();
+  report.neighbours = members.empty() ? 0 : std::min(neighbours, members.size() - 1);
+  report.is_on_border.assign(points.size(), 0);
+  if (members.size() < 3) internal::fail_without_triangles(points.size());
+  Triangle_soup soup;
+  soup.points = points;
+  std::vector<std::array<double, 3>> ordered;
+  for (const std::uint32_t v : members) ordered.push_back(points[v]);
+  internal::Local_triangulator triangulator(ordered, report.neighbours);
+  for (std::uint32_t i = 0; i < members.size(); ++i) {
+    const std::size_t before = soup.triangles.size();
+    report.is_on_border[members[i]] = triangulator.add(i, soup.triangles) ? 0 : 1;
+    if (soup.triangles.size() == before) ++report.points_without_triangles;
+  }
+  for (std::array<std::uint32_t, 3>& t : soup.triangles)
+    for (std::uint32_t& v : t) v = members[v];
+  report.triangles = soup.input_faces = soup.triangles.size();
+  if (soup.triangles.empty()) internal::fail_without_triangles(points.size());
+  Point_cloud cloud;
+  static_cast<Domain&>(cloud) =
+      make_domain(std::move(soup), Domain_kind::tufted_cover, mollification);
+  cloud.input.names.sheets *= 3;
+  cloud.report.sheets = cloud.input.names.sheets;
+  cloud.report.reason =
+      "the triangles at every point among its " + std::to_string(report.neighbours) + " neighbours";
+  cloud.points = std::move(report);
+  return cloud;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_POINT_CLOUD_IMPL_H

@@ -1,0 +1,184 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Faces that make no mesh: which surface is made of them, and that results have the rows of the file."""
+
+import math
+import os
+import unittest
+
+from cli_support import Cli_test, main
+
+MESHES = os.environ.get("INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR", "")
+FINS = ([(0, 0, 0), (4, 0, 0), (0, 5, 0), (1, 1, 6), (-3, 2, -5)],
+        [(0, 1, 2), (0, 1, 3), (1, 0, 4), (2, 0, 3)])
+
+
+def moebius_strip(n=9):
+    points, faces = [], []
+    for i in range(n):
+        for side in (-1, 1):
+            a = 2 * math.pi * i / n
+            r = 3 + side * math.cos(a / 2)
+            points.append((r * math.cos(a), r * math.sin(a), side * math.sin(a / 2)))
+    for i in range(n):
+        a, b = 2 * i, 2 * i + 1
+        c, d = (a + 2, a + 3) if i + 1 < n else (1, 0)
+        faces += [(a, c, b), (b, c, d)]
+    return points, faces
+
+
+def area(points, faces):
+    result = 0
+    for i, j, k in faces:
+        u, v = ([y - x for x, y in zip(points[i], points[m])] for m in (j, k))
+        normal = [u[a] * v[b] - u[b] * v[a] for a, b in ((1, 2), (2, 0), (0, 1))]
+        result += math.hypot(*normal) / 2
+    return result
+
+
+class Domain(Cli_test):
+    def check(self, stats, points, faces):
+        self.assertEqual(stats["certificate"], "exact")
+        self.assertEqual(stats["delaunay"]["probable_zero"], 0)
+        self.assertEqual(stats["domain"]["vertices"], len(points))
+        for key in ("input", "intrinsic"):
+            self.assert_close(stats["area"][key], area(points, faces), 1e-12)
+
+    def check_laplacian(self, name, points, stats):
+        rows, columns, entries = self.read_matrix(name)
+        self.assertEqual((rows, columns), (len(points), len(points)))
+        for (i, j), x in entries.items():
+            if i != j:
+                self.assertLess(x, 0)
+        for i in range(rows):
+            row = [x for (a, _), x in entries.items() if a == i]
+            self.assertLessEqual(abs(sum(row)), 1e-13 * sum(abs(x) for x in row))
+        self.assert_close(sum(entries.get((i, i), 0) for i in range(rows)),
+                          stats["laplacian"]["trace"], 1e-12)
+        for k, axis in enumerate("xyz"):
+            energy = -sum(x * (points[i][k] - points[j][k]) ** 2
+                          for (i, j), x in entries.items() if i < j)
+            self.assertAlmostEqual(energy, stats["dirichlet"][axis], 9)
+
+    def test_three_faces_at_an_edge_have_a_tufted_cover(self):
+        mesh = self.write_off("fins.off", *FINS)
+        stats = self.stats("laplacian", mesh, "-o", "l.mtx", "--mass", "m.mtx")
+        self.assertEqual(stats["domain"],
+                         {"kind": "tufted", "reason": "edge (0, 1) has 3 faces (0, 1, 2)",
+                          "sheets": 2, "vertices": 5, "nonmanifold_edges": 1,
+                          "unoriented_edges": 1})
+        self.assertEqual(stats["input"]["faces"], 8)
+        self.assertEqual(stats["input"]["boundary_edges"], 0)
+        self.check(stats, *FINS)
+        self.check_laplacian("l.mtx", FINS[0], stats)
+        _, _, mass = self.read_matrix("m.mtx")
+        self.assert_close(sum(mass.values()), area(*FINS), 1e-12)
+
+    def test_one_sided_surfaces_have_a_double_cover(self):
+        points, faces = moebius_strip()
+        mesh = self.write_off("m.off", points, faces)
+        stats = self.stats("laplacian", mesh, "-o", "l.mtx")
+        self.assertEqual(stats["domain"]["kind"], "orientation-cover")
+        self.assertIn("one side", stats["domain"]["reason"])
+        self.assertEqual(stats["input"]["boundary_loops"], 2)
+        self.assertEqual(stats["input"]["components"], 1)
+        self.check(stats, points, faces)
+        tufted = self.stats("laplacian", mesh, "-o", "t.mtx", "--domain", "tufted")
+        self.assertEqual(tufted["domain"]["kind"], "tufted")
+        self.assertEqual(tufted["input"]["boundary_edges"], 0)
+        self.check(tufted, points, faces)
+        self.check_laplacian("t.mtx", points, tufted)
+
+    def test_what_is_asked_for_is_made_or_refused(self):
+        mesh = self.write_off("fins.off", *FINS)
+        for kind in ("manifold", "orientation-cover"):
+            run = self.run_program("info", mesh, "--domain", kind)
+            self.assertEqual(run.code, 1)
+            self.assertIn("fins.off: edge (0, 1) has 3 faces (0, 1, 2)", run.err)
+        self.assertEqual(self.run_program("info", mesh, "--domain", "round").code, 2)
+        strip = self.write_off("m.off", *moebius_strip())
+        run = self.run_program("delaunay", strip, "--domain", "manifold")
+        self.assertEqual(run.code, 1)
+        self.assertIn("one side", run.err)
+        square = self.write_off("s.off", [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)],
+                                [(0, 1, 2), (0, 2, 3)])
+        self.assertEqual(self.stats("info", square)["domain"]["kind"], "manifold")
+        for kind in ("manifold", "orientation-cover", "tufted"):
+            self.assertEqual(self.stats("info", square, "--domain", kind)["domain"]["kind"], kind)
+
+    def test_polygons_may_be_repeated(self):
+        points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+        mesh = self.write_off("q.off", points, [(0, 1, 2, 3)] * 5)
+        stats = self.stats("delaunay", mesh, "-o", "s.ply")
+        self.assertEqual(stats["domain"]["kind"], "tufted")
+        self.assert_close(stats["area"]["intrinsic"], 5, 1e-12)
+        self.assert_close(stats["subdivision"]["area"], 5, 1e-12)
+
+    def test_covers_are_refined_stored_and_transferred_to(self):
+        for points, faces in (FINS, moebius_strip()):
+            mesh = self.write_off("m.off", points, faces)
+            stats = self.stats("refine", mesh, "--min-angle", "25", "-o", "r.ply")
+            self.check(stats, points, faces)
+            self.assertEqual(stats["refine"]["status"], "done")
+            self.assert_close(stats["subdivision"]["area"], area(points, faces), 1e-9)
+            stored = self.stats("delaunay", mesh, "-o", "t.idt")
+            again = self.stats("laplacian", "t.idt", "-o", "l.mtx")
+            self.assertEqual(self.read_matrix("l.mtx")[0], len(points))
+            self.assertEqual(again["laplacian"]["trace"], stored["laplacian"]["trace"])
+            self.write("f.txt", "\n".join(str(p[0]) for p in points) + "\n")
+            moved = self.stats("transfer", mesh, "f.txt", "-o", "g.txt")
+            with open(self.path("g.txt"), encoding="ascii") as file:
+                self.assertEqual(len(file.read().split()), len(points))
+            self.assertLess(moved["transfer"]["L2_distance"][0], area(points, faces))
+            refused = self.run_program("info", "t.idt", "--domain", "tufted")
+            self.assertEqual(refused.code, 1)
+
+    def test_geodesics_run_on_covers(self):
+        points, faces = moebius_strip()
+        mesh = self.write_off("m.off", points, faces)
+        stats = self.stats("geodesic", mesh, "--path", "0,9", "-o", "c.vtp")
+        self.assertEqual(stats["geodesic"]["status"], "geodesic")
+        self.assertTrue(stats["geodesic"]["certified"])
+
+    @unittest.skipUnless(MESHES and os.path.isdir(MESHES), "CGAL's data set is not installed")
+    def test_tufted_covers_of_closed_meshes_have_their_laplacian(self):
+        # blobby-shuffled.off has faces that disagree
+        for name in ("elephant.off", "cheese.off", "anchor_dense.off", "blobby-shuffled.off"):
+            mesh = os.path.join(MESHES, name)
+            if not os.path.exists(mesh):
+                continue
+            one = self.stats("laplacian", mesh, "-o", "one.mtx")
+            self.assertEqual(one["domain"]["kind"], "manifold")
+            both = self.stats("laplacian", mesh, "-o", "both.mtx", "--domain", "tufted")
+            self.assertEqual(both["certificate"], "exact")
+            a, b = self.read_matrix("one.mtx")[2], self.read_matrix("both.mtx")[2]
+            self.assertEqual(a.keys(), b.keys(), name)
+            for key, x in a.items():
+                # each weight is right to 1e-12; a diagonal entry sums positive weights
+                self.assert_close(x, b[key], 4e-12)
+
+    @unittest.skipUnless(MESHES and os.path.isdir(MESHES), "CGAL's data set is not installed")
+    def test_every_mesh_of_the_data_set_has_a_certified_tufted_laplacian(self):
+        count = 0
+        for name in sorted(os.listdir(MESHES)):
+            if not name.endswith((".off", ".obj", ".ply", ".stl", ".ts")) or name == "b9.ply":
+                continue  # the last one is a point set
+            with self.subTest(mesh=name):
+                mesh = os.path.join(MESHES, name)
+                tufted = self.stats("laplacian", mesh, "--domain", "tufted")
+                self.assertEqual(tufted["certificate"], "exact")
+                self.assertEqual(tufted["delaunay"]["probable_zero"], 0)
+                self.assertEqual(tufted["input"]["boundary_edges"], 0)
+                self.assertGreaterEqual(tufted["quality"]["min_cotan_weight"], 0)
+                count += 1
+                one = self.stats("laplacian", mesh)
+                self.assert_close(one["area"]["input"], tufted["area"]["input"], 1e-12)
+                self.assert_close(one["area"]["intrinsic"], tufted["area"]["intrinsic"], 1e-12)
+                if one["input"]["boundary_edges"] == 0:
+                    self.assert_close(one["laplacian"]["trace"], tufted["laplacian"]["trace"],
+                                      4e-12)
+        self.assertGreater(count, 130)
+
+
+if __name__ == "__main__":
+    main()

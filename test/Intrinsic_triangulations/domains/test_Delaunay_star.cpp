@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using CGAL::Intrinsic_triangulations::internal::Delaunay_star;
+using Points = std::vector<std::array<double, 2>>;
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+// the sides opposite the origin of the triangles there, sorted
+Pairs star(const Points& points, std::uint32_t center = 1000) {
+  std::vector<Delaunay_star::Neighbour> s;
+  for (std::uint32_t i = 0; i < points.size(); ++i) s.push_back({points[i], i});
+  const bool is_closed = Delaunay_star::find(center, s);
+  Pairs result;
+  for (std::size_t i = 0; i + 1 < s.size(); ++i) result.emplace_back(s[i].number, s[i + 1].number);
+  if (is_closed) result.emplace_back(s.back().number, s.front().number);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// the same by CGAL
+Pairs star_of_triangulation(const Points& points) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Data = CGAL::Triangulation_data_structure_2<
+      CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>>;
+  CGAL::Delaunay_triangulation_2<Kernel, Data> t;
+  const auto center = t.insert(Kernel::Point_2(0, 0));
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    t.insert(Kernel::Point_2(points[i][0], points[i][1]))->info() = i;
+  Pairs result;
+  if (t.dimension() < 2) return result;
+  auto f = t.incident_faces(center);
+  const auto end = f;
+  do {
+    if (t.is_infinite(f)) continue;
+    const int k = f->index(center);
+    result.emplace_back(f->vertex(t.ccw(k))->info(), f->vertex(t.cw(k))->info());
+  } while (++f != end);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Delaunay_star, is_that_of_the_triangulation) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> x;
+  for (int run = 0; run < 500; ++run) {
+    Points points(2 + static_cast<std::size_t>(run) % 30);
+    const double shift = run % 3 == 0 ? 0 : 1.5; // then the origin is often on the hull
+    for (auto& p : points) p = {x(random) + shift, x(random)};
+    EXPECT_EQ(star(points), star_of_triangulation(points)) << run;
+  }
+}
+
+TEST(Delaunay_star, has_no_triangles_on_a_line) {
+  EXPECT_EQ(star({{1, 1}, {2, 2}, {-3, -3}}), Pairs{});
+  EXPECT_EQ(star({{1, 0}}), Pairs{});
+  EXPECT_EQ(star({}), Pairs{});
+  EXPECT_EQ(star({{0, 0}, {0, 0}, {1, 0}}), Pairs{});
+  EXPECT_EQ(star({{1, 0}, {-1, 0}, {0, 1}}), (Pairs{{0, 2}, {2, 1}}));
+}
+
+TEST(Delaunay_star, leaves_out_what_is_behind_another_point) {
+  EXPECT_EQ(star({{3, 0}, {1, 0}, {0, 2}, {0, 1}, {2, 0}}), (Pairs{{1, 3}}));
+}
+
+TEST(Delaunay_star, chooses_diagonals_by_number_whichever_point_it_is_of) {
+  // a square with the origin at a corner: the diagonal is at number 0, the least
+  const Points square{{1, 1}, {1, 0}, {0, 1}};
+  EXPECT_EQ(star(square, 7), (Pairs{{0, 2}, {1, 0}})) << "0 is across";
+  EXPECT_EQ(star({{1, 0}, {1, 1}, {0, 1}}, 7), (Pairs{{0, 2}})) << "0 is beside";
+  std::vector<Delaunay_star::Neighbour> s{{{1, 0}, 5}, {{1, 1}, 6}, {{0, 1}, 7}};
+  Delaunay_star::find(0, s);
+  EXPECT_EQ(s.size(), 3U) << "0 is here";
+  // on every point of a circle of eight, all triangles are at the least number
+  for (std::uint32_t least = 1; least < 8; ++least) {
+    const Points circle{{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}, {0, -5}};
+    std::vector<Delaunay_star::Neighbour> others;
+    for (std::uint32_t i = 1; i < 8; ++i)
+      others.push_back(
+          {{circle[i][0] - circle[0][0], circle[i][1] - circle[0][1]}, (i + 8 - least) % 8});
+    Delaunay_star::find(8 - least, others);
+    EXPECT_EQ(others.size(), least == 1 || least == 7 ? 2U : 3U) << least;
+  }
+}
+
+} // namespace

@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "oracle.h"
+#include "soups.h"
+
+#include <CGAL/Integer_only_triangulation.h>
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/certify_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Exact = IT::Intrinsic_triangulation<>;
+using Matrix = Eigen::SparseMatrix<double>;
+using meshes::Mesh;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/*
+A weight is right to 1e-12 (`cotangent_weight()`), of its cotangents; a diagonal entry sums as many as the vertex has
+neighbours, all of one sign.
+*/
+constexpr double weight_error = 4e-12;
+
+Exact delaunay(IT::Domain domain) {
+  Exact t(std::move(domain.input));
+  IT::flip_to_delaunay(t);
+  return t;
+}
+Exact tufted(const Mesh& m) {
+  return delaunay(IT::make_domain(soups::soup(m), IT::Domain_kind::tufted_cover));
+}
+Matrix tufted_laplacian(const Mesh& m) { return IT::cotangent_laplacian(tufted(m)); }
+
+// what every tufted Laplacian is
+void expect_sound(const Mesh& m, const std::string& what) {
+  const Exact t = tufted(m);
+  const auto report = IT::check_delaunay(t);
+  EXPECT_EQ(report.non_delaunay_edges, 0U) << what;
+  EXPECT_EQ(t.metric().statistics().probable_zero, 0U) << what;
+  const Matrix l = IT::cotangent_laplacian(t);
+  ASSERT_EQ(l.rows(), static_cast<int>(m.points.size())) << what;
+  for (int c = 0; c < l.cols(); ++c) {
+    double sum = 0, size = 0;
+    for (Matrix::InnerIterator i(l, c); i; ++i) {
+      EXPECT_EQ(i.value(), l.coeff(c, static_cast<int>(i.row())));
+      if (i.row() != c) {
+        EXPECT_LT(i.value(), 0) << what << ", between " << c << " and " << i.row();
+      }
+      sum += i.value();
+      size += std::abs(i.value());
+    }
+    EXPECT_LE(std::abs(sum), size * epsilon * static_cast<double>(l.nonZeros())) << what;
+  }
+}
+
+void expect_near(const Matrix& a, const Matrix& b, const std::string& what) {
+  ASSERT_EQ(a.rows(), b.rows()) << what;
+  const Matrix difference = a - b;
+  for (int c = 0; c < a.cols(); ++c)
+    for (Matrix::InnerIterator i(difference, c); i; ++i) {
+      const double size = std::max(std::abs(a.coeff(i.row(), i.row())), std::abs(a.coeff(c, c)));
+      EXPECT_LE(std::abs(i.value()), weight_error * std::max(1.0, size))
+          << what << ", between " << c << " and " << i.row();
+    }
+}
+
+std::vector<std::pair<std::string, Mesh>> closed_meshes() {
+  return {{"box", meshes::box(2, 3, 1)},
+          {"potato", meshes::potato(2, 3)},
+          {"prism", meshes::prism({{0, 0}, {5, 0}, {3, 2}, {0, 4}}, 2)},
+          {"cap", meshes::with_cap(meshes::potato(1, 5), 3)}};
+}
+std::vector<std::pair<std::string, Mesh>> bordered_meshes() {
+  return {{"triangle", {{{0, 0, 0}, {7, 0, 0}, {1, 1, 0}}, {{0, 1, 2}}}},
+          {"grid", meshes::grid(3, 4)},
+          {"sheared grid", meshes::sheared_grid(4, 3, 2.5)},
+          {"height field", meshes::integer_height_field(5, 4, 3)},
+          {"terrain", meshes::integer_terrain(30, 50, 4)},
+          {"walls", meshes::walls({{0, 0}, {3, 0}, {3, 2}, {1, 5}}, 3)}};
+}
+std::vector<std::pair<std::string, Mesh>> soups_of_all_kinds() {
+  std::vector<std::pair<std::string, Mesh>> result{{"fins", soups::three_fins()},
+                                                   {"Moebius strip", soups::moebius_strip()},
+                                                   {"Klein bottle", soups::klein_bottle()},
+                                                   {"projective plane", soups::projective_plane()}};
+  for (unsigned seed = 0; seed < 12; ++seed)
+    result.emplace_back("random soup " + std::to_string(seed),
+                        soups::random(5 + seed, 12 + 3 * seed, seed));
+  return result;
+}
+
+TEST(Tufted_laplacian, has_no_negative_weight_and_no_sum_on_any_triangles) {
+  for (const auto& [name, m] : soups_of_all_kinds()) expect_sound(m, name);
+  for (const auto& [name, m] : closed_meshes()) expect_sound(m, name);
+  for (const auto& [name, m] : bordered_meshes()) expect_sound(m, name);
+}
+
+TEST(Tufted_laplacian, is_that_of_the_mesh_if_it_has_no_border) {
+  for (const auto& [name, m] : closed_meshes())
+    expect_near(IT::cotangent_laplacian(delaunay(IT::make_domain(soups::soup(m)))),
+                tufted_laplacian(m), name);
+}
+
+TEST(Tufted_laplacian, is_that_of_both_sides_of_a_mesh_with_border) {
+  for (const auto& [name, m] : bordered_meshes()) {
+    soups::Doubled d = soups::doubled(m);
+    Exact both(std::move(d.input));
+    IT::flip_to_delaunay(both);
+    const Matrix of_both = IT::cotangent_laplacian(both);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int c = 0; c < of_both.cols(); ++c)
+      for (Matrix::InnerIterator i(of_both, c); i; ++i)
+        entries.emplace_back(d.front[static_cast<std::size_t>(i.row())],
+                             d.front[static_cast<std::size_t>(c)], i.value() / 2);
+    const auto n = static_cast<int>(m.points.size());
+    Matrix folded(n, n);
+    folded.setFromTriplets(entries.begin(), entries.end());
+    expect_near(folded, tufted_laplacian(m), name);
+  }
+}
+
+TEST(Tufted_laplacian, is_what_the_definition_says_in_400_digits) {
+  std::vector<std::pair<std::string, Mesh>> all{{"fins", soups::three_fins()},
+                                                {"projective plane", soups::projective_plane()}};
+  for (unsigned seed = 0; seed < 20; ++seed)
+    all.emplace_back("random soup " + std::to_string(seed),
+                     soups::random_without_repetition(5 + seed / 3, 6 + seed, seed));
+  for (const auto& [name, m] : all) {
+    const oracle::Answer expected = soups::tufted(m);
+    Matrix l = tufted_laplacian(m);
+    std::size_t weights = 0;
+    for (const auto& [ij, w] : expected.laplacian) {
+      const double found = -l.coeff(static_cast<int>(ij.first), static_cast<int>(ij.second));
+      EXPECT_NEAR(found, w / 2, weight_error * std::max(1.0, w)) << name;
+      weights += w > 1e-200 ? 1 : 0;
+    }
+    EXPECT_EQ(static_cast<std::size_t>(l.nonZeros()), 2 * weights + m.points.size()) << name;
+  }
+}
+
+// which edge is between which vertices, and which way faces are written, makes no difference
+Mesh shuffled(Mesh m, unsigned seed) {
+  std::mt19937 random(seed);
+  std::shuffle(m.triangles.begin(), m.triangles.end(), random);
+  for (auto& t : m.triangles) {
+    std::rotate(t.begin(), t.begin() + random() % 3, t.end());
+    if (random() % 2 == 0) std::swap(t[0], t[1]);
+  }
+  return m;
+}
+
+TEST(Tufted_laplacian, does_not_depend_on_the_order_and_orientation_of_faces) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    const Mesh m = soups::random_without_repetition(6 + seed, 15 + 2 * seed, seed);
+    const Matrix l = tufted_laplacian(m);
+    expect_near(l, tufted_laplacian(shuffled(m, seed)), "random soup " + std::to_string(seed));
+  }
+}
+
+TEST(Tufted_laplacian, of_faces_that_are_all_repeated_is_as_many_times_that_of_one) {
+  std::vector<std::pair<std::string, Mesh>> all = bordered_meshes();
+  for (unsigned seed = 0; seed < 6; ++seed)
+    all.emplace_back("random soup " + std::to_string(seed),
+                     soups::random_without_repetition(6 + seed, 15 + 2 * seed, seed));
+  for (const auto& [name, m] : all) {
+    Mesh repeated = m;
+    for (int r = 1; r < 3; ++r)
+      repeated.triangles.insert(repeated.triangles.end(), m.triangles.begin(), m.triangles.end());
+    expect_near(3 * tufted_laplacian(m), tufted_laplacian(shuffled(repeated, 1)), name);
+  }
+}
+
+TEST(Tufted_laplacian, of_a_mirrored_soup_is_the_same) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const Mesh m = soups::random_without_repetition(6 + seed, 15 + 2 * seed, seed);
+    expect_near(tufted_laplacian(m), tufted_laplacian(meshes::mirrored(m)),
+                "random soup " + std::to_string(seed));
+  }
+}
+
+TEST(Tufted_laplacian, of_a_right_triangle_has_no_weight_across_its_hypotenuse) {
+  const Exact t = tufted({{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}});
+  const Matrix l = IT::cotangent_laplacian(t);
+  EXPECT_EQ(l.coeff(1, 2), 0);
+  EXPECT_EQ(l.nonZeros(), 3 + 4) << "a tie, not a small number";
+  EXPECT_NEAR(l.coeff(0, 1), -3. / 8, weight_error);
+  EXPECT_NEAR(l.coeff(0, 2), -4. / 6, weight_error);
+  EXPECT_EQ(t.metric().statistics().probable_zero, 0U);
+}
+
+TEST(Tufted_laplacian, of_an_obtuse_triangle_is_that_of_its_two_halves) {
+  // the long side flips to twice the altitude, from the third corner to itself, which has no weight
+  const Matrix l = tufted_laplacian({{{0, 0, 0}, {8, 0, 0}, {2, 1, 0}}, {{0, 1, 2}}});
+  EXPECT_EQ(l.coeff(0, 1), 0);
+  EXPECT_LT(l.coeff(0, 2), 0);
+  EXPECT_LT(l.coeff(1, 2), 0);
+}
+
+TEST(Tufted_mass_matrix, has_the_area_of_the_triangles) {
+  for (const auto& [name, m] : soups_of_all_kinds()) {
+    double area = 0;
+    for (const auto& [i, j, k] : m.triangles) {
+      const auto side = [&](std::uint32_t a, std::uint32_t b) {
+        return Eigen::Vector3d(m.points[b][0] - m.points[a][0], m.points[b][1] - m.points[a][1],
+                               m.points[b][2] - m.points[a][2]);
+      };
+      area += side(i, j).cross(side(i, k)).norm() / 2;
+    }
+    const Exact t = tufted(m);
+    EXPECT_NEAR(IT::lumped_mass_matrix(t).sum(), area, 1e-11 * area) << name;
+    EXPECT_NEAR(IT::galerkin_mass_matrix(t).sum(), area, 1e-11 * area) << name;
+    EXPECT_EQ(IT::lumped_mass_matrix(t).rows(), static_cast<int>(m.points.size())) << name;
+  }
+}
+
+TEST(Tufted_cover, is_certified_to_be_delaunay) {
+  using Corresponding = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                    IT::Integer_coordinates>;
+  for (const auto& [name, m] : soups_of_all_kinds()) {
+    Corresponding t(IT::make_domain(soups::soup(m), IT::Domain_kind::tufted_cover).input);
+    IT::flip_to_delaunay(t);
+    const auto certificate = IT::certify_delaunay(t);
+    EXPECT_TRUE(certificate.is_delaunay()) << name;
+    EXPECT_EQ(certificate.statistics.probable_zero, 0U) << name;
+  }
+}
+
+} // namespace

@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TEST_INTRINSIC_TRIANGULATIONS_SOUPS_H
+#define TEST_INTRINSIC_TRIANGULATIONS_SOUPS_H
+
+#include "meshes.h"
+#include "oracle.h"
+
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+// Triangles that make no mesh, and their tufted cover by its definition alone.
+
+namespace soups {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using meshes::Mesh;
+
+inline IT::Triangle_soup soup(const Mesh& m) {
+  IT::Triangle_soup s;
+  s.points = m.points;
+  s.triangles = m.triangles;
+  s.input_faces = m.triangles.size();
+  return s;
+}
+
+/// A tetrahedron's apex over each side of one triangle, and one below: the edges of the triangle have three faces.
+inline Mesh three_fins() {
+  return {{{0, 0, 0}, {4, 0, 0}, {0, 5, 0}, {1, 1, 6}, {-3, 2, -5}},
+          {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {2, 0, 3}}};
+}
+
+/// A strip with a half turn.
+inline Mesh moebius_strip(std::uint32_t n = 7) {
+  Mesh m;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (const double side : {-1., 1.}) {
+      const double a = 2 * M_PI * i / n, r = 3 + side * std::cos(a / 2);
+      m.points.push_back({r * std::cos(a), r * std::sin(a), side * std::sin(a / 2)});
+    }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t a = 2 * i, b = a + 1, c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? a + 3 : 0;
+    m.triangles.push_back({a, c, b});
+    m.triangles.push_back({b, c, d});
+  }
+  return m;
+}
+
+/// A grid whose last row is joined to the first, and whose last column to the first upside down.
+inline Mesh klein_bottle(std::uint32_t n = 7, std::uint32_t k = 5) {
+  Mesh m;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < k; ++j) {
+      const double u = 2 * M_PI * i / n, v = 2 * M_PI * j / k; // crosses itself
+      const double r = 4 + std::cos(u / 2) * std::sin(v) - std::sin(u / 2) * std::sin(2 * v);
+      m.points.push_back({r * std::cos(u), r * std::sin(u),
+                          std::sin(u / 2) * std::sin(v) + std::cos(u / 2) * std::sin(2 * v)});
+    }
+  const auto at = [&](std::uint32_t i, std::uint32_t j) {
+    return i < n ? k * i + j % k : (k - j % k) % k;
+  };
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < k; ++j) {
+      m.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+      m.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return m;
+}
+
+/// Half of an icosahedron, opposite points of its rim joined: six vertices.
+inline Mesh projective_plane() {
+  return {{{0, 0, 4}, {4, 0, 0}, {1, 4, 1}, {-3, 2, -1}, {-3, -2, 1}, {1, -4, 0}},
+          {{0, 1, 2},
+           {0, 2, 3},
+           {0, 3, 4},
+           {0, 4, 5},
+           {0, 5, 1},
+           {1, 2, 4},
+           {2, 3, 5},
+           {3, 4, 1},
+           {4, 5, 2},
+           {5, 1, 3}}};
+}
+
+/// Random triangles over few points: most edges have more than two faces; some faces are repeated.
+inline Mesh random(std::uint32_t points, std::size_t triangles, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> coordinate(-1000, 1000);
+  Mesh m;
+  for (std::uint32_t i = 0; i < points; ++i)
+    m.points.push_back(
+        {double(coordinate(random)), double(coordinate(random)), double(coordinate(random))});
+  std::uniform_int_distribution<std::uint32_t> vertex(0, points - 1);
+  while (m.triangles.size() < triangles) {
+    const meshes::Triangle t{vertex(random), vertex(random), vertex(random)};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) m.triangles.push_back(t);
+  }
+  return m;
+}
+
+/// The same without a triangle on the corners of another.
+inline Mesh random_without_repetition(std::uint32_t points, std::size_t triangles, unsigned seed) {
+  Mesh m = random(points, 4 * triangles, seed);
+  std::set<meshes::Triangle> seen;
+  std::vector<meshes::Triangle> kept;
+  for (meshes::Triangle t : m.triangles) {
+    const meshes::Triangle as_given = t;
+    std::sort(t.begin(), t.end());
+    if (kept.size() < triangles && seen.insert(t).second) kept.push_back(as_given);
+  }
+  m.triangles = kept;
+  return m;
+}
+
+/// Two copies of each face of an oriented mesh, the second one turned around, glued along the border.
+struct Doubled {
+  IT::Intrinsic_input input;
+  std::vector<std::uint32_t> front; ///< the vertex of the mesh that each vertex is a copy of
+};
+inline Doubled doubled(const Mesh& m) {
+  const auto n = static_cast<std::uint32_t>(m.points.size());
+  IT::Gluing g = IT::gluing_from_triangles(n, m.triangles);
+  const auto sides = static_cast<std::uint32_t>(g.glue.size());
+  const auto mirror = [sides](std::uint32_t h) { return sides + h - h % 3 + 2 - h % 3; };
+  std::vector<char> is_on_border(n, 0);
+  g.origin.resize(2 * sides);
+  g.glue.resize(2 * sides);
+  for (std::uint32_t h = 0; h < sides; ++h) {
+    const bool border = g.glue[h] == IT::Gluing::none;
+    g.glue[mirror(h)] = border ? h : mirror(g.glue[h]);
+    if (!border) continue;
+    g.glue[h] = mirror(h);
+    is_on_border[g.origin[h]] = is_on_border[g.origin[IT::Gluing::next(h)]] = 1;
+  }
+  Doubled d;
+  std::vector<std::array<double, 3>> points = m.points;
+  std::vector<std::uint32_t> back(n);
+  for (std::uint32_t v = 0; v < n; ++v) d.front.push_back(v);
+  for (std::uint32_t v = 0; v < n; ++v) {
+    back[v] = is_on_border[v] != 0 ? v : static_cast<std::uint32_t>(points.size());
+    if (is_on_border[v] != 0) continue;
+    points.push_back(m.points[v]);
+    d.front.push_back(v);
+  }
+  for (std::uint32_t h = 0; h < sides; ++h)
+    g.origin[mirror(h)] = back[g.origin[IT::Gluing::next(h)]];
+  g.number_of_vertices = static_cast<std::uint32_t>(points.size());
+  d.input = IT::Intrinsic_input(IT::Gluing_map(g), points);
+  return d;
+}
+
+/// The Laplacian of the tufted cover, by its definition, in 400 digits: twice that of the soup. Angles around edges must differ.
+inline oracle::Answer tufted(const Mesh& m) {
+  using Oracle = oracle::Triangulation<oracle::Wide_float>;
+  Mesh both{m.points, {}};
+  for (const auto& [i, j, k] : m.triangles) {
+    both.triangles.push_back({i, j, k});
+    both.triangles.push_back({j, i, k});
+  }
+  // for each edge, by angle, the triangle that runs along it from the lower vertex, and the one that runs back
+  using Vector = std::array<double, 3>;
+  const auto minus = [](const Vector& a, const Vector& b) {
+    return Vector{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  };
+  const auto dot = [](const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  };
+  const auto cross = [](const Vector& a, const Vector& b) {
+    return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  struct Leaf {
+    Oracle::Side there, back;
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::multimap<double, Leaf>> edges;
+  for (std::size_t f = 0; f < both.triangles.size(); f += 2)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& t = both.triangles[f];
+      const std::uint32_t u = std::min(t[k], t[(k + 1) % 3]), v = std::max(t[k], t[(k + 1) % 3]);
+      const Vector e = minus(m.points[v], m.points[u]);
+      const Vector x =
+          cross(e, std::abs(e[0]) < std::abs(e[1]) ? Vector{1, 0, 0} : Vector{0, 1, 0});
+      const Vector y = cross(e, x), p = minus(m.points[t[(k + 2) % 3]], m.points[u]);
+      const double angle = std::atan2(dot(p, y) / std::sqrt(dot(e, e)), dot(p, x));
+      Leaf leaf{};
+      for (const std::size_t copy : {f, f + 1})
+        for (std::size_t s = 0; s < 3; ++s) {
+          const auto& c = both.triangles[copy];
+          if (c[s] == u && c[(s + 1) % 3] == v) leaf.there = {copy, s};
+          if (c[s] == v && c[(s + 1) % 3] == u) leaf.back = {copy, s};
+        }
+      edges[{u, v}].insert({angle, leaf});
+    }
+  std::vector<std::array<Oracle::Side, 3>> across(both.triangles.size());
+  for (const auto& [uv, leaves] : edges)
+    for (auto i = leaves.begin(); i != leaves.end(); ++i) {
+      const auto j = std::next(i) == leaves.end() ? leaves.begin() : std::next(i);
+      const Oracle::Side a = i->second.there, b = j->second.back;
+      across[a.triangle][a.k] = b;
+      across[b.triangle][b.k] = a;
+    }
+  return Oracle(both, across).flip_to_delaunay();
+}
+
+} // namespace soups
+
+#endif // TEST_INTRINSIC_TRIANGULATIONS_SOUPS_H
