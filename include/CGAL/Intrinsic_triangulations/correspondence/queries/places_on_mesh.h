@@ -59,7 +59,7 @@ std::array<double, 3> combination_of_corners(const Input& input, const Surface_p
   std::array<double, 3> x{0, 0, 0};
   std::uint32_t h = p.halfedge;
   for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
-    const std::array<double, 3> corner = coordinates(input.names().vertices.user(input.source(h)));
+    const std::array<double, 3> corner = coordinates(input.names().row(input.source(h)));
     for (std::size_t c = 0; c < 3; ++c) x[c] += p.weights[k] * corner[c];
   }
   return x;
