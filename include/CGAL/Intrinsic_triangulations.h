@@ -34,6 +34,7 @@ What most programs need of the package. To be included besides: operators, which
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/bezier/bezier_point.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/bezier/make_bezier_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/curve_labels.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_polyline.h>
