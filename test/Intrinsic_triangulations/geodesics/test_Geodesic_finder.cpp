@@ -295,6 +295,28 @@ TEST(GeodesicFinderUnfolded, LengthsAndAnglesAreThoseIn200DigitsOnMeshesOfCgal) 
   }
   EXPECT_GT(passed, 300U);
 }
+
+// Angles of zero in faces without area are not opened by flips: what is left gains nothing, and must not go on for ever.
+TEST(GeodesicFinder, EndsOnFacesWithoutArea) {
+  const IT::Triangle_soup soup =
+      IT::read_triangle_soup(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "/degtri_sliding.off");
+  Triangulation t(IT::Intrinsic_input(soup, IT::Mollification::none));
+  IT::flip_to_delaunay(t);
+  IT::Geodesic_finder<Triangulation> find(t);
+  std::mt19937 random(1);
+  const auto vertex = [&] {
+    return t.numbers().vertex_at(static_cast<std::uint32_t>(random() % num_vertices(t.mesh())));
+  };
+  std::size_t done = 0, stalled = 0;
+  for (int i = 0; i < 30; ++i) {
+    const auto from = vertex(), to = vertex();
+    if (from == to) continue;
+    const Status s = find(from, to).status;
+    (s == Status::done ? done : stalled) += 1;
+    EXPECT_TRUE(s == Status::done || s == Status::stalled);
+  }
+  EXPECT_GT(done, stalled);
+}
 #endif
 
 } // namespace

@@ -36,6 +36,7 @@ struct Wedge {
   boost::container::small_vector<Indexed_face, 12> faces;
   boost::container::small_vector<double, 12> scales; // powers of two that keep products near 1
   std::size_t first_beyond_pi = 0; // number of corners whose angles seem to sum to pi or more
+  bool has_flat_face = false;      // one without area
 
   // adds a corner; l has the squared lengths of ij, jk, ki
   void add(const Indexed_face& face, const std::array<double, 3>& l, double quadruple_area) {
@@ -53,6 +54,7 @@ struct Wedge {
     faces.push_back(face);
     scales.push_back(scale);
     if (first_beyond_pi == 0 && half_turns_ > 0) first_beyond_pi = faces.size();
+    has_flat_face = has_flat_face || a == 0;
   }
   std::span<const Indexed_face> all_faces() const { return {faces.data(), faces.size()}; }
   std::span<const double> all_scales() const { return {scales.data(), scales.size()}; }

@@ -152,6 +152,10 @@ private:
           side.is_turn(t_, segments_) ? SMALLER : session_.compare_angle_to_pi(side.in, side.out);
       if (c == EQUAL) ++result_.exact_ties;
       if (c != SMALLER) continue;
+      if (wedge.has_flat_face && gains_nothing()) {
+        result_.status = Status::stalled;
+        return;
+      }
       if (side.first == side.second)
         shorten_loop(side);
       else
@@ -159,6 +163,17 @@ private:
       return;
     }
   }
+
+  // Faces without area may leave an angle of zero that no flip opens. What is left is as long as it was, and may come again for ever:
+  // that ends after many steps in which doubles see no gain.
+  bool gains_nothing() {
+    if (length_ < least_length_ * (1 - 1e-12)) {
+      least_length_ = length_;
+      idle_steps_ = 0;
+    }
+    return ++idle_steps_ > most_idle_steps;
+  }
+  static constexpr std::uint64_t most_idle_steps = 10000;
 
   // Where the angle of a wedge is nearly pi, edges in it are flipped away before it is compared with pi: that leaves two corners,
   // whose sum takes far less to decide than that of many. (If it leaves more, the angle is below pi: the polygon of b, a, c and
@@ -300,7 +315,8 @@ private:
   std::priority_queue<Joint> queue_;
   Shortening_result result_;
   double length_ = 0; // of all curves, in scaled units
-  std::uint64_t steps_ = 0;
+  double least_length_ = HUGE_VAL;
+  std::uint64_t steps_ = 0, idle_steps_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

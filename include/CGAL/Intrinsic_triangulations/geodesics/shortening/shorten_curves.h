@@ -95,7 +95,8 @@ finitely many geodesic edges below a length. With inexact ones caps on the numbe
   - `joint_angle(x)`: stops when all joints that can be straightened have at least this angle, in degrees. Default: 180.
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100 per edge and a million.
   - `visitor(v)`: see `Shortening_visitor`
-\return status and counts; lengths are told by the network
+\return status and counts; lengths are told by the network. `done`, `stopped`, `cancelled`, `cap`; `stalled` if there are faces without
+area and nothing is gained any more: their angles of zero may not be opened by flips. `Mollification::automatic` leaves no such face
 \throws std::invalid_argument if a parameter makes no sense
 \complexity linear in the number of flips, times the logarithm of the number of joints; no bound on the number of flips is known
 */
