@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/domains/sort_around_edge.h>
 
-#include <CGAL/Exact_rational.h>
+#include <CGAL/Gmpq.h>
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(Sort_around_edge, ends_on_an_edge_without_length) {
 TEST(Sort_around_edge, is_exact) {
   std::mt19937 random(3);
   std::uniform_int_distribution<int> small(-3, 3), large(1, 1000);
-  using Rational = CGAL::Exact_rational;
+  using Rational = CGAL::Gmpq;
   for (int run = 0; run < 200; ++run) {
     const Point a{0.1, 0.7, -0.3}, d{0.3, 1.1, 0.7};
     std::vector<Point> points{a, {a[0] + d[0], a[1] + d[1], a[2] + d[2]}};
