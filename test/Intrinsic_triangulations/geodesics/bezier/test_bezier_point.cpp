@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshes.h"
+#include "planar_bezier.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -24,28 +24,14 @@ namespace {
 using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
                                           IT::Integer_coordinates>;
 using meshes::Point;
-
-std::uint32_t vertex_at(const meshes::Mesh& m, double x, double y) {
-  std::uint32_t i = 0;
-  while (m.points[i][0] != x || m.points[i][1] != y) ++i;
-  return i;
-}
+using planar_bezier::distance;
+using planar_bezier::planar;
+using planar_bezier::vertex_at;
 
 IT::Surface_point at_vertex(const Exact& t, std::uint32_t i) {
   const IT::Input& input = t.input();
   for (std::uint32_t h = 0;; ++h)
     if (!input.is_border(h) && input.names().row(input.source(h)) == i) return {h, {1, 0, 0}};
-}
-
-Point planar(std::vector<Point> b, double x) {
-  for (; b.size() > 1; b.pop_back())
-    for (std::size_t i = 0; i + 1 < b.size(); ++i)
-      for (std::size_t c = 0; c < 3; ++c) b[i][c] = (1 - x) * b[i][c] + x * b[i + 1][c];
-  return b.front();
-}
-
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 // the largest step between points of the curve at multiples of 1 / n

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshes.h"
+#include "planar_bezier.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/bezier/make_bezier_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/certify_geodesic.h>
@@ -13,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -27,6 +28,9 @@ using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_tr
                                           IT::Integer_coordinates>;
 using Curve = IT::Bezier_curve<Exact>;
 using meshes::Point;
+using planar_bezier::distance;
+using planar_bezier::planar;
+using planar_bezier::vertex_at;
 
 // Lengths up to 20 are told to 1e-12 of them, and so are midpoints.
 constexpr double midpoint_error = 2e-11;
@@ -37,26 +41,10 @@ Exact::vertex_descriptor vertex_of_input(const Exact& t, std::uint32_t i) {
   throw i;
 }
 
-std::uint32_t vertex_at(const meshes::Mesh& m, double x, double y) {
-  for (std::uint32_t i = 0; i < m.points.size(); ++i)
-    if (m.points[i][0] == x && m.points[i][1] == y) return i;
-  throw std::out_of_range("no such vertex");
-}
-
 Curve curve_of(Exact& t, const std::vector<std::uint32_t>& control, unsigned rounds) {
   std::vector<Exact::vertex_descriptor> v;
   for (const std::uint32_t i : control) v.push_back(vertex_of_input(t, i));
   return IT::make_bezier_curve(t, v, IT::parameters::maximum_rounds(rounds));
-}
-
-Point on_input(const Exact& t, const meshes::Mesh& m, const IT::Surface_point& p) {
-  const IT::Input& input = t.input();
-  Point at{0, 0, 0};
-  std::uint32_t h = p.halfedge;
-  for (std::size_t k = 0; k < 3; ++k, h = input.next(h))
-    for (std::size_t c = 0; c < 3; ++c)
-      at[c] += p.weights[k] * m.points[input.names().vertices.user(input.source(h))][c];
-  return at;
 }
 
 // the places of the control points, in order
@@ -69,21 +57,10 @@ std::vector<Point> places(const Exact& t, const meshes::Mesh& m, const Curve& c)
   };
   for (const auto h : c.halfedges) {
     const IT::Traced_curve edge = IT::trace_curve(t, std::vector{h});
-    reach(source(h, t.mesh()), on_input(t, m, edge.points.front()));
-    reach(target(h, t.mesh()), on_input(t, m, edge.points.back()));
+    reach(source(h, t.mesh()), IT::point_in_space(t, edge.points.front(), m.points));
+    reach(target(h, t.mesh()), IT::point_in_space(t, edge.points.back(), m.points));
   }
   return result;
-}
-
-Point planar(std::vector<Point> b, double t) {
-  for (; b.size() > 1; b.pop_back())
-    for (std::size_t i = 0; i + 1 < b.size(); ++i)
-      for (std::size_t c = 0; c < 3; ++c) b[i][c] = (1 - t) * b[i][c] + t * b[i + 1][c];
-  return b.front();
-}
-
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 void expect_certified(Exact& t, const Curve& c) {
@@ -177,8 +154,8 @@ TEST(Make_bezier_curve, starts_and_ends_in_the_direction_of_its_control_polygon)
   const auto first = [&](const Exact& s, const Curve& x, bool is_last) {
     const IT::Traced_curve way = IT::trace_curve(s, x.halfedges);
     const auto& p = way.points;
-    const Point from = on_input(s, m, is_last ? p[p.size() - 1] : p[0]);
-    const Point to = on_input(s, m, is_last ? p[p.size() - 2] : p[1]);
+    const Point from = IT::point_in_space(s, is_last ? p[p.size() - 1] : p[0], m.points);
+    const Point to = IT::point_in_space(s, is_last ? p[p.size() - 2] : p[1], m.points);
     const double l = distance(from, to);
     return Point{(to[0] - from[0]) / l, (to[1] - from[1]) / l, (to[2] - from[2]) / l};
   };
