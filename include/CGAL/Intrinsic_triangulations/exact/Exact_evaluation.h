@@ -143,6 +143,12 @@ public:
   Interval_nt<false> enclosure(const Input_metric& input, const Flip_history& history, Side left,
                                Side right, const Expression& expression, unsigned bits);
 
+  /// encloses an expression by repeating flips in 106 bits, unless there are many to repeat; see above.
+  template <class Expression>
+  std::optional<Interval_nt<false>> short_enclosure(const Input_metric& input,
+                                                    const Flip_history& history, Side left,
+                                                    Side right, const Expression& expression);
+
   /*!
   \brief returns the sign of an expression in the values of the diamond between two sides.
   \param input the input, always the same

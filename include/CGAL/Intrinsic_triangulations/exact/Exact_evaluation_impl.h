@@ -44,6 +44,8 @@ struct Exact_evaluation::Memory {
   // up to which it is done before 512 bits: over longer strips ties are rare, and the areas of the triangles have many
   // independent square roots
   static constexpr std::size_t many_triangles = 256;
+  // how many flips are repeated before anything is unfolded, which has to follow all of them first
+  static constexpr std::size_t few_flips = 32;
   // entries that are kept between calls, up to a kilobyte each
   static constexpr std::size_t maximal_memory = 50000;
 
@@ -133,9 +135,24 @@ struct Exact_evaluation::Memory {
     return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
   }
 
+  // by the history, if few flips are to be repeated
+  template <class Expression>
+  std::optional<Ball<Double_double>> short_value(const Input_metric& input,
+                                                 const Flip_history& history, Side left, Side right,
+                                                 const Expression& expression) {
+    using FT = Ball<Double_double>;
+    if (short_moves.size() > maximal_memory) short_moves = {};
+    const auto face = short_balls.of(input);
+    const auto faces = History_evaluator<FT, decltype(face)>(history, face, short_moves)
+                           .faces({left, right}, few_flips);
+    if (!faces) return std::nullopt;
+    return expression(diamond_values((*faces)[0], (*faces)[1]));
+  }
+
   Diamond_zero_test is_zero;
   Input_face_intervals<Interval_nt<false>> doubles;
   Input_face_intervals<Ball<Double_double>> short_balls;
+  History_values<Ball<Double_double>> short_moves;
   Input_face_intervals<Ball<Mpfr_256>> long_balls;
   std::map<Gmpfi::Precision_type, Intervals> by_precision;
 
@@ -248,6 +265,16 @@ Interval_nt<false> Exact_evaluation::enclosure(const Input_metric& input,
 }
 
 template <class Expression>
+std::optional<Interval_nt<false>>
+Exact_evaluation::short_enclosure(const Input_metric& input, const Flip_history& history, Side left,
+                                  Side right, const Expression& expression) {
+  const auto value = internal::to_nearest(
+      [&] { return memory().short_value(input, history, left, right, expression); });
+  if (!value) return std::nullopt;
+  return internal::interval(*value);
+}
+
+template <class Expression>
 Sign Exact_evaluation::sign(const Input_metric& input, const Flip_history& history, Side left,
                             Side right, const Expression& expression,
                             Diamond_values<Interval_nt<false>>& better,
@@ -279,6 +306,7 @@ Exact_evaluation::enclosures(const Input_metric& input, const Flip_history& hist
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Exact_evaluation::forget_flip(std::uint32_t flip) {
   if (memory_ == nullptr) return;
+  memory_->short_moves.erase(flip);
   for (auto& [bits, intervals] : memory_->by_precision) intervals.moves.erase(flip);
 }
 

@@ -122,7 +122,17 @@ public:
   */
   template <class Expression>
   FT nonzero_value(const Diamond& d, const Expression& expression) const {
+    const auto is_narrow = [](const FT& x) {
+      return CGAL::width(x) <= 0x1p-42 * CGAL::magnitude(x) && CGAL::is_finite(x);
+    };
     FT value;
+    if (!is_defined_by_places_) {
+      ++statistics_.sharpenings[106];
+      const auto v =
+          evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
+                                      versions_.right_side(d), expression);
+      if (v && is_narrow(*v)) return *v;
+    }
     for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
       ++statistics_.sharpenings[bits];
       const Unfolded_diamond* u = unfolded(d);
@@ -130,7 +140,7 @@ public:
                   ? evaluation_.enclosure(*input_, *u, expression, bits)
                   : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
                                           versions_.right_side(d), expression, bits);
-      if (CGAL::width(value) <= 0x1p-42 * CGAL::magnitude(value) && CGAL::is_finite(value)) break;
+      if (is_narrow(value)) break;
     }
     return value;
   }

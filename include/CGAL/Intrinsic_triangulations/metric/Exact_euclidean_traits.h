@@ -293,9 +293,6 @@ private:
     signs_.forget(std::array{s.ip, s.pj, s.jk, s.ki, s.pk});
   }
 
-  // whether stored values tell (q_f a_g + q_g a_f) / (2 a_f a_g)
-  bool has_accurate_weight(const Diamond& d) const;
-
   // what the filter cannot decide is rare, and takes long to compile
   template <class Expression>
   Sign exact_sign(const Diamond& d, const Expression& expression) const;

@@ -55,13 +55,16 @@ Exact_euclidean_metric::sharpen_length(const Indexed_face& face, std::uint32_t e
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE double
 Exact_euclidean_metric::cotangent_weight(const Diamond& d) const {
-  const Sign s = sign(d, Delaunay_expression());
-  if (s == ZERO) return 0;
-  if (has_accurate_weight(d)) {
+  const Diamond_values<FT> v = enclosure(d);
+  const FT product = Delaunay_expression()(v);
+  if (is_accurate(product) && is_accurate(v.area_f) && is_accurate(v.area_g)) {
     const double weight =
         cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
-    return s == POSITIVE ? std::max(weight, 0.0) : std::min(weight, 0.0);
+    return product.inf() > 0   ? std::max(weight, 0.0)
+           : product.sup() < 0 ? std::min(weight, 0.0)
+                               : 0;
   }
+  if (sign(d, Delaunay_expression()) == ZERO) return 0;
   sharpen(std::array<Indexed_face, 2>{{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}});
   const FT value = geometry_.nonzero_value(d, Delaunay_expression());
   return CGAL::to_double(value) / approximate_quadruple_area(d.f) /
@@ -73,12 +76,6 @@ Exact_euclidean_metric::enclose(const Input& input) {
   const Scope scope;
   return {Intrinsic_triangulations::squared_lengths<FT>(input.metric(), input.mesh()),
           Intrinsic_triangulations::quadruple_areas<FT>(input.metric())};
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
-Exact_euclidean_metric::has_accurate_weight(const Diamond& d) const {
-  const Diamond_values<FT> v = enclosure(d);
-  return is_accurate(Delaunay_expression()(v)) && is_accurate(v.area_f) && is_accurate(v.area_g);
 }
 
 template <class Expression>

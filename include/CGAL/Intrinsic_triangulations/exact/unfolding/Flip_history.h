@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <unordered_set>
 #include <utility>
@@ -91,16 +92,18 @@ public:
   evaluation.
   \param versions the versions
   \param is_known a predicate on flips; those that are known are left out, with their ancestors
+  \param most how many are wanted at most: when there are more, one more is listed, in no order of use
   \complexity linear in the number of flips listed, but for sorting; an explicit stack: nothing
   recurses, however deep the history
   */
   template <class Is_known>
-  std::vector<std::uint32_t> ancestors(std::vector<std::uint32_t> versions,
-                                       const Is_known& is_known) const {
+  std::vector<std::uint32_t>
+  ancestors(std::vector<std::uint32_t> versions, const Is_known& is_known,
+            std::size_t most = std::numeric_limits<std::size_t>::max()) const {
     std::vector<std::uint32_t> order;
     std::vector<std::uint32_t>& stack = versions;
     std::unordered_set<std::uint32_t> seen;
-    while (!stack.empty()) {
+    while (!stack.empty() && order.size() <= most) {
       const std::uint32_t v = stack.back();
       stack.pop_back();
       if (is_input(v)) continue;

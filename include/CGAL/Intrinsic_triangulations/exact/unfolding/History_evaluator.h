@@ -8,7 +8,10 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -43,9 +46,13 @@ public:
   \complexity linear in the number of ancestors not evaluated yet
   */
   std::vector<Face_values<FT>> faces(const std::vector<Flip_history::Side>& sides) {
-    std::vector<std::uint32_t> versions;
-    for (const Side& s : sides) versions.push_back(s.face);
-    evaluate_ancestors(std::move(versions));
+    return *faces(sides, std::numeric_limits<std::size_t>::max());
+  }
+
+  /// evaluates faces as above, if no more than `most` ancestors are not evaluated yet.
+  std::optional<std::vector<Face_values<FT>>> faces(const std::vector<Flip_history::Side>& sides,
+                                                    std::size_t most) {
+    if (!evaluate_ancestors(sides, most)) return std::nullopt;
     std::vector<Face_values<FT>> result;
     for (const Side& s : sides) result.push_back(face(s));
     return result;
@@ -54,10 +61,15 @@ public:
 private:
   using Side = Flip_history::Side;
 
-  void evaluate_ancestors(std::vector<std::uint32_t> versions) {
+  bool evaluate_ancestors(const std::vector<Side>& sides, std::size_t most) {
+    std::vector<std::uint32_t> versions;
+    for (const Side& s : sides) versions.push_back(s.face);
     const auto is_known = [this](std::uint32_t n) { return values_.count(n) != 0; };
-    for (const std::uint32_t n : history_.ancestors(std::move(versions), is_known))
+    const auto flips = history_.ancestors(std::move(versions), is_known, most);
+    if (flips.size() > most) return false;
+    for (const std::uint32_t n : flips)
       values_.emplace(n, flipped(gather(history_.left_parent(n), history_.right_parent(n))));
+    return true;
   }
 
   Face_values<FT> face(Side s) {
