@@ -129,6 +129,10 @@ public:
   std::vector<Face_values<Interval_nt<false>>>
   enclosures(const Input_metric& input, const std::vector<Unfolded_diamond>& faces, unsigned bits);
 
+  /// encloses the squared distance of corners i and j of a diamond that is unfolded; see above.
+  Interval_nt<false> squared_length(const Input_metric& input, const Unfolded_diamond& diamond,
+                                    unsigned bits);
+
   /*!
   \brief encloses an expression in the values of a diamond that is unfolded.
   \param input, diamond, expression see `sign()`

@@ -246,6 +246,15 @@ Exact_evaluation::enclosures(const Input_metric& input, const std::vector<Unfold
   });
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Interval_nt<false>
+Exact_evaluation::squared_length(const Input_metric& input, const Unfolded_diamond& diamond,
+                                 unsigned bits) {
+  return memory().at_precision<Interval_nt<false>>(bits, [&](auto& numbers) {
+    using FT = typename std::decay_t<decltype(numbers)>::Number;
+    return diamond.squared_length<FT>(numbers.of(input));
+  });
+}
+
 template <class Expression>
 Interval_nt<false> Exact_evaluation::enclosure(const Input_metric& input,
                                                const Unfolded_diamond& diamond,

@@ -113,6 +113,9 @@ public:
   /// returns intervals that contain the values of faces, computed in so many bits; 53: doubles.
   std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face> faces, unsigned bits) const;
 
+  /// returns an interval that contains the squared length of the first side of a face; see above.
+  FT first_squared_length(const Indexed_face& face, unsigned bits) const;
+
   /*!
   \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
   \pre the value is not zero

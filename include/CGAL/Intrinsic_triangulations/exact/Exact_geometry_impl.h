@@ -54,6 +54,14 @@ Exact_geometry::enclosures(std::span<const Indexed_face> faces, unsigned bits) c
   return evaluation_.enclosures(*input_, versions_.history(), versions_.sides(faces), bits);
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_geometry::FT
+Exact_geometry::first_squared_length(const Indexed_face& face, unsigned bits) const {
+  Input_unfolder* const u = unfolder();
+  if (const Unfolded_diamond* const side = u != nullptr ? u->first_side(face) : nullptr)
+    return evaluation_.squared_length(*input_, *side, bits);
+  return enclosures(std::span(&face, 1), bits).front().squared_lengths.front();
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Input_unfolder* Exact_geometry::unfolder() const {
   if (is_defined_by_places_ && unfolder_.pointer == nullptr)
     throw std::logic_error(

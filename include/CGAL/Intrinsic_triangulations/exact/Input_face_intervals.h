@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -55,22 +56,23 @@ public:
     }
     pages_.resize(input.number_of_faces() / page_size + 1);
     return [&input, this](std::uint32_t f) -> const Face& {
-      std::optional<Face>& known = page(f / page_size)[f % page_size];
+      std::optional<Face>& known = (*page(f / page_size))[f % page_size];
       return known ? *known : known.emplace(face(input, f));
     };
   }
 
 private:
-  static constexpr std::uint32_t page_size = 4;
+  static constexpr std::uint32_t page_size = 16;
   // numbers of many bits take up to a kilobyte per face
-  static constexpr std::size_t maximal_pages = std::is_same_v<FT, Gmpfi> ? 16000 : 1U << 31;
+  static constexpr std::size_t maximal_pages = std::is_same_v<FT, Gmpfi> ? 4000 : 1U << 31;
 
-  using Page = std::vector<std::optional<Face>>; // empty until a face is asked for
+  using Page =
+      std::unique_ptr<std::array<std::optional<Face>, page_size>>; // null until a face is asked for
 
   Page& page(std::uint32_t number) {
     Page& p = pages_[number];
-    if (p.empty()) {
-      p.resize(page_size);
+    if (p == nullptr) {
+      p = std::make_unique<typename Page::element_type>();
       ++number_of_pages_;
     }
     return p;

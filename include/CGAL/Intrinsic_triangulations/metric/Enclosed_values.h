@@ -178,6 +178,11 @@ protected:
     }
   }
 
+  /// makes the interval of a squared length smaller; see above.
+  void refine_length(std::uint32_t e, const FT& better) const {
+    refine(squared_length_[e], length_[e], better);
+  }
+
   /// tells whether every number in an interval is an approximation of the others to 2^-40.
   static bool is_accurate(const FT& x) {
     return CGAL::width(x) <= 0x1p-40 * CGAL::magnitude(x) && CGAL::is_finite(x);
@@ -210,9 +215,6 @@ private:
   // Lengths and areas are never negative, whatever rounding makes of the lower bound.
   static FT positive_part(const FT& x) { return {std::max(x.inf(), 0.0), x.sup()}; }
 
-  void refine_length(std::uint32_t e, const FT& better) const {
-    refine(squared_length_[e], length_[e], better);
-  }
   void refine_area(std::uint32_t f, const FT& better) const {
     refine(quadruple_area_[f], area_[f], better);
   }

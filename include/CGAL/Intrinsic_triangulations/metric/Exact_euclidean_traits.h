@@ -138,10 +138,9 @@ public:
   */
   void sharpen(std::span<const Indexed_face> faces) const;
   /*!
-  \brief makes the interval of the squared length of one side of a face narrow, and the double beside it accurate, see above.
-  \param edge one of its edges
+  \brief makes the interval of the squared length of the first side of a face narrow, and the double beside it accurate, see above.
   */
-  void sharpen_length(const Indexed_face& face, std::uint32_t edge) const;
+  void sharpen_length(const Indexed_face& face) const;
 
   /*!
   \brief computes a flip and changes nothing.
@@ -271,8 +270,8 @@ public:
   using Enclosed_values::cotangent_weight;
 
 private:
-  template <class Is_narrow>
-  void sharpen(std::span<const Indexed_face> faces, const Is_narrow& is_narrow) const;
+  // in which values are computed, one after the other until they are narrow
+  static constexpr std::array<unsigned, 6> precisions{53, 106, 256, 1024, 2048, 4096};
 
   static Enclosed_values enclose(const Input& input);
 

@@ -30,12 +30,12 @@ struct Sign_computation {};
 
 } // namespace internal
 
-template <class Is_narrow>
-void Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces,
-                                     const Is_narrow& is_narrow) const {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces) const {
+  const auto is_narrow = [this](const Indexed_face& f) { return Enclosed_values::is_narrow(f); };
   std::vector<Indexed_face> wide(faces.begin(), faces.end());
   std::erase_if(wide, is_narrow);
-  for (const unsigned bits : {53U, 106U, 256U, 1024U, 2048U, 4096U}) {
+  for (const unsigned bits : precisions) {
     if (wide.empty()) return;
     statistics().sharpenings[bits] += wide.size();
     refine(wide, geometry_.enclosures(wide, bits));
@@ -44,13 +44,12 @@ void Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces,
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces) const {
-  sharpen(faces, [this](const Indexed_face& f) { return is_narrow(f); });
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Exact_euclidean_metric::sharpen_length(const Indexed_face& face, std::uint32_t edge) const {
-  sharpen(std::span(&face, 1), [&](const Indexed_face&) { return is_narrow(edge); });
+Exact_euclidean_metric::sharpen_length(const Indexed_face& face) const {
+  for (const unsigned bits : precisions) {
+    if (is_narrow(face.edges[0])) return;
+    ++statistics().sharpenings[bits];
+    refine_length(face.edges[0], geometry_.first_squared_length(face, bits));
+  }
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE double

@@ -17,17 +17,24 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <class Metric>
 concept Has_enclosures = requires(const Metric& m, std::span<const Indexed_face> faces) {
   m.is_narrow(faces.front());
-  m.sharpen_length(faces.front(), 0U);
+  m.sharpen_length(faces.front());
   m.sharpen(faces);
   typename Metric::Scope;
 };
 
+// The numbers of the face of a halfedge and of its sides, from that one on.
+template <class Triangulation>
+Indexed_face indexed_face_from(const Triangulation& t,
+                               typename Triangulation::halfedge_descriptor h) {
+  const auto n = next(h, t.mesh()), l = next(n, t.mesh());
+  const auto edge_number = [&t](auto g) { return t.index(edge(g, t.mesh())); };
+  return {t.index(face(h, t.mesh())), {edge_number(h), edge_number(n), edge_number(l)}};
+}
+
 // The numbers of a face and of its sides, from its halfedge on.
 template <class Triangulation>
 Indexed_face indexed_face(const Triangulation& t, typename Triangulation::face_descriptor f) {
-  const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh()), l = next(n, t.mesh());
-  const auto edge_number = [&t](auto g) { return t.index(edge(g, t.mesh())); };
-  return {t.index(f), {edge_number(h), edge_number(n), edge_number(l)}};
+  return indexed_face_from(t, halfedge(f, t.mesh()));
 }
 
 template <class Metric>
@@ -67,10 +74,10 @@ double accurate_squared_length(const Triangulation& t, typename Triangulation::e
     if (!t.metric().is_narrow(i)) {
       const auto& mesh = t.mesh();
       const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
-      const auto f = face(halfedge(e, mesh), mesh);
+      const auto h = halfedge(e, mesh);
       const typename Triangulation::Metric::Scope scope;
       t.metric().sharpen_length(
-          indexed_face(t, f != null ? f : face(opposite(halfedge(e, mesh), mesh), mesh)), i);
+          indexed_face_from(t, face(h, mesh) != null ? h : opposite(h, mesh)));
     }
   return t.metric().approximate_squared_length(i);
 }

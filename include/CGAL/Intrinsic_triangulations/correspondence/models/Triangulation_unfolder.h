@@ -56,6 +56,12 @@ public:
     return &unfolder_.face(View(t_), *places_.coordinates(t_),
                            halfedge(f.face, f.edges[0], f.edges[1]));
   }
+  const Unfolded_diamond* first_side(const Indexed_face& f) override {
+    if (!can_unfold(std::array{f.edges[0]}, false)) return nullptr;
+    diamond_ = nullptr;
+    return &unfolder_.strip(View(t_), *places_.coordinates(t_),
+                            halfedge(f.face, f.edges[0], f.edges[1]));
+  }
 
   // follows moves
   void after(const Flip& move) {

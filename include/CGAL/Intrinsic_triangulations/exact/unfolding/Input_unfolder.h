@@ -27,6 +27,8 @@ public:
   virtual const Unfolded_diamond* diamond(const Diamond& d) = 0;
   /// returns those under a face, as a diamond whose corner m is i, valid until the next call; null as above.
   virtual const Unfolded_diamond* face(const Indexed_face& f) = 0;
+  /// returns those under the first side of a face, as a diamond whose corners i and j are its ends; see above.
+  virtual const Unfolded_diamond* first_side(const Indexed_face& f) = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -148,6 +148,14 @@ struct Unfolded_diamond {
             twice * cross(i - j, m - j)};
   }
 
+  /// returns the squared distance of corners i and j, by unfolding; see `positions()`.
+  template <class FT, class Input_values>
+  FT squared_length(const Input_values& input) const {
+    const Positions<FT> z = positions<FT>(input);
+    const Position<FT> e = position(1, z) - position(0, z);
+    return input(triangles.front().face).first[0] * (e.x * e.x + e.y * e.y);
+  }
+
 private:
   // the apex of a triangle, from the positions of its other corners
   template <class FT, class Face>
@@ -167,6 +175,8 @@ private:
   template <class FT, class Input_values>
   Positions<FT> enclosed_positions(const Input_values& input) const {
     using Vector = Complex_ball<FT>;
+    for (const Triangle& t : triangles) // half of the time is spent on waiting for memory otherwise
+      __builtin_prefetch(&input(t.face));
     Positions<FT> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
     boost::container::small_vector<std::array<Vector, 3>, 16>
         sides; // of triangles, from slot to slot
