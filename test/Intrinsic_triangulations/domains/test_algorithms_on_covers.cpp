@@ -213,12 +213,12 @@ TEST(Cover, is_stored_with_its_rows) {
     const auto back = IT::read_intrinsic_triangulation<IT::Intrinsic_triangulation<>>(in, "file");
     EXPECT_EQ(back.input().names().sheets, 2U) << name;
     EXPECT_EQ(back.number_of_vertices(), m.points.size()) << name;
+    std::ostringstream again; // before anything is asked that makes intervals narrower
+    IT::write_intrinsic_triangulation(again, back);
+    EXPECT_EQ(again.str(), out.str()) << name;
     const Eigen::SparseMatrix<double> difference =
         IT::cotangent_laplacian(t) - IT::cotangent_laplacian(back);
     EXPECT_EQ(difference.norm(), 0) << name;
-    std::ostringstream again;
-    IT::write_intrinsic_triangulation(again, back);
-    EXPECT_EQ(again.str(), out.str()) << name;
   }
 }
 

@@ -22,12 +22,14 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -118,32 +120,34 @@ public:
 
   /*!
   \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
+  \param d, expression, better see `sign()`
   \pre the value is not zero
   \complexity that of the precision that it takes
   \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before, and weights are
   to have the same digits after a triangulation is read from a file.
   */
   template <class Expression>
-  FT nonzero_value(const Diamond& d, const Expression& expression) const {
-    const auto is_narrow = [](const FT& x) {
-      return CGAL::width(x) <= 0x1p-42 * CGAL::magnitude(x) && CGAL::is_finite(x);
-    };
+  FT nonzero_value(const Diamond& d, const Expression& expression,
+                   Diamond_values<FT>& better) const {
     FT value;
     if (!is_defined_by_places_) {
       ++statistics_.sharpenings[106];
-      const auto v =
+      const auto e =
           evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
                                       versions_.right_side(d), expression);
-      if (v && is_narrow(*v)) return *v;
+      if (e && is_known_to_a_unit(e->first) && is_known(e->second, unit)) {
+        better = e->first;
+        return e->second;
+      }
     }
     for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
       ++statistics_.sharpenings[bits];
       const Unfolded_diamond* u = unfolded(d);
-      value = u != nullptr
-                  ? evaluation_.enclosure(*input_, *u, expression, bits)
-                  : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
-                                          versions_.right_side(d), expression, bits);
-      if (is_narrow(value)) break;
+      std::tie(better, value) =
+          u != nullptr ? evaluation_.enclosure(*input_, *u, expression, bits)
+                       : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
+                                               versions_.right_side(d), expression, bits);
+      if (is_known(value, 0x1p-42)) break;
     }
     return value;
   }
@@ -160,6 +164,18 @@ private:
       return *this;
     }
   };
+
+  // to how much of it
+  static bool is_known(const FT& x, double relative_width) {
+    return CGAL::width(x) <= relative_width * CGAL::magnitude(x) && CGAL::is_finite(x);
+  }
+  // a few units in the last place
+  static constexpr double unit = 0x1p-50;
+  // to a unit in the last place: whoever computes them finds the same doubles
+  static bool is_known_to_a_unit(const Diamond_values<FT>& v) {
+    const std::array values{v.ij, v.jk, v.ki, v.im, v.mj, v.area_f, v.area_g};
+    return std::all_of(values.begin(), values.end(), [](const FT& x) { return is_known(x, unit); });
+  }
 
   Input_unfolder* unfolder() const;
 

@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -56,7 +55,7 @@ public:
     }
     pages_.resize(input.number_of_faces() / page_size + 1);
     return [&input, this](std::uint32_t f) -> const Face& {
-      std::optional<Face>& known = (*page(f / page_size))[f % page_size];
+      std::optional<Face>& known = page(f / page_size)[f % page_size];
       return known ? *known : known.emplace(face(input, f));
     };
   }
@@ -66,13 +65,12 @@ private:
   // numbers of many bits take up to a kilobyte per face
   static constexpr std::size_t maximal_pages = std::is_same_v<FT, Gmpfi> ? 4000 : 1U << 31;
 
-  using Page =
-      std::unique_ptr<std::array<std::optional<Face>, page_size>>; // null until a face is asked for
+  using Page = std::vector<std::optional<Face>>; // empty until a face is asked for
 
   Page& page(std::uint32_t number) {
     Page& p = pages_[number];
-    if (p == nullptr) {
-      p = std::make_unique<typename Page::element_type>();
+    if (p.empty()) {
+      p.resize(page_size);
       ++number_of_pages_;
     }
     return p;

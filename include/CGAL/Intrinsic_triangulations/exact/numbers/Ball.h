@@ -95,8 +95,8 @@ public:
   Interval_nt<false> interval() const {
     using Interval = Interval_nt<false>;
     if (!(radius_ < std::numeric_limits<double>::infinity())) return Interval::largest();
-    const double c = rounded(center_), error = std::abs(c) * 0x1p-52 + 0x1p-1060;
-    return Interval(c) + Interval(-error, error) + Interval(-radius_, radius_);
+    const double c = rounded(center_), error = std::abs(c) * 0x1p-53 + 0x1p-1060 + radius_;
+    return Interval(c) + Interval(-error, error);
   }
 
 private:
