@@ -56,6 +56,9 @@ TEST(Flip_history, lists_ancestors_before_descendants_and_leaves_out_what_is_kno
   EXPECT_EQ(history.ancestors(1, 2, none), std::vector<std::uint32_t>{});
   EXPECT_EQ(history.ancestors(12, 11, [](std::uint32_t n) { return n < 2; }),
             (std::vector<std::uint32_t>{2, 3}));
+  EXPECT_EQ(history.ancestors({12, 7}, none, 3), (std::vector<std::uint32_t>{0, 1, 3}));
+  EXPECT_EQ(history.ancestors({12, 7}, none, 2).size(), 3U) << "one more says that there are more";
+  EXPECT_EQ(history.ancestors({12, 7}, none, 0).size(), 1U);
 }
 
 TEST(Flip_history, lists_a_million_ancestors_without_recursion) {

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <random>
@@ -74,6 +75,32 @@ TEST(History_evaluator, reproduces_all_values_after_four_flips_exactly) {
     const auto after = evaluate<Rational_input, Gmpq>(walk, h);
     random_history::expect_same(before, after);
   }
+}
+
+TEST(History_evaluator, gives_up_where_more_flips_are_to_be_repeated_than_it_may) {
+  Walk walk = walk_on(meshes::box(2, 2, 1));
+  std::mt19937 random(1);
+  walk.run(60, random);
+  const auto none = [](std::uint32_t) { return false; };
+  std::size_t most_in_all = 0;
+  for (const Map::Halfedge h : walk.inner_edges()) {
+    const std::vector<IT::Flip_history::Side> sides{walk.side(h), walk.side(Map::opposite(h))};
+    const std::size_t n = walk.history.ancestors(sides[0].face, sides[1].face, none).size();
+    most_in_all = std::max(most_in_all, n);
+    const Rational_input input{&walk.input};
+    IT::History_values<Gmpq> memory;
+    IT::History_evaluator<Gmpq, Rational_input> evaluator(walk.history, input, memory);
+    if (n > 0) {
+      EXPECT_FALSE(evaluator.faces(sides, n - 1));
+      EXPECT_TRUE(memory.empty());
+    }
+    const auto faces = evaluator.faces(sides, n);
+    ASSERT_TRUE(faces);
+    random_history::expect_same(IT::diamond_values((*faces)[0], (*faces)[1]),
+                                evaluate<Rational_input, Gmpq>(walk, h));
+    EXPECT_TRUE(evaluator.faces(sides, 0)) << "all are known by now";
+  }
+  EXPECT_GT(most_in_all, 5U);
 }
 
 TEST(History_evaluator, overlaps_unfolding_in_intervals_of_256_bits_after_hundreds_of_flips) {
