@@ -50,9 +50,11 @@ CLI::Validator curve_points(std::size_t least) {
 }
 
 // what means nothing without refinement
-constexpr std::array refinement_options{"min-angle", "max-circumradius", "max-edge-length",
-                                        "size",      "max-insertions",   "order",
-                                        "odt",       "adaptive"};
+constexpr std::array refinement_options{"min-angle",       "max-circumradius",
+                                        "max-edge-length", "size",
+                                        "max-insertions",  "order",
+                                        "conforming",      "odt",
+                                        "adaptive"};
 
 // However they are spelled, and through links.
 bool names_a_file_twice(const Options& o) {
@@ -189,6 +191,8 @@ void add_refinement_options(CLI::App& command, Options& options) {
           },
           "which face comes next: first (default), largest or worst")
       ->check(CLI::IsMember({"largest", "worst", "first"}));
+  command.add_flag("--conforming", r.is_conforming,
+                   "split edges that are kept until all edges are Delaunay");
   command
       .add_option(
           "--odt", options.odt_length,
@@ -203,7 +207,7 @@ void add_adaptive_options(CLI::App& command, Options& options) {
       command.add_flag("--adaptive", a.is_asked_for,
                        "refine where the Green's function of a vertex has large errors");
   for (const char* other : {"--max-circumradius", "--max-edge-length", "--size", "--max-insertions",
-                            "--order", "--odt"})
+                            "--order", "--conforming", "--odt"})
     adaptive->excludes(other);
   command.add_option("--source", a.source, "the vertex; default 0")->needs(adaptive);
   command

@@ -25,6 +25,7 @@ struct Refinement_criteria {
   std::optional<std::uint64_t> maximum_insertions = std::nullopt;
   CGAL::Intrinsic_triangulations::Refinement_order order =
       CGAL::Intrinsic_triangulations::Refinement_order::first_come;
+  bool is_conforming = false;
 };
 
 /// What adaptive refinement does.

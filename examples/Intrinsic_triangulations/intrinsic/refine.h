@@ -123,6 +123,7 @@ void refine(Triangulation& t, const Constrained& constrained, const Options& opt
                                  .maximum_edge_length(criteria.maximum_edge_length)
                                  .maximum_insertions(criteria.maximum_insertions)
                                  .order(criteria.order)
+                                 .conforming(criteria.is_conforming)
                                  .edge_is_constrained_map(constrained)
                                  .visitor(std::ref(visitor)));
   expect_accurate(result.inaccuracy, options);

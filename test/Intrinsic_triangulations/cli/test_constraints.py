@@ -60,6 +60,16 @@ class Constraints(Cli_test):
             self.assertGreaterEqual(stats["constraints"]["edges"], 16)  # no part is longer
             self.assert_certified(stats)
 
+    def test_conforming_refinement_splits_kept_edges_until_they_are_delaunay(self):
+        kept = self.write("c.txt", "0 1\n")
+        for kind in KINDS:
+            refine = ("refine", self.rhombus, "--min-angle", "1", "--constrain", kept,
+                      "--correspondence", kind)
+            free, stats = self.stats(*refine), self.stats(*refine, "--conforming")
+            self.assertGreater(free["constraints"]["non_delaunay_edges"], 0)
+            self.assertEqual(stats["constraints"]["non_delaunay_edges"], 0)
+            self.assertGreater(stats["constraints"]["edges"], free["constraints"]["edges"])
+
     def test_optimization_keeps_constrained_edges(self):
         kept = self.write("c.txt", "0 1\n")
         stats = self.stats("refine", self.rhombus, "--arithmetic", "double", "-o", "t.idt",
