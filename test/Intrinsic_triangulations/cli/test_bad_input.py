@@ -29,7 +29,7 @@ class Refused_input(Cli_test):
         self.refuse(self.directory, "directory")
 
     def test_unknown_extension(self):
-        self.refuse(self.write("mesh.xyz", "0 0 0\n"), ".off")
+        self.refuse(self.write("mesh.txt", "0 0 0\n"), ".off", ".xyz")
 
     def test_truncated_file(self):
         path = self.write_off("t.off", *TETRAHEDRON)
@@ -77,7 +77,9 @@ class Refused_input(Cli_test):
                 self.assertTrue(run.err[:-1].isprintable(), run.err)
 
     def test_zero_faces(self):
-        self.refuse(self.write_off("z.off", TETRAHEDRON[0], []), "no faces")
+        self.refuse(self.write_off("z.off", [], []), "no points")
+        self.refuse(self.write_off("z.off", TETRAHEDRON[0], []), "no faces",
+                    options=("--domain", "manifold"))
 
     def test_edge_with_three_faces(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1)]

@@ -30,6 +30,8 @@ public:
   std::int64_t first_reference = 0;
   // Whether faces may refer to vertices that are still to come.
   bool forward_references = false;
+  // Whether there must be faces, and whether they are taken: else vertices are points, and nothing is asked of faces.
+  bool needs_faces = true, takes_faces = true;
 
   std::size_t number_of_vertices() const { return soup_.points.size(); }
   std::size_t number_of_faces() const { return soup_.input_faces; }
@@ -65,6 +67,10 @@ public:
 
   void add_face(const std::vector<std::int64_t>& face) {
     const std::size_t f = soup_.input_faces;
+    if (!takes_faces) {
+      ++soup_.input_faces;
+      return;
+    }
     if (face.size() < 3)
       fail_face(" has " + std::to_string(face.size()) +
                 (face.size() == 1 ? " vertex" : " vertices") +
@@ -82,9 +88,12 @@ public:
     if (latest_reference_ >= std::int64_t(soup_.points.size()) && soup_.input_faces != 0)
       fail_at(latest_line_, Element_kind::face, latest_face_,
               out_of_range(latest_face_, latest_reference_));
-    if (soup_.input_faces == 0)
+    if (!takes_faces) soup_.input_faces = 0;
+    if (soup_.input_faces == 0 && needs_faces)
       fail_at(0, Element_kind::none, 0,
-              "the file has no faces; give a surface mesh, not a point set");
+              "the file has no faces; give a surface mesh, or make a point cloud of its points");
+    if (soup_.input_faces == 0 && soup_.points.empty())
+      fail_at(0, Element_kind::none, 0, "the file has no points; get a complete copy");
     triangulate_polygons(polygons_, soup_, [this](std::size_t f, const std::string& what) {
       fail_at(0, Element_kind::face, f, what);
     });
