@@ -104,6 +104,7 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
     describe(loaded);
     loaded.facts.polygons = file.polygons;
     loaded.facts.triangulated_polygons = file.triangulated_polygons;
+    loaded.facts.faces_with_repeated_vertices = file.faces_with_repeated_vertices;
     return loaded;
   } catch (const IT::Invalid_input& e) {
     throw IT::Invalid_input(e.kind(), e.index(), options.input + ": " + e.what());

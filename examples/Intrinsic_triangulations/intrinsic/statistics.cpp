@@ -82,6 +82,7 @@ Json input_json(const Options& options, const std::string& arithmetic,
   input["nonmanifold_vertices"] = facts.nonmanifold_vertices;
   if (facts.polygons > 0) input["polygons"] = facts.polygons;
   input["triangulated_polygons"] = facts.triangulated_polygons;
+  input["faces_with_repeated_vertices"] = facts.faces_with_repeated_vertices;
   input["renumbered"] = report.renumbered;
   input["reversed_faces"] = report.reversed_faces;
   json["arithmetic"] = arithmetic;
@@ -212,6 +213,8 @@ void print_summary(std::ostream& stream, const Json& json) {
       if (const Json& domain = json["domain"]; domain.value(key, 0) != 0)
         row("") << domain[key] << ' ' << what << '\n';
   for (const auto& [key, what] : {std::pair("triangulated_polygons", "polygons were triangulated"),
+                                  std::pair("faces_with_repeated_vertices",
+                                            "faces listed a vertex twice: lines were left out"),
                                   std::pair("reversed_faces", "faces were turned around"),
                                   std::pair("degenerate_faces", "faces have no area"),
                                   std::pair("isolated_vertices", "vertices have no face"),

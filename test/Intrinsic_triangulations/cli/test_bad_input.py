@@ -44,9 +44,11 @@ class Refused_input(Cli_test):
             self.refuse(self.write("n.off", f"OFF\n3 1 0\n0 0 0\n1 {word} 0\n0 1 0\n3 0 1 2\n"),
                         "vertex 1", "finite")
 
-    def test_repeated_vertex_in_a_face(self):
-        self.refuse(self.write_off("r.off", TETRAHEDRON[0], [(0, 1, 2), (0, 3, 3)]),
-                    "face 1", "repeats vertex 3")
+    def test_vertex_between_two_parts_of_a_face(self):
+        self.refuse(self.write_off("r.off", TETRAHEDRON[0], [(0, 1, 2), (0, 1, 2, 0, 2, 3)]),
+                    "face 1", "repeats vertex 0", "cut the face")
+        self.refuse(self.write_off("n.off", TETRAHEDRON[0], [(0, 1, 1), (3, 3, 3)]),
+                    "three different vertices")
 
     def test_vertex_that_does_not_exist(self):
         self.refuse(self.write_off("v.off", TETRAHEDRON[0], [(0, 1, 9)]), "face 0", "vertex 9")

@@ -62,6 +62,7 @@ Mesh_file mesh_of_faces(IT::Triangle_soup soup, const Surface_choice& choice) {
   Mesh_file file;
   file.polygons = soup.input_faces;
   file.triangulated_polygons = soup.triangulated_polygons;
+  file.faces_with_repeated_vertices = soup.faces_with_repeated_vertices;
   IT::Domain made = IT::make_domain(std::move(soup), choice.kind, choice.mollification);
   file.polygon_of_triangle = std::move(made.input.names.polygon_of_triangle);
   file.input = std::move(made.input);
@@ -75,16 +76,13 @@ Mesh_file read_mesh(const std::string& path, const Surface_choice& choice) {
   Stopwatch watch;
   IT::Triangle_soup soup = IT::read_triangle_soup(path, faces_for(choice));
   const double seconds = watch.lap();
-  const std::size_t triangulated = soup.triangulated_polygons;
   try {
     Mesh_file file = soup.triangles.empty() ? mesh_of_points(soup, choice)
                                             : mesh_of_faces(std::move(soup), choice);
     file.seconds = seconds;
     return file;
   } catch (const IT::Invalid_input& e) {
-    const char* const note =
-        triangulated == 0 ? "" : " (faces are numbered after triangulating polygons)";
-    throw IT::Invalid_input(e.kind(), e.index(), path + ": " + e.what() + note);
+    throw IT::Invalid_input(e.kind(), e.index(), path + ": " + e.what());
   }
 }
 

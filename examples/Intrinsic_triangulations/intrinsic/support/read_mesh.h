@@ -27,7 +27,8 @@ struct Input_facts {
   std::size_t vertices = 0, edges = 0, faces = 0, boundary_edges = 0, components = 0;
   std::optional<std::size_t> genus;
   std::size_t boundary_loops = 0, isolated_vertices = 0, nonmanifold_vertices = 0;
-  std::size_t polygons = 0, triangulated_polygons = 0; ///< 0 for an intrinsic triangulation
+  /// 0 for an intrinsic triangulation
+  std::size_t polygons = 0, triangulated_polygons = 0, faces_with_repeated_vertices = 0;
 };
 
 /// counts the elements of a mesh.
@@ -46,7 +47,7 @@ struct Mesh_file {
   IT::Intrinsic_input input;
   /// Face of the file that each triangle is a part or a side of; empty if each is one.
   std::vector<std::uint32_t> polygon_of_triangle;
-  std::size_t polygons = 0, triangulated_polygons = 0;
+  std::size_t polygons = 0, triangulated_polygons = 0, faces_with_repeated_vertices = 0;
   double seconds = 0; ///< that reading took, without matching edges
   IT::Domain_report domain;
   std::optional<IT::Point_cloud_report> cloud = std::nullopt; ///< if the surface was made of points

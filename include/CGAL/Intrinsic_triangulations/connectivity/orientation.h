@@ -103,14 +103,21 @@ inline Orientation_result orient_faces(Gluing& g) {
 
 namespace internal {
 
+// What a face is called in messages: by its number if there are no names.
+inline std::uint32_t face_name(std::uint32_t f, const std::vector<std::uint32_t>& names) {
+  return names.empty() ? f : names[f];
+}
+
 // Reports two faces that run along an edge in the same direction.
-[[noreturn]] inline void fail_orientation(const Gluing& g, std::uint32_t h) {
+[[noreturn]] inline void fail_orientation(const Gluing& g, std::uint32_t h,
+                                          const std::vector<std::uint32_t>& names) {
   const std::uint32_t other = Gluing::partner(g.glue[h]);
   throw Invalid_input(
       Element_kind::edge, h,
       "edge (" + std::to_string(g.origin[h]) + ", " + std::to_string(g.origin[Gluing::next(h)]) +
-          ") is traversed in the same direction by faces " + std::to_string(h / 3) + " and " +
-          std::to_string(other / 3) +
+          ") is traversed in the same direction by faces " +
+          std::to_string(face_name(h / 3, names)) + " and " +
+          std::to_string(face_name(other / 3, names)) +
           (find_orientation(g).is_orientable
                ? "; reverse one of them to orient the mesh consistently"
                : "; the surface has only one side, as a Moebius strip has: no reversal of faces "

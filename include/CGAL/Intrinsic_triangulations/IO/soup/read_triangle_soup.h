@@ -32,6 +32,9 @@ first.
 Faces of OFF may take several lines, statements of OBJ that are unknown are skipped, a byte order mark
 is, and lines end by LF, CR LF or CR.
 
+Of a face that lists a vertex twice, what has no area is left out, and counted: 0 1 1 2 and 0 1 2 3 2 are polygons with a
+vertex or a line too many; nothing is left of 0 1 1.
+
 Faces with more than three sides are triangulated: a quadrilateral along the diagonal that
 `CGAL::Polygon_mesh_processing::triangulate_faces()` takes, others by constrained Delaunay
 triangulation in the plane normal to their vector area, or with least area where their projection to
@@ -42,7 +45,7 @@ vertices that another edge joins is avoided by another triangulation of the poly
 \param faces whether point sets are read
 \throws Invalid_input naming the file, its line where it has lines, the element and the remedy if
   the file does not exist or cannot be read, is empty, truncated or not of its format, has a
-  coordinate that is not finite, a face with fewer than three vertices, with a repeated vertex or
+  coordinate that is not finite, a face with fewer than three vertices, with area on two sides of a vertex that it repeats, or
   with one out of range, a line of more than 64 MiB, or no faces where they are needed, or no points, or has a polygon with no triangulation
 \complexity linear for text and binary alike, \f$n\log n\f$ for STL and in the number of diagonals;
   memory follows the size of the file, never a count in it
