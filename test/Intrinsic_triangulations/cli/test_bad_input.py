@@ -58,7 +58,7 @@ class Refused_input(Cli_test):
             self.skipTest("this system has no /dev/zero")
         with open(self.path("sparse.obj"), "wb") as file:
             file.truncate(1 << 31)
-        for name in ("zero.off", "zero.ply", "zero.idt", "sparse.obj"):
+        for name in ("zero.off", "zero.ply", "zero.xyz", "zero.idt", "sparse.obj"):
             if name.startswith("zero"):
                 os.symlink("/dev/zero", self.path(name))
             run = subprocess.run([self.program, "info", name], cwd=self.directory, text=True,

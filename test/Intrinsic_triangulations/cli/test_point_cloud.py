@@ -147,6 +147,11 @@ class Point_cloud(Cli_test):
                              ("line", [(i, 2 * i, 3 * i) for i in range(50)])):
             run = self.run_program("delaunay", self.write_xyz(name + ".xyz", points))
             self.assert_fails(run, name + ".xyz: ", "make a triangle", "near a surface")
+        for text, words in (("0 0 0\n1 0\n", (":2: ", "point 1", "fewer than three")),
+                            ("0 0 0\n0 nan 1\n", (":2: ", "point 1", "not a finite")),
+                            ("0 0 0\n1;2;3\n", (":2: ", "point 1", "spaces")),
+                            ("# none\n", ("no points",))):
+            self.assert_fails(self.run_program("info", self.write("b.xyz", text)), "b.xyz", *words)
         mesh = self.write_off("m.off", *rough_grid(2))
         self.assert_fails(self.run_program("info", mesh, "--neighbors", "9"), "--domain points")
         points = self.write_xyz("p.xyz", sphere(20))
