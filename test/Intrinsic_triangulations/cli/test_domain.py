@@ -124,6 +124,10 @@ class Domain(Cli_test):
         self.assertEqual(stats["domain"]["reason"], words)
         self.assertEqual(stats["input"]["faces_with_repeated_vertices"], 1)
         self.assert_fails(self.run_program("info", mesh, "--domain", "manifold"), words)
+        # both diagonals of a square are edges of other faces
+        mesh = self.write_off("d.off", points, [(0, 1, 2, 3), (0, 2, 4), (1, 3, 5)])
+        self.assertRegex(self.stats("info", mesh)["domain"]["reason"],
+                         r"edge \(\d, \d\), a diagonal of face 0, has 3 faces \(0, 0, [12]\)")
         # a strip of quadrilaterals with a triangle before it
         points, _ = moebius_strip()
         quads = [(2 * i, (2 * i + 2) % 18, (2 * i + 3) % 18, 2 * i + 1) for i in range(8)]

@@ -190,6 +190,21 @@ class Picture(View_test):
         dark = sum(n for p, n in colors.items() if max(p) < 60)
         self.assertGreater(dark, 0.01 * len(pixels))  # intrinsic edges
 
+    def test_shows_fronts_and_backs_of_a_cover_in_the_same_place(self):
+        page = self.view(self.write_off("grid.off", *grid(4)), "--domain", "tufted")
+        pictures = [self.screenshot()]
+        self.write("view.html", page.replace('<option value="1">', '<option value="1" selected>'))
+        pictures.append(self.screenshot())
+        different = silhouettes = 0
+        width, height, step, fronts = pictures[0]
+        for a, b in zip(fronts[:height], pictures[1][3]):
+            for i in range(400 * step, width * step, step):  # beside the panel
+                p, q = tuple(a[i:i + 3]), tuple(b[i:i + 3])
+                different += max(abs(x - y) for x, y in zip(p, q)) > 40
+                silhouettes += (p == BACKGROUND) != (q == BACKGROUND)
+        self.assertGreater(different, 0.05 * width * height)  # colours of other faces
+        self.assertLess(silhouettes, 0.001 * width * height)
+
 
 if __name__ == "__main__":
     main()

@@ -90,18 +90,6 @@ Gluing unglued_triangles(std::uint32_t number_of_vertices, const TriangleRange& 
   return g;
 }
 
-// "edge (0, 1) has 3 faces (4, 5, 6)", which are called by their names, see `face_name()`
-template <class Iterator>
-std::string edge_with_faces(const Gluing& g, Iterator first, Iterator last,
-                            const std::vector<std::uint32_t>& names) {
-  std::string result = "edge (" + std::to_string(g.origin[first->halfedge]) + ", " +
-                       std::to_string(g.origin[Gluing::next(first->halfedge)]) + ") has " +
-                       std::to_string(last - first) + " faces (";
-  for (auto i = first; i != last; ++i)
-    result += (i == first ? "" : ", ") + std::to_string(face_name(i->halfedge / 3, names));
-  return result + ")";
-}
-
 // Refuses the sides of an edge with more than two faces.
 template <class Iterator>
 [[noreturn]] void fail_nonmanifold(const Gluing& g, Iterator first, Iterator last,

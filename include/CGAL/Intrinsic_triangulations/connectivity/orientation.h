@@ -108,6 +108,24 @@ inline std::uint32_t face_name(std::uint32_t f, const std::vector<std::uint32_t>
   return names.empty() ? f : names[f];
 }
 
+// "edge (0, 1) has 3 faces (4, 5, 6)"; of several triangles that are called alike, as they are parts of a polygon, it is a diagonal.
+// \param first, last a range of what has a member `halfedge`, ascending
+template <class Iterator>
+std::string edge_with_faces(const Gluing& g, Iterator first, Iterator last,
+                            const std::vector<std::uint32_t>& names) {
+  std::string faces, diagonal;
+  std::uint32_t before = Gluing::none;
+  for (auto i = first; i != last; ++i) {
+    const std::uint32_t name = face_name(i->halfedge / 3, names);
+    faces += (i == first ? "" : ", ") + std::to_string(name);
+    if (name == before) diagonal = ", a diagonal of face " + std::to_string(name) + ",";
+    before = name;
+  }
+  return "edge (" + std::to_string(g.origin[first->halfedge]) + ", " +
+         std::to_string(g.origin[Gluing::next(first->halfedge)]) + ")" + diagonal + " has " +
+         std::to_string(last - first) + " faces (" + faces + ")";
+}
+
 // Reports two faces that run along an edge in the same direction.
 [[noreturn]] inline void fail_orientation(const Gluing& g, std::uint32_t h,
                                           const std::vector<std::uint32_t>& names) {
