@@ -79,8 +79,7 @@ public:
     for (const std::int64_t v : face) check_reference(f, v);
     if (soup_.triangles.size() + face.size() - 2 > maximal_triangles)
       fail(Element_kind::face, f, "the file has more than 715827881 triangles; split the mesh");
-    leave_out_lines(face);
-    append(f, corners_);
+    append(f, without_lines(face));
     ++soup_.input_faces;
   }
 
@@ -139,12 +138,12 @@ private:
   }
 
   // Leaves out what a face that lists a vertex twice has beside one polygon: points, and lines there and back, without area.
-  void leave_out_lines(const std::vector<std::int64_t>& face) {
-    corners_ = face;
-    if (face.size() == 3 && face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) return;
+  const std::vector<std::int64_t>& without_lines(const std::vector<std::int64_t>& face) {
+    if (face.size() == 3 && face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
+      return face;
     sorted_.assign(face.begin(), face.end());
     std::sort(sorted_.begin(), sorted_.end());
-    if (std::adjacent_find(sorted_.begin(), sorted_.end()) == sorted_.end()) return;
+    if (std::adjacent_find(sorted_.begin(), sorted_.end()) == sorted_.end()) return face;
     ++soup_.faces_with_repeated_vertices;
     std::vector<std::int64_t> way, polygon; // around the face; the part of it that is a polygon
     std::unordered_map<std::int64_t, std::size_t> place; // of a vertex on the way
@@ -163,6 +162,7 @@ private:
     }
     take(0);
     corners_ = std::move(polygon);
+    return corners_;
   }
 
   // Several polygons may be a face with a hole, which is no two faces.
