@@ -1,7 +1,7 @@
-# Unpacks the meshes of CGAL's data set, which Debian ships in libcgal-demo, into the build tree.
+# Unpacks the meshes and point sets of CGAL's data set, which Debian ships in libcgal-demo, into the build tree.
 #
 # Input:  INTRINSIC_TRIANGULATIONS_CGAL_DATA_ARCHIVE (cache), the file data.tar.gz
-# Result: INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR, empty where the archive is missing
+# Result: INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR, empty where the archive is missing; point sets are beside it
 
 find_file(INTRINSIC_TRIANGULATIONS_CGAL_DATA_ARCHIVE
   NAMES data.tar.gz
@@ -12,10 +12,10 @@ find_file(INTRINSIC_TRIANGULATIONS_CGAL_DATA_ARCHIVE
 set(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "")
 if(INTRINSIC_TRIANGULATIONS_CGAL_DATA_ARCHIVE)
   set(cgal_data "${PROJECT_BINARY_DIR}/cgal_data")
-  if(NOT EXISTS "${cgal_data}/unpacked")
+  if(NOT EXISTS "${cgal_data}/unpacked_with_points")
     file(ARCHIVE_EXTRACT INPUT "${INTRINSIC_TRIANGULATIONS_CGAL_DATA_ARCHIVE}"
-      DESTINATION "${cgal_data}" PATTERNS "data/meshes/*")
-    file(TOUCH "${cgal_data}/unpacked")
+      DESTINATION "${cgal_data}" PATTERNS "data/meshes/*" "data/points_3/*")
+    file(TOUCH "${cgal_data}/unpacked_with_points")
   endif()
   set(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "${cgal_data}/data/meshes")
 else()

@@ -20,7 +20,7 @@ int main() {
   const std::vector<std::vector<int>> faces{{0, 1, 2}, {0, 1, 3}, {0, 1, 5, 4}}; // polygons, too
 
   IT::Domain domain = IT::make_domain(IT::triangle_soup(points, faces));
-  std::cout << domain.report.reason << '\n'; // edge (0, 1) has 3 faces (0, 1, 3): of triangles
+  std::cout << domain.report.reason << '\n'; // edge (0, 1) has 3 faces (0, 1, 2)
   IT::Intrinsic_triangulation<> t(std::move(domain.input));
   IT::flip_to_delaunay(t);
   const Eigen::SparseMatrix<double> laplacian = IT::cotangent_laplacian(t); // a row per point

@@ -5,6 +5,8 @@
 
 namespace program {
 
+namespace {
+
 IT::Mollification mollification_of(const Options& options) {
   if (options.mollification == "none") return IT::Mollification::none;
   if (options.mollification == "lengths") return IT::Mollification::lengths;
@@ -17,6 +19,13 @@ IT::Domain_kind domain_of(const Options& options) {
   if (options.domain == "orientation-cover") return IT::Domain_kind::orientation_cover;
   if (options.domain == "tufted") return IT::Domain_kind::tufted_cover;
   return IT::Domain_kind::automatic;
+}
+
+} // namespace
+
+Surface_choice surface_of(const Options& options) {
+  return {mollification_of(options), domain_of(options), options.domain == "points",
+          options.neighbors};
 }
 
 std::string arithmetic_of(const Options& options) {
@@ -33,6 +42,8 @@ std::string arithmetic_of(const Options& options) {
          "mesh");
   if (options.domain != "auto")
     fail("a stored triangulation has its surface; leave --domain out, or start from the mesh");
+  if (options.neighbors)
+    fail("a stored triangulation has its surface; leave --neighbors out, or start from the points");
   return arithmetic;
 }
 

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -40,9 +41,10 @@ struct Loaded {
   std::vector<Point> points;
   /// Face of the file that each triangle of the input is a part or a side of; empty if each is one.
   std::vector<std::uint32_t> polygon_of_triangle;
-  Constraints constraints;    ///< edges of the input that are kept
-  Metric_report metric{};     ///< what changed lengths needed
-  IT::Domain_report domain{}; ///< which surface was made of the faces of a file
+  Constraints constraints;                       ///< edges of the input that are kept
+  Metric_report metric{};                        ///< what changed lengths needed
+  IT::Domain_report domain{};                    ///< which surface was made of a file
+  std::optional<IT::Point_cloud_report> cloud{}; ///< if it was made of points
 
   /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
   const std::vector<Point>& scaled_points() const {
@@ -52,11 +54,8 @@ struct Loaded {
   }
 };
 
-/// returns what the option `--mollification` means.
-IT::Mollification mollification_of(const Options& options);
-
-/// returns what the option `--domain` means.
-IT::Domain_kind domain_of(const Options& options);
+/// returns which surface options ask for.
+Surface_choice surface_of(const Options& options);
 
 /// tells whether a file name has the extension of intrinsic triangulations.
 inline bool is_triangulation_file(const std::string& path) {
@@ -76,7 +75,7 @@ template <class Triangulation>
 Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   Stopwatch watch;
   progress.show("reading");
-  Mesh_file file = read_mesh(options.input, mollification_of(options), domain_of(options));
+  Mesh_file file = read_mesh(options.input, surface_of(options));
   progress.show("building");
   Constraints constraints = constraints_of(file, options);
   // exact traits keep the points unless they only keep changed lengths
@@ -92,7 +91,8 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
                                  std::move(file.polygon_of_triangle),
                                  std::move(constraints),
                                  metric,
-                                 std::move(file.domain)};
+                                 std::move(file.domain),
+                                 std::move(file.cloud)};
     const Triangulation& t = loaded.triangulation;
     loaded.points.reserve(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) {
@@ -104,6 +104,7 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
     describe(loaded);
     loaded.facts.polygons = file.polygons;
     loaded.facts.triangulated_polygons = file.triangulated_polygons;
+    loaded.facts.faces_with_repeated_vertices = file.faces_with_repeated_vertices;
     return loaded;
   } catch (const IT::Invalid_input& e) {
     throw IT::Invalid_input(e.kind(), e.index(), options.input + ": " + e.what());

@@ -107,7 +107,8 @@ CLI::Validator text_or_mesh() {
 void add_common_options(CLI::App& command, Options& options) {
   command
       .add_option("IN", options.input,
-                  "mesh (.off .obj .ply .stl .ts) or intrinsic triangulation (.idt)")
+                  "mesh (.off .obj .ply .stl .ts), points (.xyz .pwn, or a mesh without faces) or "
+                  "intrinsic triangulation (.idt)")
       ->required();
   command
       .add_option_function<std::string>(
@@ -130,9 +131,15 @@ void add_common_options(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
   command
       .add_option("--domain", options.domain,
-                  "which surface is made of the faces: auto (the first of these that they allow, "
-                  "default), manifold, orientation-cover or tufted")
-      ->check(CLI::IsMember({"auto", "manifold", "orientation-cover", "tufted"}));
+                  "which surface is made of the file: auto (the first of these that its faces "
+                  "allow; points if it has none; default), manifold, orientation-cover, tufted, or "
+                  "points (faces are ignored)")
+      ->check(CLI::IsMember({"auto", "manifold", "orientation-cover", "tufted", "points"}));
+  command
+      .add_option("--neighbors", options.neighbors,
+                  "how many neighbors of each point are triangulated; default 30")
+      ->check(between(2, 1e9))
+      ->type_name("K");
   command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
       ->type_name("FILE");
   command

@@ -56,9 +56,10 @@ struct Options {
   /// `none`, `integer`, `signposts` or `crossings`; empty: what the command takes by default
   std::string correspondence;
   std::string mollification = "automatic"; ///< `automatic`, `none`, `lengths` or `squared`
-  /// `auto`, `manifold`, `orientation-cover` or `tufted`
+  /// `auto`, `manifold`, `orientation-cover`, `tufted` or `points`
   std::string domain = "auto";
-  std::string output;               ///< empty: none
+  std::optional<std::size_t> neighbors = std::nullopt; ///< of each point of a point cloud
+  std::string output;                                  ///< empty: none
   std::string view;                 ///< page that shows the triangulation; empty: none
   std::string mass;                 ///< empty: none
   std::string mass_kind = "lumped"; ///< `lumped` or `galerkin`

@@ -6,6 +6,7 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -81,6 +82,7 @@ Json input_json(const Options& options, const std::string& arithmetic,
   input["nonmanifold_vertices"] = facts.nonmanifold_vertices;
   if (facts.polygons > 0) input["polygons"] = facts.polygons;
   input["triangulated_polygons"] = facts.triangulated_polygons;
+  input["faces_with_repeated_vertices"] = facts.faces_with_repeated_vertices;
   input["renumbered"] = report.renumbered;
   input["reversed_faces"] = report.reversed_faces;
   json["arithmetic"] = arithmetic;
@@ -90,16 +92,36 @@ Json input_json(const Options& options, const std::string& arithmetic,
   return json;
 }
 
-Json domain_json(const IT::Domain_report& report, std::size_t vertices) {
-  const char* const kind = report.kind == IT::Domain_kind::tufted_cover        ? "tufted"
-                           : report.kind == IT::Domain_kind::orientation_cover ? "orientation-cover"
-                                                                               : "manifold";
-  return {{"kind", kind},
-          {"reason", report.reason},
-          {"sheets", report.sheets},
-          {"vertices", vertices},
-          {"nonmanifold_edges", report.nonmanifold_edges},
-          {"unoriented_edges", report.unoriented_edges}};
+namespace {
+
+const char* name(IT::Domain_kind kind) {
+  switch (kind) {
+  case IT::Domain_kind::tufted_cover:
+    return "tufted";
+  case IT::Domain_kind::orientation_cover:
+    return "orientation-cover";
+  default:
+    return "manifold";
+  }
+}
+
+} // namespace
+
+Json domain_json(const IT::Domain_report& report,
+                 const std::optional<IT::Point_cloud_report>& cloud, std::size_t vertices) {
+  Json json = {{"kind", cloud ? "points" : name(report.kind)},
+               {"reason", report.reason},
+               {"sheets", report.sheets},
+               {"vertices", vertices},
+               {"nonmanifold_edges", report.nonmanifold_edges},
+               {"unoriented_edges", report.unoriented_edges}};
+  if (!cloud) return json;
+  json["neighbors"] = cloud->neighbours;
+  json["triangles"] = cloud->triangles;
+  json["duplicated_points"] = cloud->duplicated_points;
+  json["points_without_triangles"] = cloud->points_without_triangles;
+  json["border_points"] = std::count(cloud->is_on_border.begin(), cloud->is_on_border.end(), 1);
+  return json;
 }
 
 Json metric_json(const Metric_report& report) {
@@ -183,7 +205,16 @@ void print_summary(std::ostream& stream, const Json& json) {
     row("surface") << json["domain"]["kind"].get<std::string>() << ", of "
                    << json["domain"]["vertices"]
                    << " vertices: " << json["domain"]["reason"].get<std::string>() << '\n';
+  if (json.contains("domain"))
+    for (const auto& [key, what] :
+         {std::pair("duplicated_points", "points are at the place of another"),
+          std::pair("points_without_triangles", "points have no triangles of their own"),
+          std::pair("border_points", "points are on the border")})
+      if (const Json& domain = json["domain"]; domain.value(key, 0) != 0)
+        row("") << domain[key] << ' ' << what << '\n';
   for (const auto& [key, what] : {std::pair("triangulated_polygons", "polygons were triangulated"),
+                                  std::pair("faces_with_repeated_vertices",
+                                            "faces listed a vertex twice: lines were left out"),
                                   std::pair("reversed_faces", "faces were turned around"),
                                   std::pair("degenerate_faces", "faces have no area"),
                                   std::pair("isolated_vertices", "vertices have no face"),

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -152,8 +153,9 @@ double input_area(const Loaded<Triangulation>& loaded) {
 Json input_json(const Options& options, const std::string& arithmetic,
                 const std::string& correspondence, const Input_facts& facts,
                 const IT::Input_report& report);
-/// returns which surface was made of the faces, and why.
-Json domain_json(const IT::Domain_report& report, std::size_t vertices);
+/// returns which surface was made of the file, and why.
+Json domain_json(const IT::Domain_report& report,
+                 const std::optional<IT::Point_cloud_report>& cloud, std::size_t vertices);
 /// returns what changed lengths needed.
 Json metric_json(const Metric_report& report);
 /// returns what is known of constrained edges.
@@ -188,7 +190,7 @@ Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
   Json json = input_json(options, Triangulation::Metric::is_exact ? "exact" : "double",
                          Triangulation::Correspondence::name, loaded.facts, t.report());
   if (!loaded.domain.reason.empty())
-    json["domain"] = domain_json(loaded.domain, t.input().number_of_rows());
+    json["domain"] = domain_json(loaded.domain, loaded.cloud, t.input().number_of_rows());
   if (!options.metric.empty()) json["metric"] = metric_json(loaded.metric);
   json["seconds"] = {{"read", loaded.seconds.read},
                      {"build", loaded.seconds.build},

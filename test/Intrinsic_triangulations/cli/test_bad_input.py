@@ -29,7 +29,7 @@ class Refused_input(Cli_test):
         self.refuse(self.directory, "directory")
 
     def test_unknown_extension(self):
-        self.refuse(self.write("mesh.xyz", "0 0 0\n"), ".off")
+        self.refuse(self.write("mesh.txt", "0 0 0\n"), ".off", ".xyz")
 
     def test_truncated_file(self):
         path = self.write_off("t.off", *TETRAHEDRON)
@@ -44,9 +44,11 @@ class Refused_input(Cli_test):
             self.refuse(self.write("n.off", f"OFF\n3 1 0\n0 0 0\n1 {word} 0\n0 1 0\n3 0 1 2\n"),
                         "vertex 1", "finite")
 
-    def test_repeated_vertex_in_a_face(self):
-        self.refuse(self.write_off("r.off", TETRAHEDRON[0], [(0, 1, 2), (0, 3, 3)]),
-                    "face 1", "repeats vertex 3")
+    def test_vertex_between_two_parts_of_a_face(self):
+        self.refuse(self.write_off("r.off", TETRAHEDRON[0], [(0, 1, 2), (0, 1, 2, 0, 2, 3)]),
+                    "face 1", "repeats vertex 0", "cut the face")
+        self.refuse(self.write_off("n.off", TETRAHEDRON[0], [(0, 1, 1), (3, 3, 3)]),
+                    "three different vertices")
 
     def test_vertex_that_does_not_exist(self):
         self.refuse(self.write_off("v.off", TETRAHEDRON[0], [(0, 1, 9)]), "face 0", "vertex 9")
@@ -56,7 +58,7 @@ class Refused_input(Cli_test):
             self.skipTest("this system has no /dev/zero")
         with open(self.path("sparse.obj"), "wb") as file:
             file.truncate(1 << 31)
-        for name in ("zero.off", "zero.ply", "zero.idt", "sparse.obj"):
+        for name in ("zero.off", "zero.ply", "zero.xyz", "zero.idt", "sparse.obj"):
             if name.startswith("zero"):
                 os.symlink("/dev/zero", self.path(name))
             run = subprocess.run([self.program, "info", name], cwd=self.directory, text=True,
@@ -77,7 +79,9 @@ class Refused_input(Cli_test):
                 self.assertTrue(run.err[:-1].isprintable(), run.err)
 
     def test_zero_faces(self):
-        self.refuse(self.write_off("z.off", TETRAHEDRON[0], []), "no faces")
+        self.refuse(self.write_off("z.off", [], []), "no points")
+        self.refuse(self.write_off("z.off", TETRAHEDRON[0], []), "no faces",
+                    options=("--domain", "manifold"))
 
     def test_edge_with_three_faces(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1)]

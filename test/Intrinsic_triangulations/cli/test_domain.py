@@ -114,6 +114,51 @@ class Domain(Cli_test):
         self.assert_close(stats["area"]["intrinsic"], 5, 1e-12)
         self.assert_close(stats["subdivision"]["area"], 5, 1e-12)
 
+    def test_reasons_and_refusals_name_faces_of_the_file(self):
+        points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (0, -1, 0),
+                  (1, -1, 0)]
+        faces = [(2, 3, 5), (0, 1, 2, 3), (0, 1, 1, 0), (0, 1, 5, 4), (0, 1, 7, 6)]
+        mesh = self.write_off("q.off", points, faces)
+        stats = self.stats("delaunay", mesh, "-o", "s.ply")
+        words = "edge (0, 1) has 3 faces (1, 3, 4)"
+        self.assertEqual(stats["domain"]["reason"], words)
+        self.assertEqual(stats["input"]["faces_with_repeated_vertices"], 1)
+        self.assert_fails(self.run_program("info", mesh, "--domain", "manifold"), words)
+        # both diagonals of a square are edges of other faces
+        mesh = self.write_off("d.off", points, [(0, 1, 2, 3), (0, 2, 4), (1, 3, 5)])
+        self.assertRegex(self.stats("info", mesh)["domain"]["reason"],
+                         r"edge \(\d, \d\), a diagonal of face 0, has 3 faces \(0, 0, [12]\)")
+        # a strip of quadrilaterals with a triangle before it
+        points, _ = moebius_strip()
+        quads = [(2 * i, (2 * i + 2) % 18, (2 * i + 3) % 18, 2 * i + 1) for i in range(8)]
+        corners = [(9, 18, 19)] + quads + [(16, 1, 0, 17)]
+        strip = self.write_off("m.off", points + [(9, 9, 9), (9, 8, 8)], corners)
+        stats = self.stats("info", strip)
+        self.assertEqual(stats["domain"]["kind"], "orientation-cover")
+        numbers = [int(w.strip(",")) for w in stats["domain"]["reason"].replace(":", "").split()
+                   if w.strip(",").isdigit()]
+        self.assertEqual(len(numbers), 2)
+        shared = set(corners[numbers[0]]) & set(corners[numbers[1]])
+        self.assertEqual(len(shared), 2, numbers)
+
+    def test_faces_that_list_a_vertex_twice_are_left_out_on_every_domain(self):
+        points, faces = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1)], [(0, 1, 2), (0, 2, 3)]
+        clean = self.write_off("c.off", points, faces)
+        mesh = self.write_off("r.off", points,
+                              [(0, 1, 1), faces[0], (4, 4, 4), (0, 2, 4, 2, 3, 3), (1, 2, 1, 2)])
+        for kind in ("auto", "manifold", "orientation-cover", "tufted"):
+            a = self.stats("laplacian", clean, "--domain", kind, "-o", "a.mtx")
+            b = self.stats("laplacian", mesh, "--domain", kind, "-o", "b.mtx")
+            self.assertEqual(b["input"]["faces_with_repeated_vertices"], 4)
+            self.assertEqual(a["input"]["faces_with_repeated_vertices"], 0)
+            self.assertEqual(self.read_matrix("a.mtx"), self.read_matrix("b.mtx"))
+            self.assertEqual(a["domain"], b["domain"])
+        self.assertIn("4 faces listed a vertex twice", self.run_program("info", mesh).out)
+        run = self.run_program("geodesic", mesh, "--path", "0:0.3:0.3:0.4,3")
+        self.assert_fails(run, "face 0", "three different vertices")
+        run = self.run_program("geodesic", mesh, "--path", "1:0.3:0.3:0.4,3")
+        self.assertEqual(run.code, 0, run.err)
+
     def test_covers_are_refined_stored_and_transferred_to(self):
         for points, faces in (FINS, moebius_strip()):
             mesh = self.write_off("m.off", points, faces)

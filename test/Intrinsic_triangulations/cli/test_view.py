@@ -110,6 +110,39 @@ class Page(View_test):
                 self.assertGreaterEqual(len(edges), 2 * (len(points) + len(faces) - 2))
             self.assertLessEqual(max(map(abs, point)), 1)
 
+    def test_covers_have_fronts_and_backs(self):
+        points = [(0, 0, 0), (4, 0, 0), (0, 5, 0), (1, 1, 6), (-3, 2, -5)]
+        faces = [(0, 1, 2), (0, 1, 3), (1, 0, 4), (2, 0, 3)]
+        page = self.view(self.write_off("fins.off", points, faces))
+        sheet = self.data(page, "sheets", "B")
+        corner = self.data(page, "triangles", "I")
+        source = self.data(page, "sources", "I")
+        xyz = self.data(page, "points", "f")
+        triangles = list(zip(*[iter(corner)] * 3))
+        self.assertEqual(len(sheet), len(triangles))
+
+        def normal(a, b, c):
+            u, v = ([y - x for x, y in zip(a, p)] for p in (b, c))
+            return [u[i] * v[j] - u[j] * v[i] for i, j in ((1, 2), (2, 0), (0, 1))]
+
+        for t, triangle in enumerate(triangles):
+            piece = normal(*(xyz[3 * v:3 * v + 3] for v in triangle))
+            whole = normal(*(points[v] for v in faces[source[2 * t + 1]]))
+            self.assertEqual(sheet[t] == 0, sum(a * b for a, b in zip(piece, whole)) > 0)
+        for name in ("input-edges", "intrinsic-edges"):
+            ends = list(zip(*[iter(self.data(page, name, "I"))] * 2))
+            beside = self.data(page, name + "-sheets", "B")
+            self.assertEqual(len(ends), len(beside))
+            for side in (0, 1):
+                shown = [set(e) for e, mask in zip(ends, beside) if mask >> side & 1]
+                self.assertTrue(shown)
+                for e in shown:
+                    self.assertTrue(any(e <= set(triangle) for t, triangle in enumerate(triangles)
+                                        if sheet[t] == side))
+        plain = self.view(self.write_off("grid.off", *grid(2)))
+        self.assertEqual(self.data(plain, "sheets", "B"), [])
+        self.assertEqual(self.data(plain, "input-edges-sheets", "B"), [])
+
     def test_two_runs_write_the_same(self):
         mesh = self.write_off("grid.off", *grid(4))
         self.assertEqual(self.view(mesh), self.view(mesh))
@@ -156,6 +189,21 @@ class Picture(View_test):
         self.assertGreater(sum(colors[p] for p in vivid), 0.1 * len(pixels))
         dark = sum(n for p, n in colors.items() if max(p) < 60)
         self.assertGreater(dark, 0.01 * len(pixels))  # intrinsic edges
+
+    def test_shows_fronts_and_backs_of_a_cover_in_the_same_place(self):
+        page = self.view(self.write_off("grid.off", *grid(4)), "--domain", "tufted")
+        pictures = [self.screenshot()]
+        self.write("view.html", page.replace('<option value="1">', '<option value="1" selected>'))
+        pictures.append(self.screenshot())
+        different = silhouettes = 0
+        width, height, step, fronts = pictures[0]
+        for a, b in zip(fronts[:height], pictures[1][3]):
+            for i in range(400 * step, width * step, step):  # beside the panel
+                p, q = tuple(a[i:i + 3]), tuple(b[i:i + 3])
+                different += max(abs(x - y) for x, y in zip(p, q)) > 40
+                silhouettes += (p == BACKGROUND) != (q == BACKGROUND)
+        self.assertGreater(different, 0.05 * width * height)  # colours of other faces
+        self.assertLess(silhouettes, 0.001 * width * height)
 
 
 if __name__ == "__main__":

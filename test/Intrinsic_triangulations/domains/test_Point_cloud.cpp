@@ -167,6 +167,21 @@ TEST(Point_cloud, takes_any_number_of_neighbours_and_few_points) {
   EXPECT_EQ(o.laplacian.coeff(1, 2), 0) << "a tie";
 }
 
+TEST(Point_cloud, does_not_depend_on_units_where_squares_overflow_or_vanish) {
+  const Points points = sphere(300);
+  const Matrix laplacian = operators(IT::make_point_cloud(points), "").laplacian;
+  for (const int exponent : {-1000, -600, -200, 200, 600, 1020}) {
+    Points scaled = points;
+    for (auto& p : scaled)
+      for (double& x : p) x = std::ldexp(x, exponent);
+    const Matrix other = operators(IT::make_point_cloud(scaled), "scaled").laplacian;
+    EXPECT_EQ(Matrix(laplacian - other).norm(), 0) << exponent;
+  }
+  const double most = std::numeric_limits<double>::max(), least = 5e-324;
+  const Points extreme{{0, 0, least}, {most, 0, 0}, {-most, 0, 0}, {0, most, 0}, {0, least, 0}};
+  EXPECT_GT(IT::make_point_cloud(extreme).points.triangles, 0U);
+}
+
 TEST(Point_cloud, refuses_what_is_no_surface) {
   const auto refusal = [](const Points& points, std::size_t neighbours) {
     try {

@@ -8,10 +8,12 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
@@ -20,15 +22,27 @@
 #include <CGAL/Intrinsic_triangulations/operators/solve_with_fixed_values.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations/operators/transfer.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <random>
+#include <set>
+#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -114,6 +128,79 @@ TEST(Cover, has_a_common_subdivision_over_both_sides_of_every_face) {
     expect_subdivision<Exact<IT::Explicit_crossings>>(m, name);
     expect_subdivision<Exact<IT::Signposts>>(m, name);
   }
+}
+
+meshes::Point area_vector(const std::vector<meshes::Point>& points,
+                          std::span<const std::uint32_t> polygon) {
+  meshes::Point n{};
+  const meshes::Point& p = points[polygon[0]];
+  for (std::size_t k = 2; k < polygon.size(); ++k)
+    for (unsigned c = 0; c < 3; ++c) {
+      const unsigned d = (c + 1) % 3, e = (c + 2) % 3;
+      const meshes::Point &q = points[polygon[k - 1]], &r = points[polygon[k]];
+      n[c] += (q[d] - p[d]) * (r[e] - p[e]) - (q[e] - p[e]) * (r[d] - p[d]);
+    }
+  return n;
+}
+
+double dot(const meshes::Point& a, const meshes::Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// On its front a piece goes around as the user's face does, on its back the other way.
+template <class Triangulation>
+void expect_sheets(const Triangulation& t, const Mesh& m, const std::string& name) {
+  const IT::Common_subdivision s = IT::common_subdivision(t);
+  ASSERT_EQ(s.sheet.size(), s.number_of_faces()) << name;
+  const std::vector<meshes::Point> points = IT::positions(s, std::span(m.points));
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+    const auto& corners = m.triangles[t.input().names().polygon_of_triangle[s.input_face[f]]];
+    const meshes::Point whole = area_vector(m.points, corners),
+                        piece = area_vector(points, s.face(f));
+    if (std::sqrt(dot(piece, piece)) < 1e-9 * std::sqrt(dot(whole, whole))) continue;
+    EXPECT_EQ(s.sheet[f], dot(piece, whole) > 0 ? 0 : 1) << name << " face " << f;
+  }
+}
+
+TEST(Cover, tells_which_sheet_a_piece_of_the_subdivision_lies_on) {
+  for (const auto& [name, m] : soups_of_all_kinds()) {
+    expect_sheets(delaunay<Integer>(m), m, name);
+    expect_sheets(delaunay<Exact<IT::Explicit_crossings>>(m), m, name);
+    auto t = delaunay<Integer>(m);
+    IT::delaunay_refine(t, IT::parameters::minimum_angle(25));
+    expect_sheets(t, m, name);
+  }
+  const Mesh strip = soups::moebius_strip();
+  expect_sheets(delaunay<Integer>(strip, Domain_kind::orientation_cover), strip, "one side");
+  const auto one = delaunay<Integer>(meshes::grid(4, 3), Domain_kind::manifold);
+  EXPECT_TRUE(IT::common_subdivision(one).sheet.empty());
+}
+
+TEST(Cover, has_its_sheets_in_files) {
+  const Mesh m = soups::three_fins();
+  const auto t = delaunay<Integer>(m);
+  const IT::Common_subdivision s = IT::common_subdivision(t);
+  const std::vector<meshes::Point> points = IT::positions(s, std::span(m.points));
+  std::stringstream ply, vtp, one;
+  IT::write_common_subdivision(ply, "ply", s, points, {}, IT::parameters::use_binary_mode(false));
+  IT::write_common_subdivision(vtp, "vtp", s, points);
+  EXPECT_NE(vtp.str().find("Name=\"sheet\""), std::string::npos);
+  std::string line;
+  std::size_t vertex = 0, face = 0;
+  std::vector<std::string> properties;
+  while (std::getline(ply, line) && line != "end_header")
+    if (line.starts_with("property")) properties.push_back(line);
+  EXPECT_EQ(std::ranges::count(properties, "property uchar sheet"), 1);
+  while (vertex++ < s.number_of_vertices()) std::getline(ply, line);
+  for (; face < s.number_of_faces(); ++face) {
+    std::getline(ply, line);
+    EXPECT_EQ(line.substr(line.rfind(' ') + 1), std::to_string(int{s.sheet[face]})) << line;
+  }
+  const Mesh grid = meshes::grid(2, 2);
+  const IT::Common_subdivision plain =
+      IT::common_subdivision(delaunay<Integer>(grid, Domain_kind::manifold));
+  IT::write_common_subdivision(one, "ply", plain, IT::positions(plain, std::span(grid.points)));
+  EXPECT_EQ(one.str().find("property uchar sheet"), std::string::npos);
 }
 
 TEST(Cover, has_mass_matrices_of_rows_by_way_of_its_subdivision) {
@@ -202,6 +289,156 @@ TEST(Cover, has_geodesics_on_a_sheet) {
       std::hypot(m.points[to][0] - m.points[from][0], m.points[to][1] - m.points[from][1]);
   EXPECT_NEAR(shortest, straight, 1e-12);
   EXPECT_GT(longest, straight) << "on the back, it goes around the border";
+}
+
+TEST(Cover, has_the_least_distance_of_all_copies_at_a_row) {
+  // a square, tufted: from a point of the front, straight to its copies in front, around the border to those behind
+  const Mesh m = meshes::grid(5, 4);
+  const auto t = delaunay<Integer>(m);
+  const IT::Input_names& names = t.input().names();
+  const std::uint32_t from = 7;
+  const IT::Polyhedral_distance d(t, t.numbers().vertex_at(names.vertex(from)));
+  const std::vector<double> distances = d.distances();
+  ASSERT_EQ(distances.size(), m.points.size());
+  for (std::size_t v = 0; v < m.points.size(); ++v)
+    EXPECT_NEAR(distances[v],
+                std::hypot(m.points[v][0] - m.points[from][0], m.points[v][1] - m.points[from][1]),
+                1e-12)
+        << v;
+  // rows without faces are not reached
+  Mesh isolated = m;
+  isolated.points.push_back({9, 9, 9});
+  const auto u = delaunay<Integer>(isolated);
+  const IT::Polyhedral_distance e(u, u.numbers().vertex_at(u.input().names().vertex(from)));
+  EXPECT_EQ(e.distances().back(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(e.distances()[0], distances[0]);
+}
+
+TEST(Cover, of_every_soup_has_distances_by_rows_that_are_those_of_some_copy) {
+  for (const auto& [name, m] : soups_of_all_kinds()) {
+    const auto t = delaunay<Integer>(m);
+    const IT::Polyhedral_distance d(t, t.numbers().vertex_at(t.input().names().vertex(0)));
+    std::vector<double> least(m.points.size(), std::numeric_limits<double>::infinity());
+    for (std::uint32_t v = 0; v < t.input().number_of_vertices(); ++v) {
+      double& x = least[t.input().names().row(v)];
+      x = std::min(x, d.distance(t.numbers().vertex_at(v)));
+    }
+    EXPECT_EQ(d.distances(), least) << name;
+    EXPECT_EQ(least[0], 0) << name;
+  }
+}
+
+TEST(Cover, has_a_delaunay_tessellation_with_a_vertex_per_copy) {
+  // both sides of a grid of squares: a closed surface of twice as many squares
+  const Mesh grid = meshes::grid(4, 3);
+  const auto flat = delaunay<Integer>(grid);
+  CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
+  const IT::Delaunay_tessellation d = IT::delaunay_tessellation(flat, mesh);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_TRUE(CGAL::is_quad_mesh(mesh));
+  EXPECT_EQ(num_faces(mesh), 24U);
+  EXPECT_EQ(num_vertices(mesh), 2 * 20U - 14U); // those on the border are on both sides
+  ASSERT_EQ(d.row.size(), num_vertices(mesh));
+  for (const auto f : faces(mesh)) { // a cell of the grid
+    std::set<double> x, y;
+    for (const auto v : vertices_around_face(mesh.halfedge(f), mesh)) {
+      x.insert(grid.points[d.row[v]][0]);
+      y.insert(grid.points[d.row[v]][1]);
+    }
+    EXPECT_TRUE(x.size() == 2 && y.size() == 2);
+  }
+  for (const auto& [name, m] : soups_of_all_kinds()) {
+    auto t = delaunay<Integer>(m);
+    IT::delaunay_refine(t, IT::parameters::minimum_angle(20));
+    mesh.clear();
+    const IT::Delaunay_tessellation c = IT::delaunay_tessellation(t, mesh);
+    EXPECT_TRUE(CGAL::is_closed(mesh)) << name;
+    std::vector<std::size_t> sides(num_vertices(mesh), 0); // all of a vertex are in one circle
+    for (const auto h : halfedges(mesh)) ++sides[target(h, mesh)];
+    for (const auto v : vertices(mesh))
+      if (sides[v] > 0) {
+        std::size_t around = 0;
+        for (auto h = halfedge(v, mesh); around == 0 || h != halfedge(v, mesh);
+             h = opposite(next(h, mesh), mesh)) {
+          EXPECT_EQ(target(h, mesh), v) << name;
+          ++around;
+        }
+        EXPECT_EQ(around, sides[v]) << name;
+      }
+    EXPECT_EQ(num_vertices(mesh), num_vertices(t.mesh())) << name;
+    EXPECT_EQ(std::set<std::uint32_t>(c.row.begin(), c.row.end()).size(), t.number_of_vertices())
+        << name;
+    for (const auto e :
+         edges(mesh)) { // ends of an intrinsic edge are those of the edge of the mesh
+      const auto h = t.numbers().halfedge_at(2 * c.intrinsic_edge[e.idx()]);
+      EXPECT_EQ(c.row[source(halfedge(e, mesh), mesh)], t.input_vertex(source(h, t.mesh())));
+      EXPECT_EQ(c.row[target(halfedge(e, mesh), mesh)], t.input_vertex(target(h, t.mesh())));
+    }
+  }
+}
+
+TEST(Cover, has_tangent_fields_with_a_vector_per_copy_that_come_back) {
+  for (const auto& [name, m] : soups_of_all_kinds()) {
+    auto t = delaunay<Integer>(m);
+    IT::delaunay_refine(t, IT::parameters::minimum_angle(20));
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> number(-1, 1);
+    IT::Tangent_field field(t.input().number_of_vertices());
+    for (std::complex<double>& z : field) z = {number(random), number(random)};
+    const IT::Tangent_field there = IT::tangent_field_to_intrinsic(t, field);
+    EXPECT_EQ(there.size(), num_vertices(t.mesh())) << name;
+    const IT::Tangent_field back = IT::tangent_field_to_input(t, there);
+    ASSERT_EQ(back.size(), field.size()) << name;
+    for (std::uint32_t v = 0; v < t.input().number_of_vertices(); ++v) {
+      const std::uint32_t copy = t.input().names().vertices.user(v);
+      const auto h = halfedge(t.numbers().vertex_at(v), t.mesh());
+      if (h == boost::graph_traits<IT::Gluing_map>::null_halfedge()) continue;
+      EXPECT_LE(std::abs(back[copy] - field[copy]), 1e-9) << name;
+      EXPECT_NEAR(std::abs(there[copy]), std::abs(field[copy]), 1e-12) << name;
+    }
+  }
+}
+
+TEST(Cover, keeps_a_constant_field_of_a_flat_soup_on_both_sheets) {
+  // the same direction in space everywhere, which the back sees mirrored
+  const Mesh m = meshes::grid(5, 4);
+  auto t = delaunay<Integer>(m);
+  const IT::Input& input = t.input();
+  const double direction = 0.7;
+  const auto at = [&](std::uint32_t v) { return m.points[input.names().row(v)]; };
+  const auto polar = [&](std::uint32_t v, const meshes::Point& end, double sign) {
+    const double axis = std::atan2(end[1] - at(v)[1], end[0] - at(v)[0]);
+    return std::polar(1., sign * (direction - axis));
+  };
+  // inner vertices of the grid have flat stars on their sheet: polar angles are angles
+  IT::Tangent_field field(input.number_of_vertices(), 0);
+  std::vector<char> is_inner(input.number_of_vertices(), 1);
+  std::vector<double> sign(input.number_of_vertices(), 1);
+  const auto is_on_border = [&](const meshes::Point& p) {
+    return p[0] == 0 || p[1] == 0 || p[0] == m.points.back()[0] || p[1] == m.points.back()[1];
+  };
+  for (std::uint32_t v = 0; v < input.number_of_vertices(); ++v) {
+    if (is_on_border(at(v))) {
+      is_inner[v] = 0;
+      continue;
+    }
+    const std::uint32_t h = input.outgoing_halfedge(v);
+    const std::uint32_t face = input.face(h);
+    sign[v] = input.names().faces.user(face) % 2 == 0 ? 1 : -1;
+    field[input.names().vertices.user(v)] = polar(v, at(input.target(h)), sign[v]);
+  }
+  const IT::Tangent_field there = IT::tangent_field_to_intrinsic(t, field);
+  std::size_t fronts = 0, backs = 0;
+  for (std::uint32_t v = 0; v < input.number_of_vertices(); ++v) {
+    if (!is_inner[v]) continue;
+    (sign[v] > 0 ? fronts : backs) += 1;
+    const auto h = opposite(halfedge(t.numbers().vertex_at(v), t.mesh()), t.mesh());
+    const meshes::Point end = m.points[t.input_vertex(target(h, t.mesh()))];
+    EXPECT_LE(std::abs(there[input.names().vertices.user(v)] - polar(v, end, sign[v])), 1e-9);
+  }
+  EXPECT_EQ(fronts, 4U * 3U);
+  EXPECT_EQ(backs, 4U * 3U);
 }
 
 TEST(Cover, is_stored_with_its_rows) {

@@ -67,7 +67,8 @@ TEST(Triangle_soup, names_the_face_or_point_that_is_wrong) {
   EXPECT_NE(refusal(square, Faces{{0, -1, 2}}).find("face 0 refers to vertex -1"),
             std::string::npos);
   EXPECT_EQ(refusal(square, Faces{{0, 1}}).rfind("face 0 has 2 vertices", 0), 0U);
-  EXPECT_EQ(refusal(square, Faces{{0, 1, 0}}).rfind("face 0 repeats vertex 0", 0), 0U);
+  EXPECT_EQ(refusal(square, Faces{{0, 1, 2, 0, 3, 2}}).rfind("face 0 repeats vertex 0", 0), 0U);
+  EXPECT_EQ(refusal(square, Faces{{0, 1, 0}}).rfind("no face has three different", 0), 0U);
   EXPECT_NE(refusal(square, Faces{}), "");
   Points bad = square;
   bad[2][1] = std::numeric_limits<double>::infinity();

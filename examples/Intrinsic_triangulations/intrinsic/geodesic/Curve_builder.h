@@ -148,6 +148,8 @@ private:
     std::uint32_t triangle = p.element;
     if (const std::vector<std::uint32_t>& polygon = loaded_.polygon_of_triangle; !polygon.empty()) {
       const auto [begin, end] = std::equal_range(polygon.begin(), polygon.end(), p.element);
+      if (end == begin)
+        throw std::runtime_error(face + " has no three different vertices; choose another");
       if (end - begin != loaded_.domain.sheets)
         throw std::runtime_error(face + " is a polygon, in which barycentric coordinates name no "
                                         "point; triangulate it before");

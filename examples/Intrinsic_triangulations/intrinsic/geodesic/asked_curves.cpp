@@ -55,6 +55,9 @@ void expect_elements(const Asked_curve& curve, const std::string& file, std::siz
   for (const Asked_point& p : curve.points) {
     const std::size_t count = p.is_vertex ? vertices : faces;
     const char* const kind = p.is_vertex ? "vertex" : "face";
+    if (count == 0)
+      throw std::runtime_error(curve.source + ": " + file + " has no faces; give numbers of " +
+                               "vertices");
     if (p.element >= count)
       throw std::runtime_error(curve.source + ": " + kind + " " + std::to_string(p.element) +
                                " does not exist in " + file + "; give numbers from 0 to " +

@@ -81,7 +81,8 @@ IT::Intrinsic_input read_study_source(const Study_source& source) {
         IT::gluing_from_triangles(static_cast<std::uint32_t>(mesh.points.size()), mesh.faces);
     return {IT::Gluing_map(gluing), std::move(mesh.points)};
   }
-  return read_mesh(source.location, IT::Mollification::automatic, IT::Domain_kind::manifold).input;
+  return read_mesh(source.location, {IT::Mollification::automatic, IT::Domain_kind::manifold})
+      .input;
 }
 
 } // namespace program

@@ -33,22 +33,56 @@ Input_facts facts_of(const IT::Gluing_map& mesh) {
   return facts;
 }
 
-Mesh_file read_mesh(const std::string& path, IT::Mollification mollification,
-                    IT::Domain_kind domain) {
+namespace {
+
+constexpr std::size_t usual_neighbors = 30;
+
+IT::File_faces faces_for(const Surface_choice& choice) {
+  if (choice.is_points) return IT::File_faces::ignored;
+  return choice.kind == IT::Domain_kind::automatic ? IT::File_faces::optional
+                                                   : IT::File_faces::needed;
+}
+
+Mesh_file mesh_of_points(const IT::Triangle_soup& soup, const Surface_choice& choice) {
+  IT::Point_cloud made = IT::make_point_cloud(
+      soup.points, choice.neighbors.value_or(usual_neighbors), choice.mollification);
+  Mesh_file file;
+  file.polygon_of_triangle = std::move(made.input.names.polygon_of_triangle);
+  file.input = std::move(made.input);
+  file.domain = std::move(made.report);
+  file.cloud = std::move(made.points);
+  return file;
+}
+
+Mesh_file mesh_of_faces(IT::Triangle_soup soup, const Surface_choice& choice) {
+  if (choice.neighbors)
+    throw IT::Invalid_input(IT::Element_kind::none, 0,
+                            "the file has faces, and points are given no neighbors; leave "
+                            "--neighbors out, or ignore faces with --domain points");
+  Mesh_file file;
+  file.polygons = soup.input_faces;
+  file.triangulated_polygons = soup.triangulated_polygons;
+  file.faces_with_repeated_vertices = soup.faces_with_repeated_vertices;
+  IT::Domain made = IT::make_domain(std::move(soup), choice.kind, choice.mollification);
+  file.polygon_of_triangle = std::move(made.input.names.polygon_of_triangle);
+  file.input = std::move(made.input);
+  file.domain = std::move(made.report);
+  return file;
+}
+
+} // namespace
+
+Mesh_file read_mesh(const std::string& path, const Surface_choice& choice) {
   Stopwatch watch;
-  IT::Triangle_soup soup = IT::read_triangle_soup(path);
+  IT::Triangle_soup soup = IT::read_triangle_soup(path, faces_for(choice));
   const double seconds = watch.lap();
-  const std::size_t polygons = soup.input_faces, triangulated = soup.triangulated_polygons;
   try {
-    IT::Domain made = IT::make_domain(std::move(soup), domain, mollification);
-    std::vector<std::uint32_t> polygon_of_triangle =
-        std::move(made.input.names.polygon_of_triangle);
-    return {std::move(made.input), std::move(polygon_of_triangle), polygons, triangulated, seconds,
-            std::move(made.report)};
+    Mesh_file file = soup.triangles.empty() ? mesh_of_points(soup, choice)
+                                            : mesh_of_faces(std::move(soup), choice);
+    file.seconds = seconds;
+    return file;
   } catch (const IT::Invalid_input& e) {
-    const char* const note =
-        triangulated == 0 ? "" : " (faces are numbered after triangulating polygons)";
-    throw IT::Invalid_input(e.kind(), e.index(), path + ": " + e.what() + note);
+    throw IT::Invalid_input(e.kind(), e.index(), path + ": " + e.what());
   }
 }
 

@@ -90,22 +90,12 @@ Gluing unglued_triangles(std::uint32_t number_of_vertices, const TriangleRange& 
   return g;
 }
 
-// "edge (0, 1) has 3 faces (4, 5, 6)"
-template <class Iterator>
-std::string edge_with_faces(const Gluing& g, Iterator first, Iterator last) {
-  std::string result = "edge (" + std::to_string(g.origin[first->halfedge]) + ", " +
-                       std::to_string(g.origin[Gluing::next(first->halfedge)]) + ") has " +
-                       std::to_string(last - first) + " faces (";
-  for (auto i = first; i != last; ++i)
-    result += (i == first ? "" : ", ") + std::to_string(i->halfedge / 3);
-  return result + ")";
-}
-
 // Refuses the sides of an edge with more than two faces.
 template <class Iterator>
-[[noreturn]] void fail_nonmanifold(const Gluing& g, Iterator first, Iterator last) {
+[[noreturn]] void fail_nonmanifold(const Gluing& g, Iterator first, Iterator last,
+                                   const std::vector<std::uint32_t>& names) {
   throw Invalid_input(Element_kind::edge, first->halfedge,
-                      edge_with_faces(g, first, last) +
+                      edge_with_faces(g, first, last, names) +
                           "; remove faces or duplicate vertices so that at most two remain, or "
                           "take the tufted cover");
 }
@@ -134,13 +124,13 @@ Shared_edges glue_pairs(Gluing& g, Halfedges_by_edge& sides, const Function& non
   return result;
 }
 
-// `conflict` is set to that of `Shared_edges`.
+// `conflict` is set to that of `Shared_edges`; `names` are those of faces in messages.
 template <class TriangleRange>
 Gluing glue_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles,
-                      std::uint32_t& conflict) {
+                      std::uint32_t& conflict, const std::vector<std::uint32_t>& names) {
   Gluing g = unglued_triangles(number_of_vertices, triangles);
   Halfedges_by_edge sides(g);
-  const auto refuse = [&g](auto first, auto last) { fail_nonmanifold(g, first, last); };
+  const auto refuse = [&](auto first, auto last) { fail_nonmanifold(g, first, last, names); };
   conflict = glue_pairs(g, sides, refuse).conflict;
   return g;
 }
@@ -159,8 +149,8 @@ Gluing glue_triangles(std::uint32_t number_of_vertices, const TriangleRange& tri
 template <class TriangleRange>
 Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles) {
   std::uint32_t conflict = Gluing::none;
-  Gluing g = internal::glue_triangles(number_of_vertices, triangles, conflict);
-  if (conflict != Gluing::none) internal::fail_orientation(g, conflict);
+  Gluing g = internal::glue_triangles(number_of_vertices, triangles, conflict, {});
+  if (conflict != Gluing::none) internal::fail_orientation(g, conflict, {});
   return g;
 }
 
@@ -168,19 +158,21 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRan
 \brief glues triangles that share edges, and turns those around that disagree with their neighbours.
 \param number_of_vertices, triangles see `gluing_from_triangles()`; the order of corners may be any
 \param reversed_faces set to nonzero for each face that was turned around, see `Orientation_result`
+\param names what each face is called in messages, as `Triangle_soup::polygon_of_triangle`; empty: by its number
 \throws Invalid_input see above; of orientation, only if no choice of it is consistent
 \complexity as above
 */
 template <class TriangleRange>
 Gluing oriented_gluing_from_triangles(std::uint32_t number_of_vertices,
                                       const TriangleRange& triangles,
-                                      std::vector<char>& reversed_faces) {
+                                      std::vector<char>& reversed_faces,
+                                      const std::vector<std::uint32_t>& names = {}) {
   std::uint32_t conflict = Gluing::none;
-  Gluing g = internal::glue_triangles(number_of_vertices, triangles, conflict);
+  Gluing g = internal::glue_triangles(number_of_vertices, triangles, conflict, names);
   reversed_faces.assign(g.number_of_faces(), 0);
   if (conflict == Gluing::none) return g;
   Orientation_result r = orient_faces(g);
-  if (!r.is_orientable) internal::fail_orientation(g, conflict);
+  if (!r.is_orientable) internal::fail_orientation(g, conflict, names);
   reversed_faces = std::move(r.reversed_faces);
   return g;
 }

@@ -103,14 +103,39 @@ inline Orientation_result orient_faces(Gluing& g) {
 
 namespace internal {
 
+// What a face is called in messages: by its number if there are no names.
+inline std::uint32_t face_name(std::uint32_t f, const std::vector<std::uint32_t>& names) {
+  return names.empty() ? f : names[f];
+}
+
+// "edge (0, 1) has 3 faces (4, 5, 6)"; of several triangles that are called alike, as they are parts of a polygon, it is a diagonal.
+// \param first, last a range of what has a member `halfedge`, ascending
+template <class Iterator>
+std::string edge_with_faces(const Gluing& g, Iterator first, Iterator last,
+                            const std::vector<std::uint32_t>& names) {
+  std::string faces, diagonal;
+  std::uint32_t before = Gluing::none;
+  for (auto i = first; i != last; ++i) {
+    const std::uint32_t name = face_name(i->halfedge / 3, names);
+    faces += (i == first ? "" : ", ") + std::to_string(name);
+    if (name == before) diagonal = ", a diagonal of face " + std::to_string(name) + ",";
+    before = name;
+  }
+  return "edge (" + std::to_string(g.origin[first->halfedge]) + ", " +
+         std::to_string(g.origin[Gluing::next(first->halfedge)]) + ")" + diagonal + " has " +
+         std::to_string(last - first) + " faces (" + faces + ")";
+}
+
 // Reports two faces that run along an edge in the same direction.
-[[noreturn]] inline void fail_orientation(const Gluing& g, std::uint32_t h) {
+[[noreturn]] inline void fail_orientation(const Gluing& g, std::uint32_t h,
+                                          const std::vector<std::uint32_t>& names) {
   const std::uint32_t other = Gluing::partner(g.glue[h]);
   throw Invalid_input(
       Element_kind::edge, h,
       "edge (" + std::to_string(g.origin[h]) + ", " + std::to_string(g.origin[Gluing::next(h)]) +
-          ") is traversed in the same direction by faces " + std::to_string(h / 3) + " and " +
-          std::to_string(other / 3) +
+          ") is traversed in the same direction by faces " +
+          std::to_string(face_name(h / 3, names)) + " and " +
+          std::to_string(face_name(other / 3, names)) +
           (find_orientation(g).is_orientable
                ? "; reverse one of them to orient the mesh consistently"
                : "; the surface has only one side, as a Moebius strip has: no reversal of faces "

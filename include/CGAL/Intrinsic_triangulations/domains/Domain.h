@@ -26,7 +26,7 @@ enum class Domain_kind {
 struct Domain_report {
   /// What was made: never `automatic`.
   Domain_kind kind = Domain_kind::manifold;
-  /// What decided, in words that name the edge and its faces, by the numbers of triangles.
+  /// What decided, in words that name the edge and its faces, by their numbers before polygons were triangulated.
   std::string reason;
   /// Number of sheets over each face: 2 for covers.
   std::uint32_t sheets = 1;

@@ -57,11 +57,13 @@ public:
     const Orientation_result r =
         conflict == Gluing::none ? Orientation_result{} : orient_faces(faces_);
     if (r.is_orientable) return manifold(r.reversed_faces);
-    if (kind == Domain_kind::manifold) fail_orientation(faces_, conflict);
-    return cover(Domain_kind::orientation_cover,
-                 "the surface has only one side: faces " + std::to_string(conflict / 3) + " and " +
-                     std::to_string(Gluing::partner(faces_.glue[conflict]) / 3) +
-                     " disagree, and no reversal of faces orients it");
+    if (kind == Domain_kind::manifold) fail_orientation(faces_, conflict, names());
+    return cover(
+        Domain_kind::orientation_cover,
+        "the surface has only one side: faces " + std::to_string(face_name(conflict / 3, names())) +
+            " and " +
+            std::to_string(face_name(Gluing::partner(faces_.glue[conflict]) / 3, names())) +
+            " disagree, and no reversal of faces orients it");
   }
 
   // The cover of other faces than those that are glued in pairs.
@@ -85,6 +87,10 @@ public:
   }
 
 private:
+  const std::vector<std::uint32_t>& names() const {
+    return result_.input.names.polygon_of_triangle;
+  }
+
   Domain manifold(const std::vector<char>& reversed) {
     Intrinsic_input& in = result_.input;
     const auto side = [&reversed](std::uint32_t h) { // as `orient_faces()` renames them
@@ -215,9 +221,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Triangle_soup soup, Doma
   const internal::Shared_edges shared =
       internal::glue_pairs(faces, sides, [&](auto first, auto last) {
         if (kind == Domain_kind::manifold || kind == Domain_kind::orientation_cover)
-          internal::fail_nonmanifold(faces, first, last);
+          internal::fail_nonmanifold(faces, first, last, soup.polygon_of_triangle);
         if (report.nonmanifold_edges++ == 0)
-          report.reason = internal::edge_with_faces(faces, first, last);
+          report.reason = internal::edge_with_faces(faces, first, last, soup.polygon_of_triangle);
       });
   report.unoriented_edges = shared.conflicts;
   Intrinsic_input input;

@@ -145,6 +145,25 @@ distinct_points(const std::vector<std::array<double, 3>>& points) {
   return order;
 }
 
+// Some of the points, in units in which squares neither overflow nor vanish: coordinates times a power of two.
+inline std::vector<std::array<double, 3>>
+points_to_triangulate(const std::vector<std::array<double, 3>>& points,
+                      const std::vector<std::uint32_t>& members) {
+  constexpr int most = 300; // up to there they are left as they are
+  double largest = 0;
+  for (const std::uint32_t v : members)
+    for (const double x : points[v]) largest = std::max(largest, std::abs(x));
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  std::vector<std::array<double, 3>> result;
+  result.reserve(members.size());
+  for (const std::uint32_t v : members) {
+    std::array<double, 3>& p = result.emplace_back(points[v]);
+    if (std::abs(exponent) > most)
+      for (double& x : p) x = std::ldexp(x, -exponent);
+  }
+  return result;
+}
+
 [[noreturn]] inline void fail_without_triangles(std::size_t points) {
   throw Invalid_input(Element_kind::none, 0,
                       "no three of the " + std::to_string(points) +
@@ -166,8 +185,8 @@ make_point_cloud(const std::vector<std::array<double, 3>>& points, std::size_t n
   if (members.size() < 3) internal::fail_without_triangles(points.size());
   Triangle_soup soup;
   soup.points = points;
-  std::vector<std::array<double, 3>> ordered;
-  for (const std::uint32_t v : members) ordered.push_back(points[v]);
+  const std::vector<std::array<double, 3>> ordered =
+      internal::points_to_triangulate(points, members);
   internal::Local_triangulator triangulator(ordered, report.neighbours);
   for (std::uint32_t i = 0; i < members.size(); ++i) {
     const std::size_t before = soup.triangles.size();

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,8 @@ public:
   std::int64_t first_reference = 0;
   // Whether faces may refer to vertices that are still to come.
   bool forward_references = false;
+  // Whether there must be faces, and whether they are taken: else vertices are points, and nothing is asked of faces.
+  bool needs_faces = true, takes_faces = true;
 
   std::size_t number_of_vertices() const { return soup_.points.size(); }
   std::size_t number_of_faces() const { return soup_.input_faces; }
@@ -65,6 +68,10 @@ public:
 
   void add_face(const std::vector<std::int64_t>& face) {
     const std::size_t f = soup_.input_faces;
+    if (!takes_faces) {
+      ++soup_.input_faces;
+      return;
+    }
     if (face.size() < 3)
       fail_face(" has " + std::to_string(face.size()) +
                 (face.size() == 1 ? " vertex" : " vertices") +
@@ -72,8 +79,7 @@ public:
     for (const std::int64_t v : face) check_reference(f, v);
     if (soup_.triangles.size() + face.size() - 2 > maximal_triangles)
       fail(Element_kind::face, f, "the file has more than 715827881 triangles; split the mesh");
-    check_distinct(face);
-    append(f, face);
+    append(f, without_lines(face));
     ++soup_.input_faces;
   }
 
@@ -82,9 +88,16 @@ public:
     if (latest_reference_ >= std::int64_t(soup_.points.size()) && soup_.input_faces != 0)
       fail_at(latest_line_, Element_kind::face, latest_face_,
               out_of_range(latest_face_, latest_reference_));
-    if (soup_.input_faces == 0)
+    if (!takes_faces) soup_.input_faces = 0;
+    if (soup_.input_faces == 0 && needs_faces)
       fail_at(0, Element_kind::none, 0,
-              "the file has no faces; give a surface mesh, not a point set");
+              "the file has no faces; give a surface mesh, or make a point cloud of its points");
+    if (soup_.input_faces != 0 && soup_.triangles.empty())
+      fail_at(0, Element_kind::none, 0,
+              "no face has three different vertices; correct the faces, or make a point cloud of "
+              "the points");
+    if (soup_.input_faces == 0 && soup_.points.empty())
+      fail_at(0, Element_kind::none, 0, "the file has no points; get a complete copy");
     triangulate_polygons(polygons_, soup_, [this](std::size_t f, const std::string& what) {
       fail_at(0, Element_kind::face, f, what);
     });
@@ -124,19 +137,48 @@ private:
     }
   }
 
-  void check_distinct(const std::vector<std::int64_t>& face) {
-    if (face.size() == 3 && face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) return;
+  // Leaves out what a face that lists a vertex twice has beside one polygon: points, and lines there and back, without area.
+  const std::vector<std::int64_t>& without_lines(const std::vector<std::int64_t>& face) {
+    if (face.size() == 3 && face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
+      return face;
     sorted_.assign(face.begin(), face.end());
     std::sort(sorted_.begin(), sorted_.end());
-    const auto twice = std::adjacent_find(sorted_.begin(), sorted_.end());
-    if (twice == sorted_.end()) return;
-    const bool are_neighbours = (face.front() == *twice && face.back() == *twice) ||
-                                std::search_n(face.begin(), face.end(), 2, *twice) != face.end();
-    const std::string remedy = face.size() == 3 ? "remove the face"
-                               : are_neighbours
-                                   ? "list the vertex once"
-                                   : "cut the face there into faces that each list a vertex once";
-    fail_face(" repeats vertex " + std::to_string(*twice + first_reference) + "; " + remedy);
+    if (std::adjacent_find(sorted_.begin(), sorted_.end()) == sorted_.end()) return face;
+    ++soup_.faces_with_repeated_vertices;
+    std::vector<std::int64_t> way, polygon; // around the face; the part of it that is a polygon
+    std::unordered_map<std::int64_t, std::size_t> place; // of a vertex on the way
+    const auto take = [&](std::size_t first) {
+      if (way.size() - first >= 3) {
+        if (!polygon.empty()) fail_pinched(way[first]);
+        polygon.assign(way.begin() + static_cast<std::ptrdiff_t>(first), way.end());
+      }
+      for (std::size_t i = first; i < way.size(); ++i) place.erase(way[i]);
+      way.resize(first);
+    };
+    for (const std::int64_t v : face) {
+      if (const auto before = place.find(v); before != place.end()) take(before->second);
+      place[v] = way.size();
+      way.push_back(v);
+    }
+    take(0);
+    corners_ = std::move(polygon);
+    return corners_;
+  }
+
+  // Several polygons may be a face with a hole, which is no two faces.
+  [[noreturn]] void fail_pinched(std::int64_t v) const {
+    fail_face(" repeats vertex " + std::to_string(v + first_reference) +
+              ", and has area on both sides of it; cut the face there into faces that each list a "
+              "vertex once");
+  }
+
+  // From now on triangles are told which face they are of: until now each was one.
+  void name_faces(std::size_t f) {
+    if (has_names_) return;
+    has_names_ = true;
+    soup_.polygon_of_triangle.reserve(soup_.triangles.capacity());
+    for (std::size_t t = 0; t < f; ++t)
+      soup_.polygon_of_triangle.push_back(static_cast<std::uint32_t>(t));
   }
 
   // A polygon takes the places of its triangles and is triangulated at the end.
@@ -145,24 +187,20 @@ private:
     if (face.size() > 3) {
       polygons_.add(f, soup_.triangles.size());
       for (std::size_t i = 0; i < face.size(); ++i) polygons_.corners.push_back(corner(i));
-      if (soup_.polygon_of_triangle.empty() && f > 0) {
-        soup_.polygon_of_triangle.reserve(soup_.triangles.capacity());
-        for (std::size_t t = 0; t < f; ++t)
-          soup_.polygon_of_triangle.push_back(static_cast<std::uint32_t>(t));
-      }
       ++soup_.triangulated_polygons;
     }
+    if (face.size() != 3) name_faces(f);
     for (std::size_t i = 2; i < face.size(); ++i) {
       soup_.triangles.push_back({corner(0), corner(i - 1), corner(i)});
-      if (soup_.triangulated_polygons != 0)
-        soup_.polygon_of_triangle.push_back(static_cast<std::uint32_t>(f));
+      if (has_names_) soup_.polygon_of_triangle.push_back(static_cast<std::uint32_t>(f));
     }
   }
 
   std::string file_;
   Triangle_soup soup_;
   Polygons polygons_;
-  std::vector<std::int64_t> sorted_;
+  std::vector<std::int64_t> sorted_, corners_;
+  bool has_names_ = false;
   std::int64_t latest_reference_ = -1;
   std::size_t latest_face_ = 0, latest_line_ = 0;
 };

@@ -18,14 +18,15 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief makes a soup of points and faces in arrays.
 
-Polygons are triangulated as those of files are, see `read_triangle_soup()`. Nothing else is asked of the faces: `make_domain()`
+Polygons are triangulated, and repeated vertices left out, as those of files are, see `read_triangle_soup()`. Nothing else is asked of the faces: `make_domain()`
 makes a surface of any.
 \tparam PointRange a range of points with `x()`, `y()` and `z()`, or of arrays of three coordinates
 \tparam FaceRange a range of ranges of integers: the numbers of the points of each face, in their order around it
 \param points the points
 \param faces the faces
 \throws Invalid_input naming a point with a coordinate that is not finite; or a face with fewer than three points, with
-  one that does not exist or occurs twice, or that cannot be triangulated; or if there are no faces
+  one that does not exist, with area on two sides of one that occurs twice, or that cannot be triangulated; or if there are no
+  faces
 \complexity linear for polygons of bounded size
 */
 template <class PointRange, class FaceRange>

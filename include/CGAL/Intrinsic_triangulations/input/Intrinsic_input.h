@@ -37,12 +37,14 @@ struct Triangle_soup {
   std::vector<std::array<double, 3>> points;
   /// Vertices of the triangles, counterclockwise.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// Input face of each triangle; empty if all input faces are triangles.
+  /// Input face of each triangle; empty if each is one.
   std::vector<std::uint32_t> polygon_of_triangle;
   /// Number of faces of the input.
   std::size_t input_faces = 0;
   /// Number of input faces with more than three sides.
   std::size_t triangulated_polygons = 0;
+  /// Number of input faces that listed a vertex more than once. Of them, lines and points were left out.
+  std::size_t faces_with_repeated_vertices = 0;
 };
 
 /*!

@@ -51,8 +51,9 @@ Intrinsic_input::Intrinsic_input(Triangle_soup soup, Mollification m)
     : points(std::move(soup.points)), mollification(m),
       triangulated_polygons(soup.triangulated_polygons) {
   std::vector<char> reversed;
-  mesh = Gluing_map::from_valid(oriented_gluing_from_triangles(
-      static_cast<std::uint32_t>(points.size()), soup.triangles, reversed));
+  mesh = Gluing_map::from_valid(
+      oriented_gluing_from_triangles(static_cast<std::uint32_t>(points.size()), soup.triangles,
+                                     reversed, soup.polygon_of_triangle));
   reversed_faces = internal::number_of_reversed(reversed, soup.polygon_of_triangle);
   names.polygon_of_triangle = std::move(soup.polygon_of_triangle);
 }

@@ -59,6 +59,20 @@ private:
   mutable bool is_current_ = true;
 };
 
+// Of a cover, several vertices are copies of one of the user's and share its row. What belongs to a neighbourhood, as a tangent
+// plane, has a number for each copy: its name, and for inserted vertices what follows. Without copies these are rows.
+template <class Triangulation>
+std::uint32_t copy_number(const Triangulation& t, typename Triangulation::vertex_descriptor v) {
+  return t.is_inserted(v)
+             ? t.input_vertex(v) - t.input().number_of_rows() + t.input().number_of_vertices()
+             : t.input().names().vertices.user(t.index(v));
+}
+
+template <class Triangulation>
+std::size_t number_of_copies(const Triangulation& t) {
+  return t.number_of_vertices() - t.input().number_of_rows() + t.input().number_of_vertices();
+}
+
 } // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_ROWS_H

@@ -26,6 +26,7 @@
 namespace {
 
 using CGAL::Intrinsic_triangulations::Element_kind;
+using CGAL::Intrinsic_triangulations::File_faces;
 using CGAL::Intrinsic_triangulations::Invalid_input;
 using CGAL::Intrinsic_triangulations::read_triangle_soup;
 using CGAL::Intrinsic_triangulations::Triangle_soup;
@@ -340,8 +341,8 @@ TEST_F(Read_triangle_soup, files_that_cannot_be_opened_are_named) {
   expect_error((directory_ / "absent.off").string(), Element_kind::none, 0, {"does not exist"});
   expect_error(directory_.string(), Element_kind::none, 0, {"is a directory"});
   expect_error_in("empty.off", "", Element_kind::none, 0, {"the file is empty"});
-  expect_error_in("mesh.xyz", tetrahedron_off, Element_kind::none, 0,
-                  {"\"xyz\" is not supported", ".off"});
+  expect_error_in("mesh.txt", tetrahedron_off, Element_kind::none, 0,
+                  {"\"txt\" is not supported", ".off"});
   expect_error_in("mesh", tetrahedron_off, Element_kind::none, 0, {"is not supported"});
   const std::string locked = file("locked.off", tetrahedron_off);
   std::filesystem::permissions(locked, std::filesystem::perms::none);
@@ -419,12 +420,11 @@ TEST_F(Read_triangle_soup, faces_that_are_no_faces_are_named) {
   expect_error_in("s.off", start + "2 0 1\n", Element_kind::face, 1,
                   {":8:", "face 1 has 2 vertices", "remove it"});
   expect_error_in("z.off", start + "0\n", Element_kind::face, 1, {"face 1 has 0 vertices"});
-  expect_error_in("d.off", start + "3 2 1 2\n", Element_kind::face, 1,
-                  {":8:", "face 1 repeats vertex 2", "remove the face"});
-  expect_error_in("q.off", start + "4 0 1 1 3\n", Element_kind::face, 1,
-                  {"face 1 repeats vertex 1", "list the vertex once"});
-  expect_error_in("k.off", start + "5 0 1 2 1 3\n", Element_kind::face, 1,
-                  {"face 1 repeats vertex 1", "cut the face"});
+  for (const std::string pinched : {"6 0 1 2 0 3 2", "10 0 1 2 3 0 1 2 3 0 1"})
+    expect_error_in("k.off", start + pinched + "\n", Element_kind::face, 1,
+                    {":8:", "face 1 repeats vertex", "both sides", "cut the face"});
+  expect_error_in("l.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n5 0 1 2 1 0\n",
+                  Element_kind::none, 0, {"no face has three different vertices"});
   expect_error_in("x.off", start + "3 0 1 2.5\n", Element_kind::face, 1, {"not a whole number"});
   expect_error_in("f.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", Element_kind::none, 0,
                   {"has no faces"});
@@ -436,12 +436,103 @@ TEST_F(Read_triangle_soup, faces_that_are_no_faces_are_named) {
   expect_error_in("e.obj", obj, Element_kind::none, 0, {"has no faces"});
   expect_error_in("r.ply", tetrahedron_ply(std::endian::big, -1), Element_kind::face, 0,
                   {"face 0 refers to vertex -1"});
-  expect_error_in("d.stl", binary_stl({{0, 0, 0, 1, 0, 0, 1, 0, 0}}, 1), Element_kind::face, 0,
-                  {"face 0 repeats vertex 1"});
   expect_error_in("r.ts",
                   "GOCAD TSurf 1\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\n"
                   "TRGL 1 2 4\nEND\n",
                   Element_kind::face, 0, {"face 0 refers to vertex 3"});
+}
+
+TEST_F(Read_triangle_soup, what_of_faces_has_no_area_as_they_repeat_a_vertex_is_left_out) {
+  using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+  using Numbers = std::vector<std::uint32_t>;
+  const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n";
+  const auto of_second = [&](const std::string& face) {
+    return read("f.off", "OFF\n5 3 0\n" + points + "3 0 1 4\n" + face + "\n3 0 4 3\n");
+  };
+  for (const std::string nothing :
+       {"3 2 1 2", "3 2 2 2", "4 0 1 2 1", "4 0 1 0 1", "5 0 0 1 1 0", "8 0 1 2 3 4 3 2 1"}) {
+    const Triangle_soup soup = of_second(nothing);
+    EXPECT_EQ(soup.triangles, (Triangles{{0, 1, 4}, {0, 4, 3}})) << nothing;
+    EXPECT_EQ(soup.polygon_of_triangle, (Numbers{0, 2})) << nothing;
+    EXPECT_EQ(soup.faces_with_repeated_vertices, 1U) << nothing;
+    EXPECT_EQ(soup.input_faces, 3U) << nothing;
+  }
+  for (const std::string triangle : {"4 0 1 1 2", "5 0 0 1 2 0", "5 0 1 3 1 2", "6 0 4 0 1 2 2"}) {
+    const Triangle_soup soup = of_second(triangle);
+    ASSERT_EQ(soup.triangles.size(), 3U) << triangle;
+    EXPECT_EQ(soup.triangles[1], (std::array<std::uint32_t, 3>{0, 1, 2})) << triangle;
+    EXPECT_TRUE(soup.polygon_of_triangle.empty()) << triangle; // each face is one
+    EXPECT_EQ(soup.faces_with_repeated_vertices, 1U) << triangle;
+  }
+  const Triangle_soup square = of_second("6 0 1 1 2 3 0");
+  EXPECT_EQ(square.triangles.size(), 4U);
+  EXPECT_EQ(square.polygon_of_triangle, (Numbers{0, 1, 1, 2}));
+  EXPECT_EQ(square.triangulated_polygons, 1U);
+  // a triangle at the end of a line, which leads on beyond it
+  EXPECT_EQ(of_second("7 4 1 2 3 1 4 2").triangles[1], (std::array<std::uint32_t, 3>{1, 2, 3}));
+  // the first face
+  const Triangle_soup first = read("f.off", "OFF\n5 2 0\n" + points + "3 0 0 4\n3 0 4 3\n");
+  EXPECT_EQ(first.triangles, (Triangles{{0, 4, 3}}));
+  EXPECT_EQ(first.polygon_of_triangle, (Numbers{1}));
+  // facets of STL whose corners have rounded to the same point
+  const Triangle_soup stl =
+      read("d.stl", binary_stl({{0, 0, 0, 1, 0, 0, 1, 0, 0}, {0, 0, 0, 1, 0, 0, 0, 1, 0}}, 2));
+  EXPECT_EQ(stl.triangles, (Triangles{{0, 1, 2}}));
+  EXPECT_EQ(stl.polygon_of_triangle, (Numbers{1}));
+}
+
+TEST_F(Read_triangle_soup, points_are_read_from_lists_and_from_files_without_faces) {
+  const std::vector<std::array<double, 3>> points{{0.1, -2, 3e-5}, {1, 2, 3}, {-4, 5, 6.25}};
+  const auto expect_points = [&](const std::string& name, const std::string& content) {
+    const Triangle_soup soup = read_triangle_soup(file(name, content), File_faces::optional);
+    EXPECT_EQ(soup.points, points) << name << '\n' << content;
+    EXPECT_TRUE(soup.triangles.empty() && soup.input_faces == 0) << name;
+  };
+  expect_points("a.xyz", "0.1 -2 3e-5\n1 2 3\n-4 5 6.25\n");
+  expect_points("b.xyz", "3\n0.1 -2 3e-5\n1 2 3\n-4 5 6.25");
+  expect_points("c.XYZ",
+                "# points\r\n\r\n 0.1\t-2 3e-5 0 0 1 red\r\n1 2 3 # one\r\n-4 5 6.25 nan\r\n");
+  expect_points("d.pwn", "0.1 -2 3e-5 0 0 1\n+1 2 3 0 1 0\n-4 5 6.25 1 0 0\n");
+  expect_points("e.off", "OFF 3 0 0\n0.1 -2 3e-5\n1 2 3\n-4 5 6.25\n");
+  expect_points("f.obj", "v 0.1 -2 3e-5\nv 1 2 3\nown words\nv -4 5 6.25\n");
+  expect_points("g.ply",
+                "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+                "property double z\nproperty uchar red\nend_header\n0.1 -2 3e-5 7\n1 2 3 7\n"
+                "-4 5 6.25 7\n");
+}
+
+TEST_F(Read_triangle_soup, faces_are_ignored_where_points_are_asked_for) {
+  const std::string mesh = "OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n3 0 1 9\n";
+  const Triangle_soup soup = read_triangle_soup(file("m.off", mesh), File_faces::ignored);
+  EXPECT_EQ(soup.points, (std::vector<std::array<double, 3>>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_TRUE(soup.triangles.empty() && soup.input_faces == 0);
+  const std::string stl = binary_stl({{0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0, 0, 1, 0}}, 2);
+  EXPECT_EQ(read_triangle_soup(file("m.stl", stl), File_faces::ignored).points.size(), 4U);
+  const std::string whole = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(read_triangle_soup(file("w.off", whole), File_faces::optional).triangles.size(), 1U);
+}
+
+TEST_F(Read_triangle_soup, points_that_are_no_points_are_named) {
+  const auto expect = [&](const std::string& content, std::size_t point,
+                          const std::vector<std::string>& words) {
+    try {
+      read_triangle_soup(file("p.xyz", content), File_faces::optional);
+      ADD_FAILURE() << content;
+    } catch (const Invalid_input& e) {
+      EXPECT_EQ(e.index(), point) << e.what();
+      for (const std::string& word : words)
+        EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what() << '\n' << word;
+    }
+  };
+  expect("0 0 0\n\n1 2\n", 1, {"p.xyz:3:", "point 1", "fewer than three", "remove it"});
+  expect("0 0 0\n1,2,3\n", 1, {"p.xyz:2:", "point 1", "\"1,2,3\"", "spaces"});
+  expect("0 0 0\n1 nan 3\n", 1, {"p.xyz:2:", "point 1", "not a finite number"});
+  expect("0 0 1e999\n", 0, {"p.xyz:1:", "point 0", "not a finite number"});
+  expect("2\nwater\nO 0 0 0\nH 1 0 0\n", 0, {"p.xyz:2:", "\"water\""});
+  expect("3\n0 0 0\n1 0 0\n", 2, {"point 2 of the 3", "truncated"});
+  expect("# nothing\n", 0, {"p.xyz: ", "no points"});
+  expect_error_in("p.xyz", "0 0 0\n1 0 0\n0 1 0\n", Element_kind::none, 0,
+                  {"has no faces", "point cloud"});
 }
 
 TEST_F(Read_triangle_soup, truncated_files_of_other_formats_are_refused) {

@@ -10,6 +10,13 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+/// What a reader does with the faces of a file, see `read_triangle_soup()`.
+enum class File_faces {
+  needed,   ///< a file without faces is refused
+  optional, ///< a file may be a point set: the soup has no triangles then
+  ignored   ///< the vertices are a point set, whatever the faces are
+};
+
 /*!
 \brief reads a polygon mesh from a file as a soup of triangles.
 
@@ -19,8 +26,14 @@ The format follows from the extension, in any letter case: OFF with all its pref
 numbers they have in the file; those of STL are the distinct corners in the order in which they
 first occur. A decimal coordinate becomes the nearest `double`; where a format stores single
 precision (binary OFF and STL, properties of type `float` in PLY), it becomes that number.
+Point sets, for `make_point_cloud()`, are files of these formats without faces, and lists of points (`.xyz`, `.pwn`): on each
+line three coordinates, of which what follows is ignored, as normals; comments start with `#`, and the number of points may come
+first.
 Faces of OFF may take several lines, statements of OBJ that are unknown are skipped, a byte order mark
 is, and lines end by LF, CR LF or CR.
+
+Of a face that lists a vertex twice, what has no area is left out, and counted: 0 1 1 2 and 0 1 2 3 2 are polygons with a
+vertex or a line too many; nothing is left of 0 1 1.
 
 Faces with more than three sides are triangulated: a quadrilateral along the diagonal that
 `CGAL::Polygon_mesh_processing::triangulate_faces()` takes, others by constrained Delaunay
@@ -28,14 +41,17 @@ triangulation in the plane normal to their vector area, or with least area where
 that plane crosses itself. As edges are later matched by their end vertices, a diagonal between two
 vertices that another edge joins is avoided by another triangulation of the polygon, if there is one.
 
+\param filename the name of the file
+\param faces whether point sets are read
 \throws Invalid_input naming the file, its line where it has lines, the element and the remedy if
   the file does not exist or cannot be read, is empty, truncated or not of its format, has a
-  coordinate that is not finite, a face with fewer than three vertices, with a repeated vertex or
-  with one out of range, a line of more than 64 MiB, or no faces, or has a polygon with no triangulation
+  coordinate that is not finite, a face with fewer than three vertices, with area on two sides of a vertex that it repeats, or
+  with one out of range, a line of more than 64 MiB, or no faces where they are needed, or no points, or has a polygon with no triangulation
 \complexity linear for text and binary alike, \f$n\log n\f$ for STL and in the number of diagonals;
   memory follows the size of the file, never a count in it
 */
-Triangle_soup read_triangle_soup(const std::string& filename);
+Triangle_soup read_triangle_soup(const std::string& filename,
+                                 File_faces faces = File_faces::needed);
 
 } // namespace CGAL::Intrinsic_triangulations
 

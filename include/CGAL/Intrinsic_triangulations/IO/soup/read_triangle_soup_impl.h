@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_OFF.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_PLY.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_STL.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_XYZ.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/domains/Soup_builder.h>
@@ -68,15 +69,21 @@ inline void scan_mesh_file(const std::string& filename, std::uintmax_t size, Sou
     STL_scanner(in, size, out).run();
   else if (extension == "ts")
     scan_GOCAD(in, out);
+  else if (extension == "xyz" || extension == "pwn")
+    XYZ_scanner(in, out).run();
   else
     out.fail("the extension \"" + shown(extension) +
-             "\" is not supported; convert the mesh to .off, .obj, .ply, .stl or .ts");
+             "\" is not supported; convert the mesh to .off, .obj, .ply, .stl or .ts, or points to "
+             ".xyz");
 }
 
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Triangle_soup read_triangle_soup(const std::string& filename) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Triangle_soup read_triangle_soup(const std::string& filename,
+                                                                      File_faces faces) {
   internal::Soup_builder out(filename);
+  out.needs_faces = faces == File_faces::needed;
+  out.takes_faces = faces != File_faces::ignored;
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(filename, error);
   if (!std::filesystem::exists(status)) out.fail("the file does not exist; check the name");

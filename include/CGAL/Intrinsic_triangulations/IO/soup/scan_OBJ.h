@@ -45,11 +45,13 @@ public:
       }
     }
     if (!joined_.empty()) scan(joined_);
-    if (out_.number_of_faces() == 0 && unknown_line_ != 0) {
+    const bool is_empty = out_.needs_faces || out_.number_of_vertices() == 0;
+    if (is_empty && out_.number_of_faces() == 0 && unknown_line_ != 0) {
       out_.line = unknown_line_;
-      out_.fail(
-          "the line is not a statement of an OBJ file, and the file has no faces; give it the "
-          "extension of its format");
+      out_.fail(std::string("the line is not a statement of an OBJ file, and the file has no ") +
+                (out_.needs_faces ? "faces" : "points") +
+                "; give it the "
+                "extension of its format");
     }
   }
 

@@ -28,6 +28,7 @@ inline constexpr std::string_view PLY_comments =
     "comment vertex input_face: a face of the input that contains it; -1 for crossings\n"
     "comment face: contained in input_face and intrinsic_face; neighbours of these differ in "
     "colour\n"
+    "comment sheet: of a cover, 0 on the front of the user's face, 1 on its back\n"
     "comment edge: lies on input_edge, on intrinsic_edge or on both\n";
 inline constexpr std::string_view PLY_face_properties =
     "property list uchar int vertex_indices\n"
@@ -79,8 +80,9 @@ private:
                   component_name(component, i, components), '\n');
     });
     for (const Vertex_field& field : o_.fields) out_.text("property double ", field.name, "\n");
-    out_.text("element face ", s_.number_of_faces(), "\n", PLY_face_properties, "element edge ",
-              edges, "\n", PLY_edge_properties, "end_header\n");
+    out_.text("element face ", s_.number_of_faces(), "\n", PLY_face_properties,
+              s_.sheet.empty() ? "" : "property uchar sheet\n", "element edge ", edges, "\n",
+              PLY_edge_properties, "end_header\n");
   }
 
   void write_vertex(std::size_t v) {
@@ -99,6 +101,7 @@ private:
     for (const std::uint32_t v : face) put(signed_label(v));
     const Rgb_color& c = colors[s_.intrinsic_face[f]];
     put(signed_label(s_.input_face[f]), signed_label(s_.intrinsic_face[f]), c[0], c[1], c[2]);
+    if (!s_.sheet.empty()) put(s_.sheet[f]);
     end();
   }
 

@@ -37,7 +37,8 @@ public:
         "<!-- Common subdivision of a mesh (the input) and an intrinsic triangulation of it.\n"
         "Numbers count from 0; -1: none. kind 0: vertex of the input; 1: inserted into the\n"
         "intrinsic triangulation; 2: crossing of input_edge and intrinsic_edge.\n"
-        "Lines are the intrinsic edges. -->\n"
+        "Lines are the intrinsic edges. sheet: of a cover, 0 on the front of the user's face,\n"
+        "1 on its back. -->\n"
         "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
         "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"",
         o_.points.size(), "\" NumberOfVerts=\"0\" NumberOfLines=\"", line_edges_.size(),
@@ -75,6 +76,10 @@ private:
     data_.scalars("intrinsic_face", n, label(s_.intrinsic_face));
     data_.scalars("intrinsic_edge", n,
                   [&](std::size_t i) { return signed_label(i < m ? line_edges_[i] : none); });
+    if (!s_.sheet.empty())
+      data_.scalars("sheet", n, [&, m](std::size_t i) {
+        return i < m ? std::int32_t{-1} : std::int32_t{s_.sheet[i - m]};
+      });
     out_.text("</CellData>\n");
   }
 

@@ -24,7 +24,27 @@ struct Drawn_edges {
   std::vector<std::uint32_t> ends; // two vertices of the subdivision per segment
   std::vector<std::uint32_t> edge; // the edge of each segment
   std::vector<float> room;         // one per segment
+  std::vector<std::uint8_t>
+      sheets; // of a cover: 1 for a segment beside fronts of faces, 2 beside backs, or 3
 };
+
+// The sheets beside each side of a face; empty if there is one sheet. What lies on an edge of the input lies beside the faces there,
+// all else inside of a face.
+inline std::vector<std::uint8_t> sheets_beside(const Common_subdivision& s) {
+  std::vector<std::uint8_t> result, beside_edge;
+  if (s.sheet.empty()) return result;
+  const auto edge = [&s](std::size_t c) { return std::size_t{s.side[c].input_edge}; };
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f)
+    for (std::size_t c = s.face_begin[f]; c < s.face_begin[f + 1]; ++c) {
+      result.push_back(static_cast<std::uint8_t>(1U << s.sheet[f]));
+      if (edge(c) == Common_subdivision::none) continue;
+      if (edge(c) >= beside_edge.size()) beside_edge.resize(edge(c) + 1, 0);
+      beside_edge[edge(c)] |= result.back();
+    }
+  for (std::size_t c = 0; c < result.size(); ++c)
+    if (edge(c) != Common_subdivision::none) result[c] = beside_edge[edge(c)];
+  return result;
+}
 
 // The area of each face of a triangulation, the sum of its pieces; `face_of` is the label of its faces.
 inline std::vector<double> drawn_areas(const Common_subdivision& s,
@@ -64,6 +84,7 @@ inline Drawn_edges drawn_edges(const Common_subdivision& s,
     for (const Side& side : s.sides(f))
       if (const std::uint32_t e = side.*edge_of; e != Common_subdivision::none)
         least[e] = std::min(least[e], area[face_of[f]]);
+  const std::vector<std::uint8_t> sheets = sheets_beside(s);
   Drawn_edges result;
   for_each_subdivision_edge(s, [&](std::uint32_t a, std::uint32_t b, const Side& side) {
     const std::uint32_t e = side.*edge_of;
@@ -74,6 +95,8 @@ inline Drawn_edges drawn_edges(const Common_subdivision& s,
     length[e] += std::hypot(difference(0), difference(1), difference(2));
     result.ends.insert(result.ends.end(), {a, b});
     result.edge.push_back(e);
+    if (!sheets.empty())
+      result.sheets.push_back(sheets[static_cast<std::size_t>(&side - s.side.data())]);
   });
   for (const std::uint32_t e : result.edge)
     result.room.push_back(length[e] > 0 ? static_cast<float>(2 * least[e] / length[e]) : 0.f);

@@ -148,10 +148,8 @@ private:
     write_points();
     write_triangles();
     write_vertices();
-    write_edges("input-edges", "input-edges-room", &Common_subdivision::Side::input_edge,
-                s_.input_face);
-    write_edges("intrinsic-edges", "intrinsic-edges-room",
-                &Common_subdivision::Side::intrinsic_edge, s_.intrinsic_face);
+    write_edges("input-edges", &Common_subdivision::Side::input_edge, s_.input_face);
+    write_edges("intrinsic-edges", &Common_subdivision::Side::intrinsic_edge, s_.intrinsic_face);
     write_field();
     write_curves("curves", view_.curves);
     write_curves("initial-curves", view_.initial_curves);
@@ -172,18 +170,22 @@ private:
       for (const std::size_t f : polygon)
         for (const std::uint8_t c : colors[s_.intrinsic_face[f]]) out.put(c);
     });
+    data("sheets", [&](Base64_writer& out) {
+      if (!s_.sheet.empty())
+        for (const std::size_t f : polygon) out.put(s_.sheet[f]);
+    });
     data("sources", [&](Base64_writer& out) {
       for (const std::size_t f : polygon)
         for (const std::uint32_t source : {s_.intrinsic_face[f], s_.input_face[f]}) out.put(source);
     });
   }
 
-  void write_edges(std::string_view id, std::string_view room_id,
-                   std::uint32_t Common_subdivision::Side::*edge_of,
+  void write_edges(const std::string& id, std::uint32_t Common_subdivision::Side::*edge_of,
                    const std::vector<std::uint32_t>& face_of) {
     const Drawn_edges edges = drawn_edges(s_, scaled_, edge_of, face_of);
     numbers(id, edges.ends);
-    numbers(room_id, edges.room);
+    numbers(id + "-room", edges.room);
+    numbers(id + "-sheets", edges.sheets);
   }
 
   // What is told of a vertex: its kind, its intrinsic element, and its input element.
@@ -276,7 +278,7 @@ private:
 network.
 
 Intrinsic faces have colours that differ between neighbours, intrinsic edges are dark, input edges
-light; a field replaces the colours. Curves lie on top. The pointer shows the numbers of the faces under it.
+light; a field replaces the colours. Of a cover, the fronts of the user's faces are shown, or their backs. Curves lie on top. The pointer shows the numbers of the faces under it.
 \param out the stream
 \param s the common subdivision
 \param points the position of each vertex, see `positions()`

@@ -24,6 +24,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief holds a tangent vector per vertex `v`, at index `t.input_vertex(v)` as in all operators.
 
+Of a cover, each copy of a vertex has a tangent plane and a vector of its own: at the number of the copy,
+`t.input().names().vertices.user(t.index(v))`; those of inserted vertices follow.
+
 It is a complex number in the polar coordinates of the vertex (§2.4 of the course): the real axis runs along the first
 halfedge that starts there, `opposite(halfedge(v, t.mesh()), t.mesh())`, and angles from it counterclockwise are scaled
 so that the total angle becomes 2 pi, or pi on the border.

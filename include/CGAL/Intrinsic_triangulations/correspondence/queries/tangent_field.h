@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_rows.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -81,11 +82,11 @@ public:
     const auto at = [&](std::uint32_t v) { // in the frames of the input
       return field[t_.input().names().vertices.user(v)] * rotation(v);
     };
-    Tangent_field result(t_.number_of_vertices(), 0);
+    Tangent_field result(number_of_copies(t_), 0);
     for (const Vertex v : vertices(t_.mesh())) {
       if (is_isolated(t_, v)) continue;
       const Tangent_vector axis = axis_on_input(v);
-      std::complex<double>& z = result[t_.input_vertex(v)];
+      std::complex<double>& z = result[copy_number(t_, v)];
       if (t_.is_inserted(v)) { // in a face, on the frames of which there are no two opinions
         const Planar_vector<double> x = frames_.in_face(axis.point, at);
         z = std::complex<double>(x[0], x[1]) *
@@ -98,12 +99,12 @@ public:
   }
 
   Tangent_field to_input(const Tangent_field& field) const {
-    expect_size(field, t_.number_of_vertices());
+    expect_size(field, number_of_copies(t_));
     Tangent_field result(t_.input().number_of_vertices(), 0);
     for (const Vertex v : vertices(t_.mesh())) {
       if (t_.is_inserted(v) || is_isolated(t_, v)) continue;
       const Tangent_vector axis = axis_on_input(v);
-      const std::uint32_t i = t_.input_vertex(v);
+      const std::uint32_t i = copy_number(t_, v);
       result[i] = field[i] * std::polar(1., frames_.polar_angle(axis, corner_of(axis.point))) *
                   std::conj(rotation(t_.index(v)));
     }
@@ -167,7 +168,7 @@ Tangent_field tangent_field_to_input(const Triangulation& t, const Tangent_field
 mesh, but a soup or a gluing.
 
 See the overload with a mesh. The real axis at vertex `v` of the input runs along `t.input().outgoing_halfedge(v)`; vectors
-are at the user's number of the vertex.
+are at the user's number of the vertex; of a cover, at the number of the copy, `t.input().names().vertices.user(v)`.
 */
 template <internal::Queried_triangulation Triangulation>
 Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_field& field) {

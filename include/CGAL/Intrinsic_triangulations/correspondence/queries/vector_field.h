@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_rows.h>
 
 #include <array>
 #include <cmath>
@@ -97,7 +98,7 @@ std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
   const internal::Vertex_frames frames = internal::intrinsic_frames(t, view);
   std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
   for (const auto v : vertices(t.mesh())) {
-    const std::uint32_t i = t.input_vertex(v);
+    const std::uint32_t i = internal::copy_number(t, v);
     if (internal::is_isolated(t, v)) continue;
     if (const auto x = tangent_to_input(t, frames.at_vertex(t.index(v), field[i])))
       result[i] = internal::vector_in_space(named, *x);
@@ -125,7 +126,9 @@ std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
   const Intrinsic_view<Triangulation> view(t);
   const internal::Vertex_frames frames = internal::intrinsic_frames(t, view);
-  const auto at = [&](std::uint32_t v) { return field[t.input_vertex(t.numbers().vertex_at(v))]; };
+  const auto at = [&](std::uint32_t v) {
+    return field[internal::copy_number(t, t.numbers().vertex_at(v))];
+  };
   const std::vector<std::array<double, 3>> points = positions(s, mesh);
   std::vector<std::array<double, 3>> result(s.number_of_faces(), {0, 0, 0});
   for (std::size_t f = 0; f < s.number_of_faces(); ++f) {

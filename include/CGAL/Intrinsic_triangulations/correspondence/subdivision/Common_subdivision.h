@@ -109,6 +109,8 @@ struct Common_subdivision {
   std::vector<std::uint32_t> input_face;
   /// The intrinsic face that contains each face.
   std::vector<std::uint32_t> intrinsic_face;
+  /// On a cover (see `make_domain()`), the side of the user's face that each face lies on: 0 front, 1 back. Else empty.
+  std::vector<std::uint8_t> sheet;
   /// Number of sides of faces that are on the border.
   std::size_t number_of_border_edges = 0;
 

@@ -133,11 +133,14 @@ public:
   double distance(const Surface_point& p) const {
     return known(field_.at(point_in_face(p)).distance);
   }
-  /// returns the distances of all vertices, by their rows, see `Intrinsic_triangulation::input_vertex()`.
+  /// returns the distances of all vertices, by their rows, see `Intrinsic_triangulation::input_vertex()`. Of a cover, that is
+  /// the least of those of the copies of a vertex; paths do not change from one copy to another.
   std::vector<double> distances() const {
-    std::vector<double> result(t_->number_of_vertices());
-    for (const vertex_descriptor v : vertices(t_->mesh()))
-      result[t_->input_vertex(v)] = distance(v);
+    std::vector<double> result(t_->number_of_vertices(), std::numeric_limits<double>::infinity());
+    for (const vertex_descriptor v : vertices(t_->mesh())) {
+      double& least = result[t_->input_vertex(v)];
+      least = std::min(least, distance(v));
+    }
     return result;
   }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -28,6 +29,8 @@ struct Delaunay_tessellation {
   std::vector<std::uint32_t> cell;
   /// For each edge of the mesh the number of the intrinsic edge that it is, with the same direction.
   std::vector<std::uint32_t> intrinsic_edge;
+  /// For each vertex of the mesh its row, `t.input_vertex(v)`: its number, but of a cover.
+  std::vector<std::uint32_t> row;
 };
 
 namespace internal {
@@ -48,8 +51,9 @@ public:
 
   Delaunay_tessellation build() {
     for (const auto e : check_delaunay(t_).cocircular_edges) is_left_out_[t_.index(e)] = 1;
-    for (std::uint32_t v = 0; v < t_.number_of_vertices(); ++v)
-      vertex_.push_back(add_vertex(mesh_));
+    for (std::size_t v = 0; v < number_of_copies(t_); ++v) vertex_.push_back(add_vertex(mesh_));
+    result_.row.resize(vertex_.size());
+    for (const auto v : vertices(t_.mesh())) result_.row[copy_number(t_, v)] = t_.input_vertex(v);
     for (const auto e : edges(t_.mesh())) add_sides(t_.index(e));
     for (const Halfedge h : halfedges(t_.mesh()))
       if (is_kept(h)) join(h);
@@ -67,7 +71,7 @@ private:
   bool is_border(Halfedge h) const { return face(h, t_.mesh()) == Graph_traits::null_face(); }
   bool is_kept(Halfedge h) const { return is_left_out_[t_.numbers().halfedge(h) / 2] == 0; }
   auto new_side(Halfedge h) const { return side_[t_.numbers().halfedge(h)]; }
-  auto new_target(Halfedge h) const { return vertex_[t_.input_vertex(target(h, t_.mesh()))]; }
+  auto new_target(Halfedge h) const { return vertex_[copy_number(t_, target(h, t_.mesh()))]; }
 
   void add_sides(std::uint32_t e) {
     if (is_left_out_[e] != 0) return;
@@ -111,7 +115,7 @@ private:
 
   const Triangulation& t_;
   Mesh& mesh_;
-  std::vector<typename New_traits::vertex_descriptor> vertex_; // per row
+  std::vector<typename New_traits::vertex_descriptor> vertex_; // per copy
   std::vector<typename New_traits::halfedge_descriptor> side_; // per intrinsic halfedge
   std::vector<char> is_left_out_;                              // per intrinsic edge
   Delaunay_tessellation result_;
@@ -131,7 +135,7 @@ Lengths of its sides are those of intrinsic edges.
 \tparam Mesh a model of `MutableFaceGraph`: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, OpenMesh's polygon meshes
 \param t the triangulation \pre all edges are locally Delaunay; others are kept
 \param mesh an empty mesh, which is built: its vertices are those of `t` in the order of rows, `t.input_vertex(v)`,
-  without points
+  without points; of a cover, a row has a vertex for each of its copies, see `Delaunay_tessellation::row`
 \return what the elements of the mesh are in `t`
 \complexity linear
 */
