@@ -33,6 +33,8 @@ std::string arithmetic_of(const Options& options) {
          "mesh");
   if (options.domain != "auto")
     fail("a stored triangulation has its surface; leave --domain out, or start from the mesh");
+  if (options.polygons != "fan")
+    fail("a stored triangulation has its surface; leave --polygons out, or start from the mesh");
   return arithmetic;
 }
 

@@ -40,9 +40,10 @@ struct Loaded {
   std::vector<Point> points;
   /// Face of the file that each triangle of the input is a part or a side of; empty if each is one.
   std::vector<std::uint32_t> polygon_of_triangle;
-  Constraints constraints;    ///< edges of the input that are kept
-  Metric_report metric{};     ///< what changed lengths needed
-  IT::Domain_report domain{}; ///< which surface was made of the faces of a file
+  Constraints constraints;       ///< edges of the input that are kept
+  Metric_report metric{};        ///< what changed lengths needed
+  IT::Domain_report domain{};    ///< which surface was made of the faces of a file
+  IT::Polygon_report polygons{}; ///< what was made of its polygons
 
   /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
   const std::vector<Point>& scaled_points() const {
@@ -57,6 +58,12 @@ IT::Mollification mollification_of(const Options& options);
 
 /// returns what the option `--domain` means.
 IT::Domain_kind domain_of(const Options& options);
+
+/// returns what the option `--polygons` means.
+inline IT::Nonplanar_polygons polygons_of(const Options& options) {
+  return options.polygons == "planar" ? IT::Nonplanar_polygons::planar
+                                      : IT::Nonplanar_polygons::fan;
+}
 
 /// tells whether a file name has the extension of intrinsic triangulations.
 inline bool is_triangulation_file(const std::string& path) {
@@ -76,9 +83,11 @@ template <class Triangulation>
 Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   Stopwatch watch;
   progress.show("reading");
-  Mesh_file file = read_mesh(options.input, mollification_of(options), domain_of(options));
+  Mesh_file file =
+      read_mesh(options.input, mollification_of(options), domain_of(options), polygons_of(options));
   progress.show("building");
   Constraints constraints = constraints_of(file, options);
+  const IT::Polygon_report polygons = file.input.planar_polygons.report;
   // exact traits keep the points unless they only keep changed lengths
   const bool are_points_kept = Triangulation::Metric::is_exact && options.metric.empty() &&
                                file.input.mollification != IT::Mollification::lengths;
@@ -92,7 +101,8 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
                                  std::move(file.polygon_of_triangle),
                                  std::move(constraints),
                                  metric,
-                                 std::move(file.domain)};
+                                 std::move(file.domain),
+                                 polygons};
     const Triangulation& t = loaded.triangulation;
     loaded.points.reserve(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) {

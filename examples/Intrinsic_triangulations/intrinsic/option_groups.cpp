@@ -131,6 +131,12 @@ void add_common_options(CLI::App& command, Options& options) {
                   "which surface is made of the faces: auto (the first of these that they allow, "
                   "default), manifold, orientation-cover or tufted")
       ->check(CLI::IsMember({"auto", "manifold", "orientation-cover", "tufted"}));
+  command
+      .add_option(
+          "--polygons", options.polygons,
+          "what is made of polygons that are not planar: fan (triangles in space, default) or "
+          "planar (the planar polygon with the same sides and the nearest angles)")
+      ->check(CLI::IsMember({"fan", "planar"}));
   command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
       ->type_name("FILE");
   command

@@ -57,6 +57,7 @@ struct Options {
   std::string mollification = "automatic"; ///< `automatic`, `none`, `lengths` or `squared`
   /// `auto`, `manifold`, `orientation-cover` or `tufted`
   std::string domain = "auto";
+  std::string polygons = "fan";     ///< what is made of nonplanar ones: `fan` or `planar`
   std::string output;               ///< empty: none
   std::string view;                 ///< page that shows the triangulation; empty: none
   std::string mass;                 ///< empty: none

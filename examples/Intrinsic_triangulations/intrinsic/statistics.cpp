@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
@@ -102,6 +103,13 @@ Json domain_json(const IT::Domain_report& report, std::size_t vertices) {
           {"unoriented_edges", report.unoriented_edges}};
 }
 
+Json polygons_json(const IT::Polygon_report& report) {
+  return {{"planar", report.planar},
+          {"flattened", report.flattened},
+          {"kept", report.kept},
+          {"max_angle_change_deg", report.largest_angle_change * 180 / std::numbers::pi}};
+}
+
 Json metric_json(const Metric_report& report) {
   return {{"violating_faces", report.violating_faces},
           {"changed_edges", report.changed_edges},
@@ -183,6 +191,9 @@ void print_summary(std::ostream& stream, const Json& json) {
     row("surface") << json["domain"]["kind"].get<std::string>() << ", of "
                    << json["domain"]["vertices"]
                    << " vertices: " << json["domain"]["reason"].get<std::string>() << '\n';
+  if (json.contains("polygons"))
+    row("polygons") << json["polygons"]["planar"] << " planar, " << json["polygons"]["flattened"]
+                    << " made planar, " << json["polygons"]["kept"] << " kept\n";
   for (const auto& [key, what] : {std::pair("triangulated_polygons", "polygons were triangulated"),
                                   std::pair("reversed_faces", "faces were turned around"),
                                   std::pair("degenerate_faces", "faces have no area"),

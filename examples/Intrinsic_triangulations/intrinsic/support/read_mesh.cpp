@@ -34,15 +34,16 @@ Input_facts facts_of(const IT::Gluing_map& mesh) {
 }
 
 Mesh_file read_mesh(const std::string& path, IT::Mollification mollification,
-                    IT::Domain_kind domain) {
+                    IT::Domain_kind domain, IT::Nonplanar_polygons kind) {
   Stopwatch watch;
-  IT::Triangle_soup soup = IT::read_triangle_soup(path);
+  IT::Triangle_soup soup = IT::read_triangle_soup(path, kind);
   const double seconds = watch.lap();
   const std::size_t polygons = soup.input_faces, triangulated = soup.triangulated_polygons;
   try {
     IT::Domain made = IT::make_domain(std::move(soup), domain, mollification);
     std::vector<std::uint32_t> polygon_of_triangle =
-        std::move(made.input.names.polygon_of_triangle);
+        made.input.planar_polygons.empty() ? std::move(made.input.names.polygon_of_triangle)
+                                           : made.input.names.polygon_of_triangle;
     return {std::move(made.input), std::move(polygon_of_triangle), polygons, triangulated, seconds,
             std::move(made.report)};
   } catch (const IT::Invalid_input& e) {

@@ -47,7 +47,7 @@ struct Mesh_file {
 
 /// reads a mesh file, and makes the surface that is asked for. \throws Invalid_input naming the file, the element and the remedy
 Mesh_file read_mesh(const std::string& path, IT::Mollification mollification,
-                    IT::Domain_kind domain);
+                    IT::Domain_kind domain, IT::Nonplanar_polygons kind);
 
 } // namespace program
 

@@ -28,6 +28,9 @@ triangulation in the plane normal to their vector area, or with least area where
 that plane crosses itself. As edges are later matched by their end vertices, a diagonal between two
 vertices that another edge joins is avoided by another triangulation of the polygon, if there is one.
 
+\param filename the name of the file
+\param polygons what is made of polygons that are not planar: `Nonplanar_polygons::planar` triangulates the planar polygons that
+  take their place
 \throws Invalid_input naming the file, its line where it has lines, the element and the remedy if
   the file does not exist or cannot be read, is empty, truncated or not of its format, has a
   coordinate that is not finite, a face with fewer than three vertices, with a repeated vertex or
@@ -35,7 +38,8 @@ vertices that another edge joins is avoided by another triangulation of the poly
 \complexity linear for text and binary alike, \f$n\log n\f$ for STL and in the number of diagonals;
   memory follows the size of the file, never a count in it
 */
-Triangle_soup read_triangle_soup(const std::string& filename);
+Triangle_soup read_triangle_soup(const std::string& filename,
+                                 Nonplanar_polygons polygons = Nonplanar_polygons::fan);
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -75,8 +75,9 @@ inline void scan_mesh_file(const std::string& filename, std::uintmax_t size, Sou
 
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Triangle_soup read_triangle_soup(const std::string& filename) {
-  internal::Soup_builder out(filename);
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Triangle_soup read_triangle_soup(const std::string& filename,
+                                                                      Nonplanar_polygons polygons) {
+  internal::Soup_builder out(filename, polygons);
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(filename, error);
   if (!std::filesystem::exists(status)) out.fail("the file does not exist; check the name");
