@@ -179,8 +179,9 @@ TEST(Polygon_flattener, no_closed_polygon_near_by_has_nearer_angles) {
           std::vector<double> other(directions);
           for (double& x : other) x += size * noise(random);
           const std::size_t i = random() % n;
-          if (problem.close(other, i, (i + 1 + random() % (n - 1)) % n))
+          if (problem.close(other, i, (i + 1 + random() % (n - 1)) % n)) {
             EXPECT_GE(problem.value(other), least - 1e-13) << n << ' ' << round << ' ' << size;
+          }
         }
     }
 }
