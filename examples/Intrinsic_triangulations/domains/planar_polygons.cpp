@@ -16,6 +16,8 @@
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                  IT::Integer_coordinates>;
 
 // four quadrilaterals around vertex 4: z = x y
 Mesh saddle() {
@@ -30,7 +32,7 @@ Mesh saddle() {
 int main() {
   const Mesh mesh = saddle();
   //! [planar]
-  IT::Intrinsic_triangulation<> t(
+  Triangulation t(
       IT::Intrinsic_input(mesh, IT::Mollification::automatic, IT::Nonplanar_polygons::planar));
   IT::flip_to_delaunay(t);
   const Eigen::SparseMatrix<double> laplacian = IT::cotangent_laplacian(t);
