@@ -14,5 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/domains/sort_around_edge_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>
+#include <CGAL/Intrinsic_triangulations/input/Polygon_flattener_impl.h>
+#include <CGAL/Intrinsic_triangulations/input/Polygon_shaper_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality_impl.h>

@@ -24,8 +24,9 @@ IT::Domain_kind domain_of(const Options& options) {
 } // namespace
 
 Surface_choice surface_of(const Options& options) {
-  return {mollification_of(options), domain_of(options), options.domain == "points",
-          options.neighbors};
+  return {
+      mollification_of(options), domain_of(options), options.domain == "points", options.neighbors,
+      options.polygons == "planar" ? IT::Nonplanar_polygons::planar : IT::Nonplanar_polygons::fan};
 }
 
 std::string arithmetic_of(const Options& options) {
@@ -44,6 +45,8 @@ std::string arithmetic_of(const Options& options) {
     fail("a stored triangulation has its surface; leave --domain out, or start from the mesh");
   if (options.neighbors)
     fail("a stored triangulation has its surface; leave --neighbors out, or start from the points");
+  if (options.polygons != "fan")
+    fail("a stored triangulation has its surface; leave --polygons out, or start from the mesh");
   return arithmetic;
 }
 

@@ -44,6 +44,7 @@ struct Loaded {
   Constraints constraints;                       ///< edges of the input that are kept
   Metric_report metric{};                        ///< what changed lengths needed
   IT::Domain_report domain{};                    ///< which surface was made of a file
+  IT::Polygon_report polygons{};                 ///< what was made of its polygons
   std::optional<IT::Point_cloud_report> cloud{}; ///< if it was made of points
 
   /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
@@ -78,6 +79,7 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   Mesh_file file = read_mesh(options.input, surface_of(options));
   progress.show("building");
   Constraints constraints = constraints_of(file, options);
+  const IT::Polygon_report polygons = file.input.planar_polygons.report;
   // exact traits keep the points unless they only keep changed lengths
   const bool are_points_kept = Triangulation::Metric::is_exact && options.metric.empty() &&
                                file.input.mollification != IT::Mollification::lengths;
@@ -92,6 +94,7 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
                                  std::move(constraints),
                                  metric,
                                  std::move(file.domain),
+                                 polygons,
                                  std::move(file.cloud)};
     const Triangulation& t = loaded.triangulation;
     loaded.points.reserve(points.size());

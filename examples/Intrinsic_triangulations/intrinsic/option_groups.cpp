@@ -140,6 +140,12 @@ void add_common_options(CLI::App& command, Options& options) {
                   "how many neighbors of each point are triangulated; default 30")
       ->check(between(2, 1e9))
       ->type_name("K");
+  command
+      .add_option(
+          "--polygons", options.polygons,
+          "what is made of polygons that are not planar: fan (triangles in space, default) or "
+          "planar (the planar polygon with the same sides and the nearest angles)")
+      ->check(CLI::IsMember({"fan", "planar"}));
   command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
       ->type_name("FILE");
   command

@@ -59,7 +59,8 @@ struct Options {
   /// `auto`, `manifold`, `orientation-cover`, `tufted` or `points`
   std::string domain = "auto";
   std::optional<std::size_t> neighbors = std::nullopt; ///< of each point of a point cloud
-  std::string output;                                  ///< empty: none
+  std::string polygons = "fan";     ///< what is made of nonplanar ones: `fan` or `planar`
+  std::string output;               ///< empty: none
   std::string view;                 ///< page that shows the triangulation; empty: none
   std::string mass;                 ///< empty: none
   std::string mass_kind = "lumped"; ///< `lumped` or `galerkin`

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
@@ -124,6 +125,13 @@ Json domain_json(const IT::Domain_report& report,
   return json;
 }
 
+Json polygons_json(const IT::Polygon_report& report) {
+  return {{"planar", report.planar},
+          {"flattened", report.flattened},
+          {"kept", report.kept},
+          {"max_angle_change_deg", report.largest_angle_change * 180 / std::numbers::pi}};
+}
+
 Json metric_json(const Metric_report& report) {
   return {{"violating_faces", report.violating_faces},
           {"changed_edges", report.changed_edges},
@@ -212,6 +220,9 @@ void print_summary(std::ostream& stream, const Json& json) {
           std::pair("border_points", "points are on the border")})
       if (const Json& domain = json["domain"]; domain.value(key, 0) != 0)
         row("") << domain[key] << ' ' << what << '\n';
+  if (json.contains("polygons"))
+    row("polygons") << json["polygons"]["planar"] << " planar, " << json["polygons"]["flattened"]
+                    << " made planar, " << json["polygons"]["kept"] << " kept\n";
   for (const auto& [key, what] : {std::pair("triangulated_polygons", "polygons were triangulated"),
                                   std::pair("faces_with_repeated_vertices",
                                             "faces listed a vertex twice: lines were left out"),

@@ -124,13 +124,19 @@ Integrals integrals_of(Triangulation& t, const std::vector<Point>& scaled_points
 double area(const Point& p, const Point& q, const Point& r);
 
 /// returns the area of the input from its coordinates, before any mollification, in its units; NaN
-/// where the coordinates are not known. \pre no edge was flipped, unless traits are exact
+/// where the coordinates are not known; where polygons became planar, that of its faces. \pre no edge was flipped, unless traits are exact
 template <class Triangulation>
 double input_area(const Loaded<Triangulation>& loaded) {
   const Triangulation& t = loaded.triangulation;
   const std::vector<Point>& p = loaded.scaled_points();
   if (p.empty()) return std::numeric_limits<double>::quiet_NaN();
   long double sum = 0;
+  if (!t.input().planar_polygons().empty()) {
+    for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+      sum += t.metric().approximate_quadruple_area(t.index(f));
+    return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent() - 2) /
+           t.input().names().sheets;
+  }
   if constexpr (Triangulation::Metric::is_exact) {
     if (loaded.points.empty()) { // the metric keeps input faces whatever was flipped
       const IT::Input_metric& input = t.metric().input();
@@ -156,6 +162,8 @@ Json input_json(const Options& options, const std::string& arithmetic,
 /// returns which surface was made of the file, and why.
 Json domain_json(const IT::Domain_report& report,
                  const std::optional<IT::Point_cloud_report>& cloud, std::size_t vertices);
+/// returns what was made of polygons.
+Json polygons_json(const IT::Polygon_report& report);
 /// returns what changed lengths needed.
 Json metric_json(const Metric_report& report);
 /// returns what is known of constrained edges.
@@ -191,6 +199,7 @@ Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
                          Triangulation::Correspondence::name, loaded.facts, t.report());
   if (!loaded.domain.reason.empty())
     json["domain"] = domain_json(loaded.domain, loaded.cloud, t.input().number_of_rows());
+  if (options.polygons != "fan") json["polygons"] = polygons_json(loaded.polygons);
   if (!options.metric.empty()) json["metric"] = metric_json(loaded.metric);
   json["seconds"] = {{"read", loaded.seconds.read},
                      {"build", loaded.seconds.build},

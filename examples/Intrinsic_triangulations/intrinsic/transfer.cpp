@@ -113,7 +113,8 @@ void transfer(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   Output_files files;
   IT::label_with_polygons(s, loaded.polygon_of_triangle);
   if (is_mesh_output(options))
-    write_fields(options.output, result, s, IT::positions(s, input_points(loaded)), files);
+    write_fields(options.output, result, s,
+                 IT::positions(s, input_points(loaded), loaded.triangulation.input()), files);
   else if (!options.output.empty())
     files.write(options.output, [&](std::ostream& out) {
       write_values(out, from_input ? result.intrinsic : result.input);

@@ -64,7 +64,9 @@ Mesh_file mesh_of_faces(IT::Triangle_soup soup, const Surface_choice& choice) {
   file.triangulated_polygons = soup.triangulated_polygons;
   file.faces_with_repeated_vertices = soup.faces_with_repeated_vertices;
   IT::Domain made = IT::make_domain(std::move(soup), choice.kind, choice.mollification);
-  file.polygon_of_triangle = std::move(made.input.names.polygon_of_triangle);
+  file.polygon_of_triangle = made.input.planar_polygons.empty()
+                                 ? std::move(made.input.names.polygon_of_triangle)
+                                 : made.input.names.polygon_of_triangle;
   file.input = std::move(made.input);
   file.domain = std::move(made.report);
   return file;
@@ -74,7 +76,7 @@ Mesh_file mesh_of_faces(IT::Triangle_soup soup, const Surface_choice& choice) {
 
 Mesh_file read_mesh(const std::string& path, const Surface_choice& choice) {
   Stopwatch watch;
-  IT::Triangle_soup soup = IT::read_triangle_soup(path, faces_for(choice));
+  IT::Triangle_soup soup = IT::read_triangle_soup(path, choice.polygons, faces_for(choice));
   const double seconds = watch.lap();
   try {
     Mesh_file file = soup.triangles.empty() ? mesh_of_points(soup, choice)

@@ -40,6 +40,7 @@ struct Surface_choice {
   IT::Domain_kind kind = IT::Domain_kind::automatic;   ///< of faces
   bool is_points = false;                              ///< whether faces are ignored
   std::optional<std::size_t> neighbors = std::nullopt; ///< of each point
+  IT::Nonplanar_polygons polygons = IT::Nonplanar_polygons::fan;
 };
 
 /// What a mesh file contains.

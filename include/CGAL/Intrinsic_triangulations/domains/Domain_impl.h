@@ -231,6 +231,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Triangle_soup soup, Doma
   input.mollification = mollification;
   input.triangulated_polygons = soup.triangulated_polygons;
   input.names.polygon_of_triangle = std::move(soup.polygon_of_triangle);
+  input.planar_polygons = std::move(soup.planar_polygons);
   if (report.nonmanifold_edges == 0)
     return internal::Domain_maker(std::move(input), report, std::move(faces), {})
         .make(kind, shared.conflict);

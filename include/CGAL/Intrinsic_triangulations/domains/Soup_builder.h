@@ -23,7 +23,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Soup_builder {
 public:
   // \param file the name of the file, for messages; empty: there is none
-  explicit Soup_builder(std::string file) : file_(std::move(file)) {}
+  // \param kind what is made of polygons that are not planar
+  explicit Soup_builder(std::string file, Nonplanar_polygons kind = Nonplanar_polygons::fan)
+      : file_(std::move(file)), kind_(kind) {}
 
   // Line that the reader is at, from 1, for messages; 0 if the file has no lines.
   std::size_t line = 0;
@@ -98,7 +100,7 @@ public:
               "the points");
     if (soup_.input_faces == 0 && soup_.points.empty())
       fail_at(0, Element_kind::none, 0, "the file has no points; get a complete copy");
-    triangulate_polygons(polygons_, soup_, [this](std::size_t f, const std::string& what) {
+    triangulate_polygons(polygons_, kind_, soup_, [this](std::size_t f, const std::string& what) {
       fail_at(0, Element_kind::face, f, what);
     });
     return std::move(soup_);
@@ -197,6 +199,7 @@ private:
   }
 
   std::string file_;
+  Nonplanar_polygons kind_;
   Triangle_soup soup_;
   Polygons polygons_;
   std::vector<std::int64_t> sorted_, corners_;

@@ -24,14 +24,16 @@ makes a surface of any.
 \tparam FaceRange a range of ranges of integers: the numbers of the points of each face, in their order around it
 \param points the points
 \param faces the faces
+\param polygons what is made of polygons that are not planar
 \throws Invalid_input naming a point with a coordinate that is not finite; or a face with fewer than three points, with
   one that does not exist, with area on two sides of one that occurs twice, or that cannot be triangulated; or if there are no
   faces
 \complexity linear for polygons of bounded size
 */
 template <class PointRange, class FaceRange>
-Triangle_soup triangle_soup(const PointRange& points, const FaceRange& faces) {
-  internal::Soup_builder builder{std::string()};
+Triangle_soup triangle_soup(const PointRange& points, const FaceRange& faces,
+                            Nonplanar_polygons polygons = Nonplanar_polygons::fan) {
+  internal::Soup_builder builder{std::string(), polygons};
   for (const auto& p : points)
     if constexpr (requires { p.x(); })
       builder.add_vertex(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));

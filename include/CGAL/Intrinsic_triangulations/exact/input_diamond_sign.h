@@ -114,9 +114,14 @@ public:
         coordinates_.emplace_back(x);
         range_.include(coordinates_.back());
       }
-    if (delta_.mantissa != 0) { // squared units
-      range_.lowest = std::min(range_.lowest, (delta_.exponent - 1) / 2 - 1);
-      range_.highest = std::max(range_.highest, (delta_.exponent + 53) / 2 + 1);
+    include_square(delta_);
+    const unsigned l = left.slot, r = right.slot;
+    for (const double x :
+         {input.excess(left.face, l), input.excess(left.face, (l + 1) % 3),
+          input.excess(left.face, (l + 2) % 3), input.excess(right.face, (r + 1) % 3),
+          input.excess(right.face, (r + 2) % 3)}) {
+      excess_.emplace_back(x);
+      include_square(excess_.back());
     }
   }
 
@@ -128,16 +133,24 @@ public:
     for (unsigned c = 0; c < 12; ++c)
       p[c / 3][c % 3] = coordinates_[c].template scaled<Length>(range_.lowest);
     const Length delta = delta_.scaled<Length>(2 * range_.lowest);
-    const auto length = [&](int a, int b) {
+    const auto length = [&](int a, int b, std::size_t side) {
       const Length x = p[a][0] - p[b][0], y = p[a][1] - p[b][1], z = p[a][2] - p[b][2];
-      return x * x + y * y + z * z + delta;
+      return x * x + y * y + z * z + delta + excess_[side].scaled<Length>(2 * range_.lowest);
     };
-    return {length(0, 1), length(1, 2), length(2, 0), length(0, 3), length(3, 1), 0, 0};
+    return {
+        length(0, 1, 0), length(1, 2, 1), length(2, 0, 2), length(0, 3, 3), length(3, 1, 4), 0, 0};
   }
 
 private:
+  void include_square(const Binary_double& x) {
+    if (x.mantissa == 0) return;
+    range_.lowest = std::min(range_.lowest, (x.exponent - 1) / 2 - 1);
+    range_.highest = std::max(range_.highest, (x.exponent + 53) / 2 + 1);
+  }
+
   boost::container::static_vector<Binary_double, 12> coordinates_;
   Binary_double delta_;
+  boost::container::static_vector<Binary_double, 5> excess_; // ij, jk, ki, im, mj
   Bit_range range_;
 };
 

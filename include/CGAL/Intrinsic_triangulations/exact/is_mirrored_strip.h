@@ -107,6 +107,7 @@ private:
   bool are_reflected(Face_side a, Face_side b) const {
     const Input_metric::Sides &f = input_.sides(a.face), &g = input_.sides(b.face);
     if (!input_.is_embedded()) return f[a.slot] == g[b.slot];
+    if (input_.excess(a.face, a.slot) != input_.excess(b.face, b.slot)) return false;
     const auto &p = input_.points()[f[a.slot]], &q = input_.points()[f[(a.slot + 1) % 3]],
                &r = input_.points()[g[b.slot]], &s = input_.points()[g[(b.slot + 1) % 3]];
     for (std::size_t x = 0; x < 3; ++x)

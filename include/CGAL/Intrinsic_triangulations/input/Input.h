@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -104,6 +105,8 @@ public:
   const Input_names& names() const { return names_; }
   /// returns what was done to the input.
   const Input_report& report() const { return report_; }
+  /// returns the user's faces that became planar polygons.
+  const Planar_polygons& planar_polygons() const { return planar_polygons_; }
   /// returns s, where coordinates are scaled by 2^s and squared lengths by 4^s.
   int scale_exponent() const { return metric_.scale_exponent(); }
 
@@ -165,6 +168,8 @@ public:
   void set_metric(Input_metric metric) { metric_ = std::move(metric); }
   /// reports what was done to the input.
   void set_report(const Input_report& report) { report_ = report; }
+  /// tells which of the user's faces became planar polygons.
+  void set_planar_polygons(Planar_polygons polygons) { planar_polygons_ = std::move(polygons); }
   /// @}
 
 private:
@@ -172,6 +177,7 @@ private:
   std::uint32_t number_of_vertices_ = 0;
   Input_metric metric_;
   Input_names names_;
+  Planar_polygons planar_polygons_;
   Input_report report_;
   std::vector<double> squared_length_;
   std::vector<double> quadruple_area_;

@@ -19,7 +19,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 The lengths come either from points in space, L_ij = |p_i - p_j|^2, or from squared lengths given
 per edge (an abstract metric, which need not embed anywhere). A nonnegative `delta` is added to every
-squared length (squared-length mollification). All values are in scaled units: coordinates are
+squared length (squared-length mollification). Where faces in space became planar polygons, their diagonals are not the
+distances of the points: an *excess*, a double of any sign, is added to the squared distance. All values are in scaled units: coordinates are
 multiplied by 2^scale_exponent(), so that the mean edge is near 1 and products of squared lengths
 neither overflow nor underflow. Scaling is exact.
 
@@ -80,8 +81,16 @@ public:
   std::uint32_t number_of_faces() const { return static_cast<std::uint32_t>(sides_.size()); }
   /// tells whether the metric comes from points in space.
   bool is_embedded() const { return squared_lengths_.empty(); }
-  /// tells whether it is that of the points, without mollification.
-  bool is_in_space() const { return is_embedded() && delta_ == 0; }
+  /// tells whether it is that of the points, without mollification or planar polygons.
+  bool is_in_space() const { return is_embedded() && delta_ == 0 && excess_.empty(); }
+  /// returns what is added to the squared distance of the ends of side `k` of face `f`, in scaled units.
+  double excess(std::uint32_t f, unsigned k) const { return excess_.empty() ? 0 : excess_[f][k]; }
+  /// tells whether anything is added to a side of face `f`.
+  bool has_excess(std::uint32_t f) const {
+    return !excess_.empty() && excess_[f] != std::array<double, 3>{0, 0, 0};
+  }
+  /// sets what is added to the squared distances of points, by sides of faces; empty: nothing.
+  void set_excess(std::vector<std::array<double, 3>> excess) { excess_ = std::move(excess); }
   /// returns s, where coordinates are scaled by 2^s and squared lengths by 4^s.
   int scale_exponent() const { return scale_exponent_; }
   /// returns what is added to every squared length, in scaled units.
@@ -103,7 +112,8 @@ public:
   FT squared_length(std::uint32_t f, unsigned k) const {
     const Sides& s = sides_[f];
     if (!is_embedded()) return FT(squared_lengths_[s[k]]) + FT(delta_);
-    return squared_distance<FT>(points_[s[k]], points_[s[(k + 1) % 3]]) + FT(delta_);
+    const FT l = squared_distance<FT>(points_[s[k]], points_[s[(k + 1) % 3]]) + FT(delta_);
+    return has_excess(f) ? l + FT(excess_[f][k]) : l;
   }
 
   /*!
@@ -139,6 +149,7 @@ private:
   std::vector<Point> points_;
   std::vector<double> squared_lengths_;
   std::vector<Sides> sides_;
+  std::vector<std::array<double, 3>> excess_;
   double delta_ = 0;
   int scale_exponent_ = 0;
 };

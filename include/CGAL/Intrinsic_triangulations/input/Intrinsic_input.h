@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
 #include <CGAL/Intrinsic_triangulations/input/mollification.h>
 #include <CGAL/Intrinsic_triangulations/input/triangulate_face_graph.h>
 
@@ -45,6 +46,8 @@ struct Triangle_soup {
   std::size_t triangulated_polygons = 0;
   /// Number of input faces that listed a vertex more than once. Of them, lines and points were left out.
   std::size_t faces_with_repeated_vertices = 0;
+  /// Those of them that became planar.
+  Planar_polygons planar_polygons;
 };
 
 /*!
@@ -75,6 +78,8 @@ struct Intrinsic_input {
   std::size_t reversed_faces = 0;
   /// What the user calls the elements of `mesh`: faces and edges of polygons that were triangulated.
   Input_names names;
+  /// Faces that became planar: their triangles are in the plane, not between the points.
+  Planar_polygons planar_polygons;
 
   /// constructs an input without faces.
   Intrinsic_input() = default;
@@ -108,23 +113,31 @@ struct Intrinsic_input {
   Coordinates are converted to `double`.
   \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
   \tparam PointMap a readable property map from vertices to points with `operator[]`
+  \param graph the mesh
+  \param point_map the points
+  \param m treatment of degenerate faces
+  \param polygons what is made of polygons that are not planar
   \throws Invalid_input naming a polygonal face that cannot be triangulated
   */
   template <class FaceGraph, class PointMap>
-  Intrinsic_input(const FaceGraph& graph, PointMap point_map, Mollification m) : mollification(m) {
+  Intrinsic_input(const FaceGraph& graph, PointMap point_map, Mollification m,
+                  Nonplanar_polygons polygons = Nonplanar_polygons::fan)
+      : mollification(m) {
     std::uint32_t polygon = Gluing::none;
     mesh = gluing_map_unless_polygonal(graph, polygon);
     points.reserve(num_vertices(graph));
     for (const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(graph))
       points.push_back(Mesh_adaptor<FaceGraph>::coordinates(get(point_map, v)));
     if (polygon != Gluing::none)
-      mesh = gluing_map_from_polygons(graph, points, triangulated_polygons, names);
+      mesh = gluing_map_from_polygons(graph, points, polygons, triangulated_polygons, names,
+                                      planar_polygons);
   }
 
   /// takes a mesh in space with its own points.
   template <class FaceGraph>
-  explicit Intrinsic_input(const FaceGraph& graph, Mollification m = Mollification::automatic)
-      : Intrinsic_input(graph, Mesh_adaptor<FaceGraph>::point_map(graph), m) {}
+  explicit Intrinsic_input(const FaceGraph& graph, Mollification m = Mollification::automatic,
+                           Nonplanar_polygons polygons = Nonplanar_polygons::fan)
+      : Intrinsic_input(graph, Mesh_adaptor<FaceGraph>::point_map(graph), m, polygons) {}
 };
 
 namespace internal {
@@ -157,6 +170,12 @@ std::size_t number_of_reversed(const std::vector<char>& triangles,
 
 // One point per vertex, or one squared length per edge: numbers of elements are indices without a check.
 void check_sizes(const Intrinsic_input& in);
+
+// What is added to the squared distances of points, by sides of faces, to make them those of planar polygons; empty: nothing.
+// \param points scaled by 2^scale_exponent, which the polygons are not
+std::vector<std::array<double, 3>>
+planar_excess(const Gluing_map& mesh, const std::vector<std::array<double, 3>>& points,
+              const Input_names& names, const Planar_polygons& polygons, int scale_exponent);
 
 // Makes every triangle inequality strict; the input's metric is changed. The amount is a part of the mean edge.
 Mollification_report mollify(Input& input, Mollification kind, std::optional<double> amount);

@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
+#include <CGAL/Intrinsic_triangulations/input/Polygon_shaper.h>
 #include <CGAL/Intrinsic_triangulations/input/mollification.h>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 #include <CGAL/Intrinsic_triangulations/input/scaling.h>
@@ -56,9 +58,35 @@ Intrinsic_input::Intrinsic_input(Triangle_soup soup, Mollification m)
                                      reversed, soup.polygon_of_triangle));
   reversed_faces = internal::number_of_reversed(reversed, soup.polygon_of_triangle);
   names.polygon_of_triangle = std::move(soup.polygon_of_triangle);
+  planar_polygons = std::move(soup.planar_polygons);
 }
 
 namespace internal {
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::array<double, 3>>
+planar_excess(const Gluing_map& mesh, const std::vector<std::array<double, 3>>& points,
+              const Input_names& names, const Planar_polygons& polygons, int scale_exponent) {
+  std::vector<std::array<double, 3>> result;
+  if (polygons.empty()) return result;
+  const Power_of_two scale(scale_exponent);
+  result.resize(mesh.number_of_faces(), {0, 0, 0});
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Planar_polygons::Polygon polygon = polygons(names.polygon(f));
+    if (polygon.points.empty()) continue;
+    const std::array<Gluing_map::Halfedge, 3> sides = mesh.sides({f});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = mesh.source(sides[k]).index, w = mesh.target(sides[k]).index;
+      const std::size_t i = polygon.corner(names.row(v)), j = polygon.corner(names.row(w));
+      if (polygon.is_side(i, j)) continue;
+      const auto scaled = [&](Planar_polygons::Point p) {
+        return Planar_polygons::Point{scale(p[0]), scale(p[1])};
+      };
+      result[f][k] =
+          planar_excess(points[v], points[w], scaled(polygon.points[i]), scaled(polygon.points[j]));
+    }
+  }
+  return result;
+}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(Input& input, Mollification kind,
                                                                   std::optional<double> amount) {
@@ -137,7 +165,12 @@ scaled_and_ordered(Intrinsic_input&& in, Input_report& report) {
   Input_metric metric =
       embedded ? Input_metric::from_points(in.mesh, std::move(in.points), scale)
                : Input_metric::from_squared_lengths(in.mesh, std::move(in.squared_lengths), scale);
-  return std::make_shared<Input>(std::move(in.mesh), std::move(metric), std::move(names));
+  if (embedded)
+    metric.set_excess(planar_excess(in.mesh, metric.points(), names, in.planar_polygons, scale));
+  const auto input =
+      std::make_shared<Input>(std::move(in.mesh), std::move(metric), std::move(names));
+  input->set_planar_polygons(std::move(in.planar_polygons));
+  return input;
 }
 
 } // namespace internal

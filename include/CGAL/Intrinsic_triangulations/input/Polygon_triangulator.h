@@ -35,6 +35,9 @@ public:
   bool triangulate_least_area(const std::function<bool(std::size_t, std::size_t)>& allowed,
                               bool upright, std::vector<Triangle>& result) const;
 
+  // Returns false if the polygon crosses itself in the plane normal to its vector area.
+  bool triangulate_delaunay(std::vector<Triangle>& result) const;
+
 private:
   static constexpr std::size_t maximal_sides = 512;
 
@@ -42,7 +45,6 @@ private:
   double weight(std::size_t i, std::size_t j, std::size_t k, bool upright) const;
   void collect(const std::vector<std::uint32_t>& apex, std::vector<Triangle>& result) const;
 
-  bool triangulate_delaunay(std::vector<Triangle>& result) const;
   // Orients the triangles as the polygon and checks that they are a disk bounded by it.
   bool orient_disk(std::vector<Triangle>& triangles) const;
 

@@ -13,6 +13,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -88,7 +89,10 @@ struct Embedded_area {
     const FT uu = square(u[0]) + square(u[1]) + square(u[2]);
     const FT vv = square(v[0]) + square(v[1]) + square(v[2]);
     scale = uu * vv;
-    if (m.delta() > 0) { // adding delta to all L adds 2 delta (L_0 + L_1 + L_2) + 3 delta^2 to D
+    if (m.has_excess(f))
+      squared = m.squared_quadruple_area<FT>(f);
+    else if (m.delta() >
+             0) { // adding delta to all L adds 2 delta (L_0 + L_1 + L_2) + 3 delta^2 to D
       const FT delta(m.delta());
       const FT sum = uu + vv + Input_metric::squared_distance<FT>(q, r);
       squared = squared + delta * (FT(2) * sum + FT(3) * delta);
@@ -151,7 +155,7 @@ FT checked_squared_quadruple_area(const Input_metric& m, std::uint32_t f) {
 // rationals.
 template <class FT>
 FT quadruple_area_float(const Input_metric& m, std::uint32_t f) {
-  if (m.is_embedded()) {
+  if (m.is_embedded() && !m.has_excess(f)) {
     const Embedded_area<FT> d(m, f);
     if (d.squared > FT(0x1p-40) * d.scale) return CGAL::sqrt(d.squared);
   } else {
@@ -164,7 +168,7 @@ FT quadruple_area_float(const Input_metric& m, std::uint32_t f) {
 
 inline Interval_nt<false> quadruple_area_interval(const Input_metric& m, std::uint32_t f) {
   using FT = Interval_nt<false>;
-  if (m.is_embedded() && m.delta() == 0) {
+  if (m.is_embedded() && m.delta() == 0 && !m.has_excess(f)) {
     const FT fast = embedded_area_interval(m, f);
     if (fast.inf() > 0) return fast;
   }
@@ -193,6 +197,18 @@ FT quadruple_area_rational(const Input_metric& m, std::uint32_t f) {
         " has an irrational area, which this number type cannot hold; use the "
         "exact traits");
   return from_rational<FT>(root);
+}
+
+// By edge; empty if there is none.
+inline std::vector<double> excess_of_edges(const Input_metric& m, const Gluing_map& mesh) {
+  std::vector<double> result;
+  for (std::uint32_t f = 0; f < m.number_of_faces(); ++f) {
+    if (!m.has_excess(f)) continue;
+    result.resize(mesh.number_of_edges(), 0);
+    const std::array<Gluing_map::Halfedge, 3> sides = mesh.sides({f});
+    for (unsigned k = 0; k < 3; ++k) result[sides[k].index / 2] = m.excess(f, k);
+  }
+  return result;
 }
 
 } // namespace internal
@@ -230,6 +246,7 @@ FT quadruple_area(const Input_metric& m, std::uint32_t f) {
 */
 template <class FT>
 std::vector<FT> squared_lengths(const Input_metric& m, const Gluing_map& mesh) {
+  const std::vector<double> excess = internal::excess_of_edges(m, mesh);
   std::vector<FT> result;
   result.reserve(mesh.number_of_edges());
   const FT delta(m.delta());
@@ -244,6 +261,7 @@ std::vector<FT> squared_lengths(const Input_metric& m, const Gluing_map& mesh) {
     } else
       result.push_back(FT(m.squared_lengths()[e]));
     if (m.delta() > 0) result.back() = result.back() + delta;
+    if (!excess.empty() && excess[e] != 0) result.back() = result.back() + FT(excess[e]);
   }
   return result;
 }

@@ -8,7 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
-#include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
+#include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
+#include <CGAL/Intrinsic_triangulations/input/Polygon_shaper.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -27,7 +28,7 @@ namespace internal {
 // Glues the triangles of polygons: along diagonals within a polygon, along sides as the mesh has it.
 class Polygon_gluing {
 public:
-  using Triangle = Polygon_triangulator::Triangle;
+  using Triangle = Polygon_shaper::Triangle;
 
   // `corners` and `sides` are the numbers of the vertices and of the halfedges that start there
   void add(const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& sides,
@@ -92,6 +93,22 @@ void collect_sides(const FaceGraph& mesh,
   } while (h != first);
 }
 
+// Triangulates a face with more than three sides, and keeps the planar polygon that takes its place. Returns false if it fails.
+inline bool cut_polygon(Polygon_shaper& shaper, std::uint32_t face,
+                        const std::vector<std::uint32_t>& corners,
+                        const std::vector<std::array<double, 3>>& points,
+                        std::vector<Polygon_shaper::Triangle>& triangles, Planar_polygons& planar) {
+  std::vector<std::array<double, 3>> polygon;
+  for (const std::uint32_t v : corners) polygon.push_back(points[v]);
+  std::vector<std::uint32_t> sorted(corners);
+  std::sort(sorted.begin(), sorted.end());
+  shaper.load(std::move(polygon), std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
+  if (!shaper.triangulate(triangles)) return false;
+  shaper.count(planar.report);
+  if (shaper.is_flattened()) planar.add(face, corners, shaper.planar_points());
+  return true;
+}
+
 // the edges of a gluing map that sides of its faces are, named by the place of the side in the list
 inline Element_names names_of_sides(const Gluing_map& map,
                                     const std::vector<std::uint32_t>& side_of_edge) {
@@ -108,31 +125,33 @@ inline Element_names names_of_sides(const Gluing_map& map,
 /*!
 \brief copies the connectivity of a mesh with polygonal faces, cut into triangles.
 
-Vertices keep their numbers. Flat polygons keep their shape; the choice of triangles is what gives one
-to others: quadrilaterals are cut where they bend less, others as their projection along their vector
-area.
+Vertices keep their numbers. Planar polygons keep their shape. Others get one by the choice of triangles, quadrilaterals cut
+where they bend less, others as their projection along their vector area; or they become planar polygons.
 \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 \param mesh the mesh
 \param points one point per vertex, in the order of iteration
+\param kind what is made of polygons that are not planar
 \param polygons set to the number of faces that are not triangles
 \param names set to the edges and faces of `mesh` that those of the result come from
+\param planar set to the polygons that became planar
 \throws Invalid_input naming a face that cannot be triangulated
 \complexity linear in the number of faces, for polygons of bounded size
 */
 template <class FaceGraph>
 Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
                                     const std::vector<std::array<double, 3>>& points,
-                                    std::size_t& polygons, Input_names& names) {
+                                    Nonplanar_polygons kind, std::size_t& polygons,
+                                    Input_names& names, Planar_polygons& planar) {
   using Traits = boost::graph_traits<FaceGraph>;
   const Mesh_adaptor<FaceGraph> number(mesh);
   std::vector<std::uint32_t> vertex(number.vertex_capacity(mesh), Gluing::none);
   std::uint32_t n = 0;
   for (const typename Traits::vertex_descriptor v : vertices(mesh)) vertex[number.vertex(v)] = n++;
   internal::Polygon_gluing gluing;
-  internal::Polygon_triangulator triangulator;
-  std::vector<internal::Polygon_triangulator::Triangle> triangles;
+  internal::Polygon_shaper shaper(kind);
+  std::vector<internal::Polygon_shaper::Triangle> triangles;
   std::vector<std::uint32_t> corners, sides, polygon_of_triangle;
-  std::size_t f = 0;
+  std::uint32_t f = 0;
   polygons = 0;
   const auto fail = [&f](const char* what) {
     throw Invalid_input::about(Element_kind::face, f, what);
@@ -144,15 +163,11 @@ Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
     triangles.assign(1, {0, 1, 2});
     if (corners.size() > 3) {
       ++polygons;
-      std::vector<std::array<double, 3>> polygon;
-      for (const std::uint32_t v : corners) polygon.push_back(points[v]);
-      triangulator.load(std::move(polygon));
-      if (!triangulator.triangulate(triangles))
+      if (!internal::cut_polygon(shaper, f, corners, points, triangles, planar))
         fail(" is a polygon that cannot be triangulated; split it into triangles");
     }
     gluing.add(corners, sides, triangles);
-    polygon_of_triangle.resize(polygon_of_triangle.size() + triangles.size(),
-                               static_cast<std::uint32_t>(f));
+    polygon_of_triangle.resize(polygon_of_triangle.size() + triangles.size(), f);
     ++f;
   }
   std::vector<std::uint32_t> side_of_edge;

@@ -484,7 +484,8 @@ TEST_F(Read_triangle_soup, what_of_faces_has_no_area_as_they_repeat_a_vertex_is_
 TEST_F(Read_triangle_soup, points_are_read_from_lists_and_from_files_without_faces) {
   const std::vector<std::array<double, 3>> points{{0.1, -2, 3e-5}, {1, 2, 3}, {-4, 5, 6.25}};
   const auto expect_points = [&](const std::string& name, const std::string& content) {
-    const Triangle_soup soup = read_triangle_soup(file(name, content), File_faces::optional);
+    const Triangle_soup soup =
+        read_triangle_soup(file(name, content), Nonplanar_polygons::fan, File_faces::optional);
     EXPECT_EQ(soup.points, points) << name << '\n' << content;
     EXPECT_TRUE(soup.triangles.empty() && soup.input_faces == 0) << name;
   };
@@ -503,20 +504,25 @@ TEST_F(Read_triangle_soup, points_are_read_from_lists_and_from_files_without_fac
 
 TEST_F(Read_triangle_soup, faces_are_ignored_where_points_are_asked_for) {
   const std::string mesh = "OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n3 0 1 9\n";
-  const Triangle_soup soup = read_triangle_soup(file("m.off", mesh), File_faces::ignored);
+  const Triangle_soup soup =
+      read_triangle_soup(file("m.off", mesh), Nonplanar_polygons::fan, File_faces::ignored);
   EXPECT_EQ(soup.points, (std::vector<std::array<double, 3>>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   EXPECT_TRUE(soup.triangles.empty() && soup.input_faces == 0);
   const std::string stl = binary_stl({{0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0, 0, 1, 0}}, 2);
-  EXPECT_EQ(read_triangle_soup(file("m.stl", stl), File_faces::ignored).points.size(), 4U);
+  EXPECT_EQ(read_triangle_soup(file("m.stl", stl), Nonplanar_polygons::fan, File_faces::ignored)
+                .points.size(),
+            4U);
   const std::string whole = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  EXPECT_EQ(read_triangle_soup(file("w.off", whole), File_faces::optional).triangles.size(), 1U);
+  EXPECT_EQ(read_triangle_soup(file("w.off", whole), Nonplanar_polygons::fan, File_faces::optional)
+                .triangles.size(),
+            1U);
 }
 
 TEST_F(Read_triangle_soup, points_that_are_no_points_are_named) {
   const auto expect = [&](const std::string& content, std::size_t point,
                           const std::vector<std::string>& words) {
     try {
-      read_triangle_soup(file("p.xyz", content), File_faces::optional);
+      read_triangle_soup(file("p.xyz", content), Nonplanar_polygons::fan, File_faces::optional);
       ADD_FAILURE() << content;
     } catch (const Invalid_input& e) {
       EXPECT_EQ(e.index(), point) << e.what();

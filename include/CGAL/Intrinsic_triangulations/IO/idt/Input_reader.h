@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -44,8 +46,15 @@ public:
     read_vertices();
     read_edges();
     read_faces();
-    auto input = std::make_shared<Input>(std::move(connectivity_.mesh), metric(scale_exponent),
-                                         read_names());
+    Input_metric defined = metric(scale_exponent);
+    Input_names names = read_names();
+    Planar_polygons polygons = read_planar_polygons(names);
+    if (!polygons.empty())
+      defined.set_excess(
+          planar_excess(connectivity_.mesh, defined.points(), names, polygons, scale_exponent));
+    auto input = std::make_shared<Input>(std::move(connectivity_.mesh), std::move(defined),
+                                         std::move(names));
+    input->set_planar_polygons(std::move(polygons));
     input->set_report(report_);
     if (has_surface()) keep_values<Metric>(input);
     return input;
@@ -53,7 +62,8 @@ public:
 
 private:
   bool has_surface() const { return kind_ != no_input_name; }
-  bool is_embedded() const { return kind_ == points_name; }
+  bool has_polygons() const { return kind_ == planar_polygons_name; }
+  bool is_embedded() const { return kind_ == points_name || has_polygons(); }
 
   void read_report() {
     in_.line("degenerate_faces",
@@ -78,7 +88,8 @@ private:
   void read_kind() {
     in_.line("input", [this] {
       kind_ = in_.word();
-      if (kind_ != points_name && kind_ != squared_lengths_name && kind_ != no_input_name)
+      if (kind_ != points_name && kind_ != squared_lengths_name && kind_ != no_input_name &&
+          !has_polygons())
         in_.fail("the input \"" + shown(kind_) + "\" is unknown");
     });
     if (has_surface()) in_.line("delta", [this] { in_.nonnegative(delta_, "delta"); });
@@ -169,6 +180,42 @@ private:
     });
     read_rows(names.row_of_vertex);
     return names;
+  }
+
+  Planar_polygons read_planar_polygons(const Input_names& names) {
+    Planar_polygons result;
+    if (!has_polygons()) return result;
+    const std::uint32_t vertices = connectivity_.mesh.number_of_vertices();
+    const std::uint32_t rows = names.number_of_rows(vertices);
+    const std::uint32_t faces = connectivity_.mesh.number_of_faces();
+    const std::uint32_t count = read_count(in_, planar_polygons_name, faces);
+    std::vector<std::uint32_t> corners;
+    std::vector<Planar_polygons::Point> points;
+    in_.lines(count, [&](std::uint32_t i) {
+      const std::uint32_t face = in_.index(faces, "polygon");
+      if (i > 0 && face <= result.face(i - 1)) in_.fail("the polygons are not in their order");
+      corners.resize(in_.index(rows + 1, "number of corners"));
+      points.resize(corners.size());
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        corners[k] = in_.index(rows, "vertex");
+        for (double& x : points[k]) x = in_.real("coordinate");
+      }
+      result.add(face, corners, points);
+    });
+    check_corners(names, result);
+    return result;
+  }
+
+  // The triangles of a polygon are between its corners.
+  void check_corners(const Input_names& names, const Planar_polygons& polygons) const {
+    for (std::uint32_t f = 0; f < connectivity_.mesh.number_of_faces(); ++f) {
+      const Planar_polygons::Polygon polygon = polygons(names.polygon(f));
+      if (polygon.points.empty()) continue;
+      for (const Gluing_map::Halfedge h : connectivity_.mesh.sides({f}))
+        if (polygon.corner(names.row(connectivity_.mesh.source(h).index)) == polygon.points.size())
+          in_.fail("a triangle of face " + std::to_string(names.polygon(f)) +
+                   " has a vertex that is no corner of its planar polygon");
+    }
   }
 
   // Every row has a vertex, in their order.

@@ -44,7 +44,7 @@ inline constexpr std::array<std::pair<Mollification, std::string_view>, 3> molli
 
 // The words that tell what an input is: none if nothing but names is known.
 inline constexpr std::string_view points_name = "points", squared_lengths_name = "squared_lengths",
-                                  no_input_name = "none";
+                                  no_input_name = "none", planar_polygons_name = "planar_polygons";
 
 // The words that tell what part of the input an inserted vertex is in.
 inline constexpr std::string_view in_face_name = "face", on_edge_name = "edge";

@@ -52,6 +52,8 @@ public:
     write_list("polygons", t_.input().names().polygon_of_triangle);
     out_.line("sheets", t_.input().names().sheets);
     write_list("rows", t_.input().names().row_of_vertex);
+    if (coordinates_ != nullptr && coordinates_->input().metric().is_embedded() && has_polygons())
+      write_planar_polygons(t_.input().planar_polygons());
     write_vertices();
     write_edges();
     write_faces();
@@ -111,7 +113,9 @@ private:
   void write_input(const Input& input) {
     const Input_metric& metric = input.metric();
     const Input_names& names = t_.input().names();
-    out_.line("input", metric.is_embedded() ? points_name : squared_lengths_name);
+    out_.line("input", !metric.is_embedded() ? squared_lengths_name
+                       : has_polygons()      ? planar_polygons_name
+                                             : points_name);
     out_.line("delta", metric.delta());
     out_.line("input_vertices", input.number_of_vertices());
     for (std::uint32_t v = 0; v < input.number_of_vertices(); ++v) {
@@ -134,6 +138,19 @@ private:
       out_.line();
     }
     write_border("input_border", input.mesh());
+  }
+
+  bool has_polygons() const { return !t_.input().planar_polygons().empty(); }
+
+  void write_planar_polygons(const Planar_polygons& polygons) {
+    out_.line(planar_polygons_name, polygons.size());
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      const Planar_polygons::Polygon polygon = polygons(polygons.face(i));
+      out_.words(polygons.face(i), polygon.points.size());
+      for (std::size_t k = 0; k < polygon.points.size(); ++k)
+        out_.words(polygon.vertices[k], polygon.points[k][0], polygon.points[k][1]);
+      out_.line();
+    }
   }
 
   void write_list(std::string_view keyword, const std::vector<std::uint32_t>& numbers) {

@@ -42,6 +42,8 @@ that plane crosses itself. As edges are later matched by their end vertices, a d
 vertices that another edge joins is avoided by another triangulation of the polygon, if there is one.
 
 \param filename the name of the file
+\param polygons what is made of polygons that are not planar: `Nonplanar_polygons::planar` triangulates the planar polygons that
+  take their place
 \param faces whether point sets are read
 \throws Invalid_input naming the file, its line where it has lines, the element and the remedy if
   the file does not exist or cannot be read, is empty, truncated or not of its format, has a
@@ -51,6 +53,7 @@ vertices that another edge joins is avoided by another triangulation of the poly
   memory follows the size of the file, never a count in it
 */
 Triangle_soup read_triangle_soup(const std::string& filename,
+                                 Nonplanar_polygons polygons = Nonplanar_polygons::fan,
                                  File_faces faces = File_faces::needed);
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -80,8 +80,9 @@ inline void scan_mesh_file(const std::string& filename, std::uintmax_t size, Sou
 } // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Triangle_soup read_triangle_soup(const std::string& filename,
+                                                                      Nonplanar_polygons polygons,
                                                                       File_faces faces) {
-  internal::Soup_builder out(filename);
+  internal::Soup_builder out(filename, polygons);
   out.needs_faces = faces == File_faces::needed;
   out.takes_faces = faces != File_faces::ignored;
   std::error_code error;

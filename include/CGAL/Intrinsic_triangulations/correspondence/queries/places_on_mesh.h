@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/position_on_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -56,13 +57,11 @@ inline void check_is_mesh_of(const Input& input, std::uint32_t vertices) {
 template <class Coordinates>
 std::array<double, 3> combination_of_corners(const Input& input, const Surface_point& p,
                                              const Coordinates& coordinates) {
-  std::array<double, 3> x{0, 0, 0};
+  std::array<std::uint32_t, 3> corners;
   std::uint32_t h = p.halfedge;
-  for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
-    const std::array<double, 3> corner = coordinates(input.names().row(input.source(h)));
-    for (std::size_t c = 0; c < 3; ++c) x[c] += p.weights[k] * corner[c];
-  }
-  return x;
+  for (std::size_t k = 0; k < 3; ++k, h = input.next(h))
+    corners[k] = input.names().row(input.source(h));
+  return position_on_face(input, input.face(p.halfedge), corners, p.weights, coordinates);
 }
 
 // The user's mesh as the names of the input know it.

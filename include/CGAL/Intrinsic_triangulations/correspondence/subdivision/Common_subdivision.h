@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/position_on_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -203,6 +204,16 @@ std::complex<double> fitting_rotation(std::size_t begin, std::size_t end, const 
   return std::abs(sum) > 0 ? sum / std::abs(sum) : 1;
 }
 
+// The coordinates of the vertices of a mesh, in its order.
+template <class FaceGraph>
+std::vector<std::array<double, 3>> points_of(const FaceGraph& mesh) {
+  const auto map = Mesh_adaptor<FaceGraph>::point_map(mesh);
+  std::vector<std::array<double, 3>> points;
+  for (const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(mesh))
+    points.push_back(Mesh_adaptor<FaceGraph>::coordinates(get(map, v)));
+  return points;
+}
+
 } // namespace internal
 
 /*!
@@ -252,6 +263,35 @@ inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
 }
 
 /*!
+\brief computes where the vertices of a common subdivision are in space, those in polygons that became planar as well.
+
+A planar polygon is mapped to the corners of the one in space by mean value coordinates: linear on its sides, so that
+neighbours meet; its diagonals become curves.
+\param s the subdivision
+\param points one point per vertex of the user's mesh
+\param input the input of the triangulation
+\return one point per vertex of the subdivision
+\complexity linear
+*/
+inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
+                                                    std::span<const std::array<double, 3>> points,
+                                                    const Input& input) {
+  std::vector<std::array<double, 3>> result = positions(s, points);
+  if (input.planar_polygons().empty()) return result;
+  for (std::size_t v = 0; v < s.number_of_vertices(); ++v) {
+    if (s.kind(v) == Subdivision_vertex_kind::input) continue;
+    const std::uint32_t h = v < s.vertices.size()
+                                ? s.vertices[v].input_halfedge
+                                : 2 * s.crossings[v - s.vertices.size()].on_input.edge;
+    const Weighted_vertices w = s.on_input(v);
+    result[v] = internal::position_on_face(input, input.face(input.is_border(h) ? h ^ 1U : h),
+                                           std::span(w.vertices).first(w.size), w.weights,
+                                           [&points](std::uint32_t u) { return points[u]; });
+  }
+  return result;
+}
+
+/*!
 \brief computes where the vertices of a common subdivision are in space.
 \tparam FaceGraph a model of `FaceListGraph` with a point map of its own
 \param s the subdivision
@@ -262,11 +302,15 @@ inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
 template <class FaceGraph>
   requires(!std::is_convertible_v<const FaceGraph&, std::span<const std::array<double, 3>>>)
 std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const FaceGraph& mesh) {
-  const auto map = Mesh_adaptor<FaceGraph>::point_map(mesh);
-  std::vector<std::array<double, 3>> points;
-  for (const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(mesh))
-    points.push_back(Mesh_adaptor<FaceGraph>::coordinates(get(map, v)));
-  return positions(s, std::span<const std::array<double, 3>>(points));
+  return positions(s, std::span<const std::array<double, 3>>(internal::points_of(mesh)));
+}
+
+/// computes the same of a triangulation with input `input`: those in polygons that became planar as well.
+template <class FaceGraph>
+  requires(!std::is_convertible_v<const FaceGraph&, std::span<const std::array<double, 3>>>)
+std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const FaceGraph& mesh,
+                                             const Input& input) {
+  return positions(s, std::span<const std::array<double, 3>>(internal::points_of(mesh)), input);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -135,7 +135,7 @@ private:
     return result;
   }
 
-  // L_k = |p - q|^2 + delta, or given
+  // L_k = |p - q|^2 + delta + excess, or given
   static Integer_face from_lengths(const Input_metric& input, std::uint32_t f) {
     Integer_face face;
     if (input.is_embedded())
@@ -143,14 +143,15 @@ private:
     else
       for (const std::uint32_t e : input.sides(f))
         face.exponent = std::max(face.exponent, half(exponent(input.squared_lengths()[e])));
-    const long e = std::max(face.exponent, half(exponent(input.delta())));
+    long e = std::max(face.exponent, half(exponent(input.delta())));
+    for (unsigned k = 0; k < 3; ++k) e = std::max(e, half(exponent(input.excess(f, k))));
     for (unsigned k = 0; k < 3; ++k) {
       Gmpz& l = face.squared_lengths[k];
       if (input.is_embedded())
         mpz_mul_2exp(l.mpz(), l.mpz(), static_cast<mp_bitcnt_t>(2 * (e - face.exponent)));
       else
         l = integer(input.squared_lengths()[input.sides(f)[k]], 2 * e);
-      l = l + integer(input.delta(), 2 * e);
+      l = l + integer(input.delta(), 2 * e) + integer(input.excess(f, k), 2 * e);
     }
     face.exponent = e;
     const auto& [a, b, c] = face.squared_lengths;

@@ -66,6 +66,21 @@ inline double checked_squared_length(const Intrinsic_input& in, std::uint32_t e)
   return square;
 }
 
+// Diagonals of planar polygons are not the distances of the points.
+inline void add_planar_excess(Metric_source& s) {
+  const std::vector<std::array<double, 3>> excess =
+      planar_excess(s.in.mesh, s.in.points, s.in.names, s.in.planar_polygons, s.scale_exponent);
+  std::vector<char> is_done(s.in.squared_lengths.size(), 0);
+  for (std::uint32_t f = 0; f < excess.size(); ++f) {
+    const std::array<Gluing_map::Halfedge, 3> sides = s.in.mesh.sides({f});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t e = sides[k].index / 2;
+      if (is_done[e] == 0) s.in.squared_lengths[e] += excess[f][k];
+      is_done[e] = 1;
+    }
+  }
+}
+
 inline Metric_source read_metric(Intrinsic_input in) {
   check_sizes(in);
   Metric_source s{std::move(in)};
@@ -73,6 +88,7 @@ inline Metric_source read_metric(Intrinsic_input in) {
     s.scale_exponent = scale_points(s.in.mesh, s.in.points);
     for (std::uint32_t e = 0; e < s.in.mesh.number_of_edges(); ++e)
       s.in.squared_lengths.push_back(checked_squared_length(s.in, e));
+    add_planar_excess(s);
   } else {
     s.in.points.clear(); // lengths that are given count
     s.scale_exponent = scale_squared_lengths(s.in.squared_lengths);

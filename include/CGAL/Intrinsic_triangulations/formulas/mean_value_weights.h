@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_MEAN_VALUE_WEIGHTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_MEAN_VALUE_WEIGHTS_H
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief computes mean value coordinates of a point in a simple planar polygon (Floater 2003; Hormann and Floater 2006).
+
+They sum to 1, reproduce linear functions, and are smooth inside. On a side they are linear, those of other corners zero, so that
+what is interpolated in two polygons agrees on a common side. In convex polygons they are not negative.
+\param polygon the corners, counterclockwise
+\param p a point in the polygon or on its boundary
+\return a weight per corner
+\complexity linear
+*/
+inline std::vector<double> mean_value_weights(std::span<const std::array<double, 2>> polygon,
+                                              const std::array<double, 2>& p) {
+  const std::size_t n = polygon.size();
+  std::vector<double> weights(n, 0);
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n;
+    const double ax = polygon[i][0] - p[0], ay = polygon[i][1] - p[1], bx = polygon[j][0] - p[0],
+                 by = polygon[j][1] - p[1];
+    const double a = std::hypot(ax, ay), b = std::hypot(bx, by);
+    const double cross = ax * by - ay * bx, dot = ax * bx + ay * by;
+    if (a == 0 || b == 0 || (dot < 0 && std::abs(cross) <= 0x1p-50 * a * b)) {
+      weights.assign(n, 0); // on the side
+      weights[i] = b / (a + b);
+      weights[j] = a / (a + b);
+      return weights;
+    }
+    // the tangent of half the angle, without cancellation
+    const double tangent = dot < 0 ? (a * b - dot) / cross : cross / (a * b + dot);
+    weights[i] += tangent / a;
+    weights[j] += tangent / b;
+    sum += tangent / a + tangent / b;
+  }
+  for (double& w : weights) w /= sum;
+  return weights;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_MEAN_VALUE_WEIGHTS_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_PLANAR_POLYGONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_PLANAR_POLYGONS_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief says what is made of faces whose corners do not lie in a plane.
+*/
+enum class Nonplanar_polygons {
+  fan, ///< triangles in space, as if the polygon was planar: their diagonals give it a shape
+  /*!
+  The planar polygon with the same sides, whose interior angles are nearest to those in space: the sum of the squares of
+  their changes is least ("Nonplanar faces" in chapter 7 of the course). Angles in space are those between the sides, above
+  pi where the polygon turns clockwise, seen along its vector area.
+  */
+  planar
+};
+
+/*!
+\brief reports what was made of polygons, where nonplanar ones were to become planar.
+
+It is counted for faces with more than three sides.
+*/
+struct Polygon_report {
+  std::size_t planar = 0; ///< those that are planar, exactly or but for the rounding of coordinates
+  std::size_t flattened = 0; ///< those that became planar
+  /*!
+  Those that remain triangles in space: their vector area is zero, a side has no length, a vertex occurs twice, the planar
+  polygon crosses itself, or its diagonals join vertices that another edge joins.
+  */
+  std::size_t kept = 0;
+  double largest_angle_change = 0; ///< of an interior angle that became another one, in radians
+};
+
+/*!
+\brief holds the planar polygons that took the place of those in space, each in a frame of its own.
+
+They have the corners of the user's faces, in their order, and the lengths of their sides.
+*/
+class Planar_polygons {
+public:
+  /// Coordinates in the plane of a polygon, counterclockwise around it, in the units of the user.
+  using Point = std::array<double, 2>;
+  /// A polygon.
+  struct Polygon {
+    std::span<const std::uint32_t> vertices; ///< numbers of the user's vertices
+    std::span<const Point> points; ///< their places in the plane; empty: there is no such polygon
+    /// returns the number of the corner at a vertex. \pre there is one
+    std::size_t corner(std::uint32_t vertex) const {
+      return static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), vertex) -
+                                      vertices.begin());
+    }
+    /// tells whether two corners are the ends of a side
+    bool is_side(std::size_t i, std::size_t j) const {
+      const std::size_t apart = i < j ? j - i : i - j;
+      return apart == 1 || apart + 1 == points.size();
+    }
+  };
+
+  /// appends a polygon. \pre `face` is above those before
+  void add(std::uint32_t face, std::span<const std::uint32_t> vertices,
+           std::span<const Point> points) {
+    face_.push_back(face);
+    first_.push_back(vertices_.size());
+    vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
+    points_.insert(points_.end(), points.begin(), points.end());
+  }
+  /// tells whether there are none.
+  bool empty() const { return face_.empty(); }
+  /// returns the number of polygons.
+  std::size_t size() const { return face_.size(); }
+  /// returns the user's number of face `i` of those that became planar.
+  std::uint32_t face(std::size_t i) const { return face_[i]; }
+  /// returns the planar polygon of the user's face; without points if it has none. \complexity logarithmic
+  Polygon operator()(std::uint32_t face) const {
+    const auto found = std::lower_bound(face_.begin(), face_.end(), face);
+    if (found == face_.end() || *found != face) return {};
+    const auto i = static_cast<std::size_t>(found - face_.begin());
+    const std::size_t count = (i + 1 < size() ? first_[i + 1] : vertices_.size()) - first_[i];
+    return {{vertices_.data() + first_[i], count}, {points_.data() + first_[i], count}};
+  }
+
+  /// What became of all polygons.
+  Polygon_report report;
+
+private:
+  std::vector<std::uint32_t> face_;
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<Point> points_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_PLANAR_POLYGONS_H

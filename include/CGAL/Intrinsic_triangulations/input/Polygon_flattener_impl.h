@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGON_FLATTENER_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGON_FLATTENER_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/input/Polygon_flattener.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+inline double Nearest_angles::change(std::size_t i) const {
+  const std::size_t n = lengths_.size();
+  return i == 0 ? directions_[0] - directions_[n - 1] + 2 * std::numbers::pi - targets_[0]
+                : directions_[i] - directions_[i - 1] - targets_[i];
+}
+
+inline Nearest_angles::Pair Nearest_angles::gap() const {
+  Pair sum{0, 0};
+  for (std::size_t i = 0; i < lengths_.size(); ++i) {
+    sum[0] += lengths_[i] * std::cos(directions_[i]);
+    sum[1] += lengths_[i] * std::sin(directions_[i]);
+  }
+  return sum;
+}
+
+inline double Nearest_angles::merit() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < lengths_.size(); ++i) sum += change(i) * change(i) / 2;
+  const Pair c = gap();
+  return sum + penalty_ * (std::abs(c[0]) + std::abs(c[1]));
+}
+
+// The rows of directions 1 to n - 1 are -x_{i-1} + (2 + w_i) x_i - x_{i+1}, with w_i = -l_i (m . e^(i theta_i)) for the
+// multipliers m.
+inline bool Nearest_angles::eliminate(bool is_newton) {
+  const std::size_t n = lengths_.size();
+  columns_.assign(n, {0, 0, 0});
+  upper_.assign(n, 0);
+  for (std::size_t i = 1; i < n; ++i) {
+    const double x = lengths_[i] * std::cos(directions_[i]),
+                 y = lengths_[i] * std::sin(directions_[i]);
+    const double w = is_newton ? -multiplier_[0] * x - multiplier_[1] * y : 0;
+    const double pivot = 2 + w + upper_[i - 1];
+    if (!(pivot > 1e-8)) return false;
+    const double gradient = change(i) - change((i + 1) % n);
+    columns_[i] = {-gradient, -y, x};
+    for (std::size_t k = 0; k < 3; ++k)
+      columns_[i][k] = (columns_[i][k] + columns_[i - 1][k]) / pivot;
+    upper_[i] = -1 / pivot;
+  }
+  for (std::size_t i = n - 1; i-- > 1;)
+    for (std::size_t k = 0; k < 3; ++k) columns_[i][k] -= upper_[i] * columns_[i + 1][k];
+  return true;
+}
+
+inline bool Nearest_angles::find_step(bool is_newton) {
+  if (!eliminate(is_newton)) return false;
+  Pair rhs = gap();
+  std::array<Pair, 2> m{};
+  for (std::size_t i = 1; i < lengths_.size(); ++i) {
+    const Pair row{-lengths_[i] * std::sin(directions_[i]), lengths_[i] * std::cos(directions_[i])};
+    for (std::size_t k = 0; k < 2; ++k) {
+      rhs[k] += row[k] * columns_[i][0];
+      for (std::size_t j = 0; j < 2; ++j) m[k][j] += row[k] * columns_[i][j + 1];
+    }
+  }
+  const double determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+  if (!(determinant > 1e-20 * (m[0][0] + m[1][1]) * (m[0][0] + m[1][1]))) return false;
+  multiplier_ = {(rhs[0] * m[1][1] - rhs[1] * m[0][1]) / determinant,
+                 (rhs[1] * m[0][0] - rhs[0] * m[1][0]) / determinant};
+  step_.assign(lengths_.size(), 0);
+  for (std::size_t i = 1; i < lengths_.size(); ++i)
+    step_[i] = columns_[i][0] - multiplier_[0] * columns_[i][1] - multiplier_[1] * columns_[i][2];
+  return true;
+}
+
+inline double Nearest_angles::take_step() {
+  double longest = 0, slope = 0;
+  for (std::size_t i = 1; i < step_.size(); ++i) {
+    longest = std::max(longest, std::abs(step_[i]));
+    slope += step_[i] * (change(i) - change((i + 1) % step_.size()));
+  }
+  const Pair c = gap();
+  penalty_ =
+      std::max(penalty_, 2 * std::max(std::abs(multiplier_[0]), std::abs(multiplier_[1])) + 1e-3);
+  slope -= penalty_ * (std::abs(c[0]) + std::abs(c[1]));
+  const std::vector<double> before = directions_;
+  const double old = merit();
+  double part = 1;
+  for (int halvings = 0; halvings <= maximal_halvings; ++halvings, part /= 2) {
+    for (std::size_t i = 0; i < step_.size(); ++i) directions_[i] = before[i] + part * step_[i];
+    // short steps are Newton's: they need no shortening, and rounding would not let the penalty decrease
+    if (longest < 1e-3 || merit() <= old + 1e-4 * part * slope) break;
+  }
+  return longest;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Nearest_angles::run(const std::vector<double>& start) {
+  double excess = -2 * std::numbers::pi;
+  for (const double t : start) excess += t;
+  directions_.assign(start.size(), 0);
+  for (std::size_t i = 1; i < start.size(); ++i)
+    directions_[i] = directions_[i - 1] + start[i] - excess / static_cast<double>(start.size());
+  multiplier_ = {0, 0};
+  penalty_ = 0;
+  for (int i = 0; i < maximal_steps; ++i) {
+    if (!find_step(true) && !find_step(false)) return false;
+    if (take_step() > 1e-10) continue;
+    const Pair c = gap();
+    return std::hypot(c[0], c[1]) < 1e-13;
+  }
+  return false;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE double Nearest_angles::largest_change() const {
+  double largest = 0;
+  for (std::size_t i = 0; i < lengths_.size(); ++i)
+    largest = std::max(largest, std::abs(change(i)));
+  return largest;
+}
+
+namespace polygon {
+
+using Space_point = Polygon_flattener::Point;
+
+inline Space_point cross(const Space_point& a, const Space_point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline double inner(const Space_point& a, const Space_point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline double norm(const Space_point& a) { return std::hypot(a[0], a[1], a[2]); }
+
+// The exponent of the power of two that is near to the largest coordinate, relative to the first point.
+inline int exponent_of(const std::vector<Space_point>& points) {
+  double extent = 0;
+  for (const Space_point& p : points)
+    for (std::size_t k = 0; k < 3; ++k)
+      extent = std::max(extent, std::abs(p[k] / 2 - points[0][k] / 2));
+  return extent > 0 ? std::ilogb(extent) : 0;
+}
+
+// from the first point, scaled
+inline std::vector<Space_point> moved(const std::vector<Space_point>& points, int exponent) {
+  std::vector<Space_point> result(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      result[i][k] = std::scalbn(points[i][k], -exponent) - std::scalbn(points[0][k], -exponent);
+  return result;
+}
+
+// twice the vector area
+inline Space_point vector_area(const std::vector<Space_point>& p) {
+  Space_point sum{};
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Space_point c = cross(p[i], p[(i + 1) % p.size()]);
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += c[k];
+  }
+  return sum;
+}
+
+inline bool is_exactly_planar(const std::vector<Space_point>& points) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto point = [&](std::size_t i) {
+    return Kernel::Point_3(points[i][0], points[i][1], points[i][2]);
+  };
+  std::size_t a = 1, b = 2;
+  while (a < points.size() && points[a] == points[0]) ++a;
+  if (a == points.size()) return true;
+  while (b < points.size() && CGAL::collinear(point(0), point(a), point(b))) ++b;
+  for (std::size_t i = 1; b < points.size() && i < points.size(); ++i)
+    if (!CGAL::coplanar(point(0), point(a), point(b), point(i))) return false;
+  return true;
+}
+
+} // namespace polygon
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
+Polygon_flattener::is_planar(const std::vector<Point>& points) {
+  const int exponent = polygon::exponent_of(points);
+  const std::vector<Point> p = polygon::moved(points, exponent);
+  const Point normal = polygon::vector_area(p);
+  const double length = polygon::norm(normal);
+  double largest = 0, low = 0, high = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (const double x : points[i])
+      largest = std::max(largest, std::abs(std::scalbn(x, -exponent)));
+    const double height = polygon::inner(p[i], normal);
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  if (high - low <= 0x1p-50 * largest * length && length > 0x1p-20) return true;
+  return polygon::is_exactly_planar(points);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
+Polygon_flattener::measure(const std::vector<Point>& points) {
+  exponent_ = polygon::exponent_of(points);
+  const std::vector<Point> p = polygon::moved(points, exponent_);
+  const std::size_t n = p.size();
+  normal_ = polygon::vector_area(p);
+  const double area = polygon::norm(normal_);
+  if (!(area > 0x1p-40)) return false;
+  for (double& x : normal_) x /= area;
+  sides_.resize(n);
+  lengths_.resize(n);
+  targets_.resize(n);
+  perimeter_ = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) sides_[i][k] = p[(i + 1) % n][k] - p[i][k];
+    lengths_[i] = polygon::norm(sides_[i]);
+    if (lengths_[i] == 0) return false;
+    perimeter_ += lengths_[i];
+  }
+  for (double& l : lengths_) l /= perimeter_;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point &before = sides_[(i + n - 1) % n], &after = sides_[i];
+    const Point c = polygon::cross(before, after);
+    const double angle = std::atan2(polygon::norm(c), polygon::inner(before, after));
+    targets_[i] = polygon::inner(c, normal_) < 0 ? -angle : angle;
+  }
+  return true;
+}
+
+inline std::vector<double> Polygon_flattener::projected_angles() const {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const Point &before = sides_[(i + sides_.size() - 1) % sides_.size()], &after = sides_[i];
+    result.push_back(
+        std::atan2(polygon::inner(polygon::cross(before, after), normal_),
+                   polygon::inner(before, after) -
+                       polygon::inner(before, normal_) * polygon::inner(after, normal_)));
+  }
+  return result;
+}
+
+inline void Polygon_flattener::place(const std::vector<double>& directions) {
+  corners_.assign(1, {0, 0});
+  for (std::size_t i = 0; i + 1 < directions.size(); ++i) {
+    const double length = lengths_[i] * perimeter_;
+    corners_.push_back({corners_[i][0] + length * std::cos(directions[i]),
+                        corners_[i][1] + length * std::sin(directions[i])});
+  }
+  for (Planar_point& p : corners_)
+    for (double& x : p) x = std::scalbn(x, exponent_);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Polygon_flattener::run(const std::vector<Point>& points) {
+  if (!measure(points)) return false;
+  Nearest_angles angles(lengths_, targets_);
+  if (!angles.run(targets_) && !angles.run(projected_angles())) return false;
+  place(angles.directions());
+  largest_angle_change_ = angles.largest_change();
+  return true;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGON_FLATTENER_IMPL_H
