@@ -11,19 +11,20 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Counts the inserted vertices without the gaps that removals leave in their numbers: rows of matrices, in the order
-// of the numbers. After a removal, they are counted again when somebody asks.
+// of the numbers. On a cover, the copies of a vertex have one row, that of the first of them. After a removal, and on covers,
+// they are counted again when somebody asks.
 class Vertex_rows {
 public:
   Vertex_rows() = default;
-  Vertex_rows(std::uint32_t input_vertices, std::uint32_t input_rows)
-      : first_(input_vertices), first_row_(input_rows) {}
+  Vertex_rows(std::uint32_t input_vertices, std::uint32_t input_rows, bool is_cover)
+      : first_(input_vertices), first_row_(input_rows), is_cover_(is_cover) {}
 
   // the number of an inserted vertex, and of one that is removed
   void insert(std::uint32_t number) {
     const std::uint32_t i = number - first_;
     if (i >= is_there_.size()) is_there_.resize(i + 1, 0);
     is_there_[i] = 1;
-    if (is_current_ && i == row_.size())
+    if (is_current_ && i == row_.size() && !is_cover_)
       row_.push_back(first_row_ + count_);
     else
       is_current_ = false;
@@ -35,27 +36,41 @@ public:
     --count_;
   }
 
-  // of an inserted vertex
-  std::uint32_t row(std::uint32_t number) const {
-    if (!is_current_) count_again();
+  // \param copies a functor: finds for each number of an inserted vertex, from the first, the first one that it is a copy of,
+  //   given which are in use; called on covers
+  template <class Copies>
+  std::uint32_t row(std::uint32_t number, const Copies& copies) const {
+    if (!is_current_) count_again(copies);
     return row_[number - first_];
   }
-  std::uint32_t number_of_rows() const { return first_row_ + count_; }
+  template <class Copies>
+  std::uint32_t number_of_rows(const Copies& copies) const {
+    if (!is_cover_) return first_row_ + count_;
+    if (!is_current_) count_again(copies);
+    return first_row_ + rows_of_cover_;
+  }
 
 private:
-  void count_again() const {
+  template <class Copies>
+  void count_again(const Copies& copies) const {
     row_.resize(is_there_.size());
+    std::vector<std::uint32_t> first;
+    if (is_cover_) first = copies(is_there_);
     std::uint32_t next = first_row_;
     for (std::size_t i = 0; i < row_.size(); ++i) {
-      row_[i] = next;
-      next += is_there_[i];
+      const bool is_copy = is_cover_ && first[i] != i;
+      row_[i] = is_copy ? row_[first[i]] : next;
+      if (!is_copy) next += is_there_[i];
     }
+    rows_of_cover_ = next - first_row_;
     is_current_ = true;
   }
 
   std::uint32_t first_ = 0, first_row_ = 0, count_ = 0;
+  bool is_cover_ = false;
   std::vector<std::uint8_t> is_there_;
   mutable std::vector<std::uint32_t> row_;
+  mutable std::uint32_t rows_of_cover_ = 0;
   mutable bool is_current_ = true;
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Removable_vertices.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Sheet_copies.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
@@ -36,8 +37,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /*!
 Refines a triangulation: Chew's second algorithm, intrinsically (§4.3 of the course, Algorithm 5).
 
-See `delaunay_refine()`; a segment is an edge of the border or a constrained one. Vertices that are removed near
-a split one are those in a Dijkstra ball. For a bound of at most 30 degrees the circumradius of such a face is at least its shortest side: new
+See `delaunay_refine()`; a segment is an edge of the border, a constrained one, or on a cover one over a seam. Vertices that
+are removed near a split one are those in a Dijkstra ball, with their copies. For a bound of at most 30 degrees the circumradius of such a face is at least its shortest side: new
 vertices keep this distance from all others.
 */
 template <class Triangulation, class Visitor>
@@ -56,7 +57,7 @@ public:
   /// takes the named parameters of `delaunay_refine()`.
   template <class NP>
   Delaunay_refiner(Triangulation& t, const NP& np, Visitor& visitor)
-      : t_(t), mesh_(t.mesh()), session_(t), view_(t),
+      : t_(t), mesh_(t.mesh()), copies_(t), session_(t), view_(t),
         test_(value_or<tags::minimum_angle>(np, 25.),
               value_or<tags::maximum_circumradius>(np, infinity),
               value_or<tags::maximum_edge_length>(np, infinity), t.metric().scale_exponent()),
@@ -72,10 +73,11 @@ public:
     for (const auto e : edges(mesh_)) {
       const Halfedge h = halfedge(e, mesh_);
       const bool is_constrained = get(constrained, e);
-      if (is_constrained || is_border(h) || is_border(opposite(h, mesh_)))
+      if (is_constrained || is_border(h) || is_border(opposite(h, mesh_)) ||
+          copies_.is_seam(number(h) / 2))
         segments_.add(view_, number(h), is_constrained);
     }
-    if (!segments_.empty()) segments_.find_small_angles(view_);
+    find_small_angles();
     removable_.find(t_, [this](Halfedge h) { return is_segment(h); });
     for (const auto e : edges(mesh_)) flipper_.push(halfedge(e, mesh_));
     flipper_.run(*this);
@@ -100,7 +102,7 @@ public:
   }
   bool is_constrained(Halfedge h) {
     if (!segments_.is_segment(number(h) / 2)) return false;
-    if (is_conforming_) encroached_.push_back(h);
+    if (is_conforming_ || copies_.is_seam(number(h) / 2)) encroached_.push_back(h);
     return true;
   }
   void after_flip(Halfedge h) {
@@ -117,6 +119,14 @@ private:
   Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
   bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
   bool is_segment(Halfedge h) const { return segments_.is_segment(number(h) / 2); }
+
+  void find_small_angles() {
+    if (segments_.empty()) return;
+    segments_.find_small_angles(view_);
+    if (copies_.exist())
+      segments_.share_small_angles(t_.input().number_of_vertices(),
+                                   [this](std::uint32_t v) { return t_.input().names().row(v); });
+  }
 
   // with inexact numbers, rounding may make flips go round
   std::uint64_t flip_cap() const {
@@ -196,7 +206,7 @@ private:
     if (n >= cap_) {
       result_.status = Status::cap;
       is_going_on_ = false;
-    } else if ((n & 0xffU) == 0xffU &&
+    } else if (is_time_to_report(n) &&
                !session_.suspended([this] { return visitor_.progress(result_.counts); })) {
       result_.status = Status::cancelled;
       is_going_on_ = false;
@@ -204,17 +214,68 @@ private:
     return is_going_on_;
   }
 
-  // inserts a vertex if it keeps its distance, squared, from others
+  bool is_time_to_report(std::uint64_t insertions) {
+    if (insertions < next_report_) return false;
+    next_report_ = insertions + 256;
+    return true;
+  }
+
+  // inserts a vertex and its copies if they keep their distance, squared, from others
   bool insert(const Surface_point& p, double distance) {
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Move_status::done) return false;
-    ++result_.counts.circumcenters;
-    removable_.set(t_.index(n.vertex), true);
-    suspect_star(n.vertex);
-    if (!flip() || keeps_distance(t_, n.vertex, distance)) return true;
-    remove(n.vertex);
+    start_from(n.vertex);
+    std::vector<std::uint32_t> all{t_.index(n.vertex)};
+    if (insert_copies(all) && (!flip() || std::ranges::all_of(all, [&](std::uint32_t v) {
+          return keeps_distance(t_, t_.numbers().vertex_at(v), distance);
+        })))
+      return true;
+    copies_.take(all.front());
+    for (const std::uint32_t v : all) remove(t_.numbers().vertex_at(v));
     flip();
     return false;
+  }
+
+  void start_from(Vertex circumcenter) {
+    ++result_.counts.circumcenters;
+    removable_.set(t_.index(circumcenter), true);
+    suspect_star(circumcenter);
+  }
+
+  // Inserts the copies of a vertex, all or as many as can be; whether these are all.
+  bool insert_copies(std::vector<std::uint32_t>& all) {
+    for (const Surface_point& place : copies_.missing(all.front())) {
+      const std::optional<Vertex> v = insert_copy(place);
+      if (!v) return false;
+      all.push_back(t_.index(*v));
+    }
+    if (all.size() == 1) return true;
+    copies_.join(all);
+    const bool are_free =
+        std::ranges::all_of(all, [this](std::uint32_t v) { return removable_.has(v); });
+    for (const std::uint32_t v : all) removable_.set(v, are_free);
+    return true;
+  }
+
+  // in the face where it is found, or in that beyond a side nearby
+  std::optional<Vertex> insert_copy(const Surface_point& place) {
+    if constexpr (Knows_places<Triangulation>) {
+      const std::optional<Surface_point> p = copies_.locate(place);
+      if (!p) return std::nullopt;
+      if (const std::optional<Vertex> v = insert_copy_at(*p, place)) return v;
+      if (const std::optional<Surface_point> q = copies_.across(*p))
+        return insert_copy_at(*q, place);
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Vertex> insert_copy_at(const Surface_point& p, const Surface_point& place) {
+    const Halfedge h = descriptor(p.halfedge);
+    if (p.weights[2] == 0 && is_segment(h)) return split_at(h, p.weights[1], place);
+    const auto n = session_.insert_copy(h, p.weights, place);
+    if (n.status != Move_status::done) return std::nullopt;
+    start_from(n.vertex);
+    return n.vertex;
   }
 
   // leaves the faces alone that wait to be looked at, until they change again
@@ -223,18 +284,30 @@ private:
     touched_.clear();
   }
 
-  // splits a segment, and removes vertices near it; false if the triangulation refuses
+  // splits a segment and its copies, and removes vertices near them; false if the triangulation refuses
   bool split(Halfedge h) {
     if (is_border(h)) h = opposite(h, mesh_);
+    const double length = std::sqrt(view_.squared_length(number(h) / 2));
+    const std::optional<Vertex> v =
+        split_at(h, segments_.split_parameter(view_, number(h)), std::nullopt);
+    if (!v) return false;
+    std::vector<std::uint32_t> all{t_.index(*v)};
+    if (!insert_copies(all)) ++result_.counts.refused;
+    for (std::size_t i = 0; i < all.size() && flip(); ++i)
+      remove_near(t_.numbers().vertex_at(all[i]), length);
+    return true;
+  }
+
+  // \param place on the input, if it is known
+  std::optional<Vertex> split_at(Halfedge h, double parameter,
+                                 const std::optional<Surface_point>& place) {
     const std::uint32_t e = number(h) / 2;
-    const double parameter = segments_.split_parameter(view_, number(h));
-    const double length = std::sqrt(view_.squared_length(e));
     const std::array<std::uint32_t, 2> ends{t_.index(source(h, mesh_)), t_.index(target(h, mesh_))};
     const bool on_border = is_border(opposite(h, mesh_));
-    const auto n = session_.split_edge(h, parameter);
+    const auto n = insert_on_edge(h, parameter, place);
     if (n.status != Move_status::done) {
       ++result_.counts.refused;
-      return false;
+      return std::nullopt;
     }
     ++result_.counts.segment_splits;
     // on the border h is the first half; inside it was flipped, and runs from the vertex
@@ -244,8 +317,13 @@ private:
     segments_.split(e, {number(one) / 2, number(other) / 2}, ends, t_.index(n.vertex), parameter);
     removable_.set(t_.index(n.vertex), false);
     suspect_star(n.vertex);
-    if (flip()) remove_near(n.vertex, length);
-    return true;
+    return n.vertex;
+  }
+
+  auto insert_on_edge(Halfedge h, double parameter, const std::optional<Surface_point>& place) {
+    if constexpr (Knows_places<Triangulation>)
+      if (place) return session_.insert_copy(h, {1 - parameter, parameter, 0}, *place);
+    return session_.split_edge(h, parameter);
   }
 
   // splits constrained edges that are not locally Delaunay, if that is asked for
@@ -274,8 +352,10 @@ private:
   void remove_near(Vertex v, double radius) {
     for (const std::uint32_t w : dijkstra_ball(view_, t_.index(v), radius)) {
       if (!removable_.has(w)) continue;
-      remove(t_.numbers().vertex_at(w));
-      if (!flip()) return; // now: edges that wait may be removed next
+      for (const std::uint32_t copy : copies_.take(w)) {
+        remove(t_.numbers().vertex_at(copy));
+        if (!flip()) return; // now: edges that wait may be removed next
+      }
     }
   }
 
@@ -324,6 +404,7 @@ private:
 
   Triangulation& t_;
   const Mesh& mesh_;
+  Sheet_copies<Triangulation> copies_;
   Session session_;
   View view_;
   Refinement_test test_;
@@ -337,6 +418,7 @@ private:
   std::vector<Face> touched_;
   std::vector<Halfedge> encroached_;
   Removable_vertices removable_;
+  std::uint64_t next_report_ = 255;
   bool is_going_on_ = true;
   Result result_;
 };
