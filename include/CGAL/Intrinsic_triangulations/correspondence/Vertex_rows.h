@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_ROWS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_ROWS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_VERTEX_ROWS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_VERTEX_ROWS_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,8 +18,13 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Vertex_rows {
 public:
   Vertex_rows() = default;
-  Vertex_rows(std::uint32_t input_vertices, std::uint32_t input_rows, bool is_cover)
-      : first_(input_vertices), first_row_(input_rows), is_cover_(is_cover) {}
+  template <class Triangulation>
+  explicit Vertex_rows(const Triangulation& t)
+      : first_(t.input().number_of_vertices()), first_row_(t.input().number_of_rows()),
+        is_cover_(Triangulation::has_correspondence && t.input().names().sheets > 1) {
+    for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh()))
+      if (t.is_inserted(v)) insert(t.index(v));
+  }
 
   // the number of an inserted vertex, and of one that is removed
   void insert(std::uint32_t number) {
@@ -36,26 +43,25 @@ public:
     --count_;
   }
 
-  // \param copies a functor: finds for each number of an inserted vertex, from the first, the first one that it is a copy of,
-  //   given which are in use; called on covers
-  template <class Copies>
-  std::uint32_t row(std::uint32_t number, const Copies& copies) const {
-    if (!is_current_) count_again(copies);
+  // \param t the triangulation that has the rows
+  template <class Triangulation>
+  std::uint32_t row(std::uint32_t number, const Triangulation& t) const {
+    if (!is_current_) count_again(t);
     return row_[number - first_];
   }
-  template <class Copies>
-  std::uint32_t number_of_rows(const Copies& copies) const {
+  template <class Triangulation>
+  std::uint32_t number_of_rows(const Triangulation& t) const {
     if (!is_cover_) return first_row_ + count_;
-    if (!is_current_) count_again(copies);
+    if (!is_current_) count_again(t);
     return first_row_ + rows_of_cover_;
   }
 
 private:
-  template <class Copies>
-  void count_again(const Copies& copies) const {
+  template <class Triangulation>
+  void count_again(const Triangulation& t) const {
     row_.resize(is_there_.size());
     std::vector<std::uint32_t> first;
-    if (is_cover_) first = copies(is_there_);
+    if (is_cover_) first = first_copies(t.places(), is_there_);
     std::uint32_t next = first_row_;
     for (std::size_t i = 0; i < row_.size(); ++i) {
       const bool is_copy = is_cover_ && first[i] != i;
@@ -76,4 +82,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_ROWS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_VERTEX_ROWS_H

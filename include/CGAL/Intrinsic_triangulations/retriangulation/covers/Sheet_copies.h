@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_SHEET_COPIES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_SHEET_COPIES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_COVERS_SHEET_COPIES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_COVERS_SHEET_COPIES_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edge.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
@@ -39,6 +39,8 @@ public:
   static std::vector<Surface_point> missing(std::uint32_t) { return {}; }
   static void join(const std::vector<std::uint32_t>&) {}
   static std::vector<std::uint32_t> take(std::uint32_t vertex) { return {vertex}; }
+  template <class Session>
+  static void restore_seams(Session&) {}
 };
 
 // Neither are there any on surfaces that are no covers.
@@ -60,6 +62,13 @@ public:
 
   // whether vertices have copies
   bool exist() const { return sheets_.has_value(); }
+
+  // flips away the edges that cross a seam, as a rule all of them
+  template <class Session>
+  void restore_seams(Session& session) {
+    for (std::uint32_t e = 0; e < is_seam_.size(); ++e)
+      if (is_seam_[e] != 0) restore_input_edge(t_, session, *places_, 2 * e);
+  }
 
   // whether an intrinsic edge runs along a seam
   bool is_seam(std::uint32_t edge) const {
@@ -145,4 +154,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_SHEET_COPIES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_COVERS_SHEET_COPIES_H
