@@ -10,15 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
-#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solve_with_fixed_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
-
-#include <Eigen/Core>
 
 #include <gtest/gtest.h>
 
@@ -27,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <map>
 #include <numbers>
 #include <set>
@@ -48,27 +42,8 @@ template <class Traits, class Correspondence>
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, Traits, Correspondence>;
 using Exact = Triangulation<IT::Exact_euclidean_traits, IT::Integer_coordinates>;
 
-// three squares at an edge, 1 wide and high, each of triangles that are not like those of the others
-Mesh book() {
-  Mesh m;
-  m.points = {{0, 0, 0}, {0, 1, 0}};
-  for (int page = 0; page < 3; ++page) {
-    const double angle = page * 2 * std::numbers::pi / 3, c = std::cos(angle), s = std::sin(angle);
-    const auto first = static_cast<std::uint32_t>(m.points.size());
-    m.points.push_back({c, 0, s});
-    m.points.push_back({c, 1, s});
-    const double x = 0.3 + 0.1 * page;
-    m.points.push_back({x * c, 0.6 - 0.1 * page, x * s});
-    const std::uint32_t center = first + 2;
-    m.triangles.insert(
-        m.triangles.end(),
-        {{0, first, center}, {first, first + 1, center}, {first + 1, 1, center}, {1, 0, center}});
-  }
-  return m;
-}
-
 std::vector<std::pair<std::string, Mesh>> soups_of_all_kinds() {
-  return {{"book", book()},
+  return {{"book", soups::book()},
           {"fins", soups::three_fins()},
           {"Moebius strip", soups::moebius_strip()},
           {"Klein bottle", soups::klein_bottle()},
@@ -217,7 +192,7 @@ TEST(Refinement_of_covers, refines_both_sheets_of_a_closed_surface_alike) {
 
 template <class T>
 void expect_shared_rows() {
-  const Mesh m = book();
+  const Mesh m = soups::book();
   T t(IT::make_domain(soups::soup(m)).input);
   const auto r = IT::delaunay_refine(t, parameters::maximum_edge_length(0.3));
   EXPECT_EQ(r.status, IT::Status::done);
@@ -232,14 +207,14 @@ TEST(Refinement_of_covers, shares_rows_in_doubles_and_with_signposts) {
 
 TEST(Refinement_of_covers, gives_every_vertex_its_row_where_nobody_knows_its_place) {
   Triangulation<IT::Exact_euclidean_traits, IT::No_correspondence> t(
-      IT::make_domain(soups::soup(book())).input);
+      IT::make_domain(soups::soup(soups::book())).input);
   const auto r = IT::delaunay_refine(t, parameters::maximum_edge_length(0.3));
   EXPECT_EQ(r.status, IT::Status::done);
-  EXPECT_EQ(t.number_of_vertices(), book().points.size() + r.counts.inserted_vertices());
+  EXPECT_EQ(t.number_of_vertices(), soups::book().points.size() + r.counts.inserted_vertices());
 }
 
 TEST(Refinement_of_covers, keeps_rows_in_files_and_copies) {
-  const Mesh m = book();
+  const Mesh m = soups::book();
   Exact t(IT::make_domain(soups::soup(m)).input);
   IT::delaunay_refine(t, parameters::maximum_edge_length(0.4));
   std::stringstream file;
@@ -257,7 +232,7 @@ TEST(Refinement_of_covers, keeps_rows_in_files_and_copies) {
 }
 
 TEST(Refinement_of_covers, forgets_the_row_with_the_last_copy) {
-  const Mesh m = book();
+  const Mesh m = soups::book();
   Exact t(IT::make_domain(soups::soup(m)).input);
   IT::delaunay_refine(t, parameters::maximum_edge_length(0.5));
   const std::uint32_t rows = t.number_of_vertices();
@@ -275,7 +250,7 @@ TEST(Refinement_of_covers, forgets_the_row_with_the_last_copy) {
 }
 
 TEST(Refinement_of_covers, is_adaptive) {
-  const Mesh m = book();
+  const Mesh m = soups::book();
   Exact t(IT::make_domain(soups::soup(m)).input);
   const auto largest = [](const Exact& now) {
     std::vector<double> area(now.numbers().face_capacity(now.mesh()), 0);
@@ -286,68 +261,6 @@ TEST(Refinement_of_covers, is_adaptive) {
   EXPECT_EQ(r.status, IT::Status::cap);
   EXPECT_LT(r.rounds.back().estimated_error, r.rounds.front().estimated_error / 3);
   expect_rows_are_places(t, m, Domain_kind::tufted_cover, "book");
-}
-
-// ---- a Poisson problem
-
-struct Errors {
-  double maximum, mean;
-};
-
-// On page k of the book: u = (a_k sin(pi x / 2) + cos(pi x)) cos(pi y), where the a_k sum to zero, so that what flows
-// out of one page flows into the others (Kirchhoff's law); without flux through the borders y = 0 and y = 1.
-// With the values of u given on the border x = 1.
-Errors solve_poisson(const Mesh& m, double circumradius) {
-  constexpr double pi = std::numbers::pi;
-  constexpr std::array<double, 3> amplitude{1, 2, -3};
-  Exact t(IT::make_domain(soups::soup(m)).input);
-  IT::delaunay_refine(t, parameters::maximum_circumradius(circumradius));
-  const auto n = static_cast<Eigen::Index>(t.number_of_vertices());
-  Eigen::VectorXd u(n), f(n);
-  std::vector<std::uint32_t> fixed;
-  std::vector<double> values;
-  for (const auto v : vertices(t.mesh())) {
-    const std::uint32_t row = t.input_vertex(v);
-    const Place p = t.is_inserted(v) ? place(t, v) : Place{{row, 1.}};
-    meshes::Point at{};
-    for (const auto& [i, weight] : p)
-      for (std::size_t k = 0; k < 3; ++k) at[k] += weight * m.points[i][k];
-    const double x = std::hypot(at[0], at[2]), y = at[1];
-    const auto page =
-        static_cast<std::size_t>(std::lround((std::atan2(at[2], at[0]) / (2 * pi) + 1) * 3)) % 3;
-    const double s = amplitude[page] * std::sin(pi * x / 2), c = std::cos(pi * x);
-    u[row] = (s + c) * std::cos(pi * y);
-    f[row] = pi * pi * (1.25 * s + 2 * c) * std::cos(pi * y);
-    if (x > 1 - 1e-9 && std::ranges::count(fixed, row) == 0) {
-      fixed.push_back(row);
-      values.push_back(u[row]);
-    }
-  }
-  const Eigen::SparseMatrix<double> mass = IT::galerkin_mass_matrix(t);
-  const Eigen::VectorXd right = mass * f;
-  const Eigen::VectorXd given =
-      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-  const Eigen::VectorXd e =
-      IT::solve_with_fixed_values(IT::cotangent_laplacian(t), right, fixed, given) - u;
-  return {e.lpNorm<Eigen::Infinity>(), std::sqrt(e.dot(mass * e))};
-}
-
-TEST(Refinement_of_covers, solves_a_poisson_problem_where_three_faces_meet_at_second_order) {
-  const Mesh m = book();
-  std::vector<Errors> errors;
-  for (const double h : {0.2, 0.1, 0.05, 0.025}) {
-    errors.push_back(solve_poisson(m, h));
-    std::printf("%g %g %g\n", h, errors.back().maximum, errors.back().mean);
-    RecordProperty("errors at " + std::to_string(h), std::to_string(errors.back().maximum) + " " +
-                                                         std::to_string(errors.back().mean));
-  }
-  // by a factor of 4 each time, on the whole
-  EXPECT_LT(errors.back().mean, errors.front().mean / 50);
-  EXPECT_LT(errors.back().maximum, errors.front().maximum / 40);
-  for (std::size_t i = 1; i < errors.size(); ++i) {
-    EXPECT_LT(errors[i].mean, errors[i - 1].mean / 3) << i;
-    EXPECT_LT(errors[i].maximum, errors[i - 1].maximum / 2.5) << i;
-  }
 }
 
 } // namespace
