@@ -10,10 +10,13 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/operators/transfer.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+
+#include <Eigen/Core>
 
 #include <gtest/gtest.h>
 
@@ -229,6 +232,23 @@ TEST(Refinement_of_covers, keeps_rows_in_files_and_copies) {
   EXPECT_EQ(r.counts.segment_splits, s.counts.segment_splits);
   expect_rows_are_places(read, m, Domain_kind::tufted_cover, "refined");
   EXPECT_EQ(read.number_of_vertices(), t.number_of_vertices());
+}
+
+TEST(Refinement_of_covers, copies_functions_to_the_rows_of_inserted_vertices) {
+  const Mesh m = soups::book();
+  Exact t(IT::make_domain(soups::soup(m)).input);
+  IT::delaunay_refine(t, parameters::maximum_edge_length(0.5));
+  Eigen::VectorXd x(m.points.size());
+  for (std::size_t i = 0; i < m.points.size(); ++i)
+    x[static_cast<Eigen::Index>(i)] = 1 + m.points[i][0];
+  const Eigen::VectorXd copied = IT::copy_to_intrinsic(t, x);
+  ASSERT_EQ(copied.size(), t.number_of_vertices());
+  for (const auto v : vertices(t.mesh()))
+    if (t.is_inserted(v)) {
+      double expected = 1;
+      for (const auto& [row, weight] : place(t, v)) expected += weight * m.points[row][0];
+      EXPECT_NEAR(copied[t.input_vertex(v)], expected, 1e-12);
+    }
 }
 
 TEST(Refinement_of_covers, forgets_the_row_with_the_last_copy) {

@@ -116,7 +116,10 @@ protected:
         })))
       return true;
     copies_.take(all.front());
-    for (const std::uint32_t v : all) remove(t_.numbers().vertex_at(v));
+    for (const std::uint32_t v : all) {
+      if (!flip()) return false; // before: edges that wait may be removed
+      remove(t_.numbers().vertex_at(v));
+    }
     flip();
     return false;
   }
