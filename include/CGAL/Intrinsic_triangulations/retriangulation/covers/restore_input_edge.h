@@ -36,14 +36,17 @@ inline std::uint32_t point_before(const Curve_strip& strip, std::size_t n) {
   return static_cast<std::uint32_t>(n + 1);
 }
 
-// Flips an edge across a curve so that fewer cross it; whether there was one. In the plane there is one always (Hanke, Ottmann,
-// Schuierer, The edge-flipping distance of triangulations, 1996).
+// Flips an edge across a curve, the first from a place in the strip on; whether there was one.
+// \param may_cross whether the new edge may cross the curve, too: if not, fewer edges do
 template <class Triangulation, class Session>
-bool flip_off_curve(const Triangulation& t, Session& session, const Curve_strip& strip) {
+bool flip_off_curve(const Triangulation& t, Session& session, const Curve_strip& strip,
+                    bool may_cross, std::size_t from) {
   const std::vector<char> side = sides_of_curve(strip);
-  for (std::size_t n = 1; n < strip.triangles().size(); ++n) {
+  const std::size_t crossings = strip.triangles().size() - 1;
+  for (std::size_t i = 0; i < crossings; ++i) {
+    const std::size_t n = 1 + (from + i) % crossings;
     const char before = side[point_before(strip, n)], after = side[n + 2];
-    if (before != 0 && after != 0 && before != after) continue; // the new one would cross it, too
+    if (before != 0 && after != 0 && before != after && !may_cross) continue;
     const auto h = t.numbers().halfedge_at(strip.triangles()[n].entered);
     if (session.flip_edge(h) == Move_status::done) return true;
   }
@@ -54,7 +57,7 @@ bool flip_off_curve(const Triangulation& t, Session& session, const Curve_strip&
 Flips edges until an input edge is an edge of the triangulation, or a chain of edges if vertices were inserted on it.
 \param coordinates where the input edges are
 \param x a halfedge of the input edge
-\return whether it is one, which it may fail to become where its faces are crossed by it more than once
+\return whether it is one, which it may fail to become where it crosses a face more than once
 \complexity quadratic in the number of edges that cross it
 */
 template <class Triangulation, class Session, class Coordinates>
@@ -62,6 +65,7 @@ bool restore_input_edge(const Triangulation& t, Session& session, const Coordina
                         std::uint32_t x) {
   const Intrinsic_view<Triangulation> view(t);
   std::uint32_t vertex = coordinates.input().source(x);
+  std::size_t detours = 0;
   for (;;) {
     const std::optional<Curve_end> start = find_curve(view, coordinates, vertex, x);
     if (!start) return false;
@@ -72,7 +76,10 @@ bool restore_input_edge(const Triangulation& t, Session& session, const Coordina
     }
     const Curve_strip strip(view, coordinates, sides_of_face(view, start->halfedge),
                             first_crossing(view, coordinates, *start));
-    if (!flip_off_curve(t, session, strip)) return false;
+    // where no flip leaves fewer crossings, as in a zigzag, one that leaves as many makes way for that
+    if (flip_off_curve(t, session, strip, false, 0)) continue;
+    const std::size_t most = 100 + 10 * strip.triangles().size();
+    if (detours >= most || !flip_off_curve(t, session, strip, true, detours++)) return false;
   }
 }
 
