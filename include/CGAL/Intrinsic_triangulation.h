@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Vertex_rows.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
@@ -19,7 +20,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Session.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
@@ -174,12 +174,16 @@ public:
 
   /// returns the number that vertex `v` has in the input, in the order of iteration there; of an
   /// inserted vertex, one that follows those, without gaps: removal of a vertex changes those after it. It is the row
-  /// of `v` in all matrices of operators. Vertices of a cover that are copies of one vertex share its row.
+  /// of `v` in all matrices of operators. Vertices of a cover that are copies of one vertex share its row; inserted ones if
+  /// `places()` knows their places.
   std::uint32_t input_vertex(vertex_descriptor v) const {
-    return is_inserted(v) ? rows_.row(index(v)) : input_->names().row(index(v));
+    return is_inserted(v) ? rows_.row(index(v), *this) : input_->names().row(index(v));
   }
   /// returns the number of vertices, which is that of rows of matrices.
-  std::uint32_t number_of_vertices() const { return rows_.number_of_rows(); }
+  std::uint32_t number_of_vertices() const { return rows_.number_of_rows(*this); }
+
+  /// returns coordinates that know the places of inserted vertices on `input()`; null if there are none.
+  const Integer_coordinates* places() const { return places_.on_input(*this); }
 
   /// returns the number of a vertex: from 0, unchanged by moves.
   std::uint32_t index(vertex_descriptor v) const { return number_.vertex(v); }
@@ -300,13 +304,6 @@ private:
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
       : Intrinsic_triangulation(std::move(p.mesh), std::move(p.metric), std::move(p.input)) {}
 
-  internal::Vertex_rows rows_of_mesh() const {
-    internal::Vertex_rows rows(input_->number_of_vertices(), input_->number_of_rows());
-    for (const vertex_descriptor v : vertices(mesh_))
-      if (is_inserted(v)) rows.insert(index(v));
-    return rows;
-  }
-
   std::shared_ptr<const Input> input_;
   Mesh mesh_;
   Mesh_adaptor<Mesh> number_;
@@ -324,7 +321,7 @@ template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
 Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
                                                           std::shared_ptr<const Input> input)
     : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
-      metric_(std::move(metric)), rows_(rows_of_mesh()) {
+      metric_(std::move(metric)), rows_(*this) {
   static_assert(IntrinsicCorrespondence<Correspondence, Intrinsic_triangulation>);
   correspondence_.start(*this);
   places_.attach(*this, metric_);
@@ -335,7 +332,7 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric
                                                           std::shared_ptr<const Input> input,
                                                           const Integer_coordinates& coordinates)
     : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
-      metric_(std::move(metric)), rows_(rows_of_mesh()) {
+      metric_(std::move(metric)), rows_(*this) {
   if constexpr (has_correspondence) correspondence_.restore(*this, coordinates);
   places_.restore(*this, metric_, coordinates);
 }

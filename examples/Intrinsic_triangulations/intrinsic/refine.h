@@ -134,6 +134,7 @@ void refine(Triangulation& t, const Constrained& constrained, const Options& opt
   json["refine"] = {{"status", result.status == IT::Status::done ? "done" : "cap"},
                     {"asked_angle_deg", options.refinement.minimum_angle},
                     {"insertions", counts.inserted_vertices()},
+                    {"points", t.number_of_vertices() - t.input().number_of_rows()},
                     {"circumcenters", counts.circumcenters},
                     {"segment_splits", counts.segment_splits},
                     {"removals", counts.removals},

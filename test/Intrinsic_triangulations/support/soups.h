@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <random>
 #include <set>
 #include <utility>
@@ -40,6 +41,25 @@ inline IT::Triangle_soup soup(const Mesh& m) {
 inline Mesh three_fins() {
   return {{{0, 0, 0}, {4, 0, 0}, {0, 5, 0}, {1, 1, 6}, {-3, 2, -5}},
           {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {2, 0, 3}}};
+}
+
+/// Three squares at an edge, 1 wide and high, each of triangles that are not like those of the others.
+inline Mesh book() {
+  Mesh m;
+  m.points = {{0, 0, 0}, {0, 1, 0}};
+  for (int page = 0; page < 3; ++page) {
+    const double angle = page * 2 * std::numbers::pi / 3, c = std::cos(angle), s = std::sin(angle);
+    const auto first = static_cast<std::uint32_t>(m.points.size());
+    m.points.push_back({c, 0, s});
+    m.points.push_back({c, 1, s});
+    const double x = 0.3 + 0.1 * page;
+    m.points.push_back({x * c, 0.6 - 0.1 * page, x * s});
+    const std::uint32_t center = first + 2;
+    m.triangles.insert(
+        m.triangles.end(),
+        {{0, first, center}, {first, first + 1, center}, {first + 1, 1, center}, {1, 0, center}});
+  }
+  return m;
 }
 
 /// A strip with a half turn.

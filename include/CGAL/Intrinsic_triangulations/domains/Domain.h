@@ -60,7 +60,8 @@ matched by their end vertices.
 
 Covers are oriented manifolds, so that all algorithms run on them unchanged. There, vertices are split into one per
 neighbourhood; matrices have the rows of the user's vertices nevertheless, `Intrinsic_triangulation::input_vertex()`, and
-are divided by the number of sheets, so that they are those of the triangles. The front and the back of face `f` of the soup
+are divided by the number of sheets, so that they are those of the triangles. `delaunay_refine()` inserts all copies of a point
+together. The front and the back of face `f` of the soup
 are faces `2f` and `2f + 1` by name. A tufted cover has no border: with exact traits, no weight of its Delaunay Laplacian is
 negative.
 

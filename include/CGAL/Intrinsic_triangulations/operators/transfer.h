@@ -67,6 +67,7 @@ typename Derived::PlainObject copy_to_intrinsic(const Triangulation& t,
       continue;
     }
     const Weighted_vertices w = weighted_vertices(t, t.correspondence().location(t.index(v)));
+    f.row(row).setZero(); // a copy of the vertex may have been there
     for (std::size_t i = 0; i < w.size; ++i) f.row(row) += w.weights[i] * g.row(w.vertices[i]);
   }
   return f;

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -66,6 +67,7 @@ class Mover {
   using Vertex = typename Graph_traits::vertex_descriptor;
   using Halfedge = typename Graph_traits::halfedge_descriptor;
   using Weights = std::array<double, 3>;
+  using Wanted = std::optional<Surface_point>;
 
 public:
   using Insertion = typename Triangulation::Insertion;
@@ -148,8 +150,9 @@ public:
     metric_.forget_flip(diamond_of(h, mesh_, number_), before);
   }
 
-  Insertion insert(Halfedge h, const Weights& weights) {
-    return weights[2] == 0 ? insert_on_edge(h, weights) : insert_in_face(h, weights);
+  // \param place on the input, if it is known; the weights approximate it
+  Insertion insert(Halfedge h, const Weights& weights, const Wanted& place = {}) {
+    return weights[2] == 0 ? insert_on_edge(h, weights, place) : insert_in_face(h, weights, place);
   }
 
   // takes back what `insert()` did last
@@ -221,9 +224,9 @@ private:
       return metric_.insert_in_border_edge(s, parameter);
   }
 
-  Insertion insert_in_face(Halfedge h, const Weights& weights) {
+  Insertion insert_in_face(Halfedge h, const Weights& weights, const Wanted& place) {
     if (!places_.define(t_, metric_)) return {Move_status::not_traceable};
-    Insertion_in_face move{star_of_face(h), weights};
+    Insertion_in_face move{star_of_face(h), weights, place};
     if (!ask_to_insert(move)) return {Move_status::not_traceable};
     const Vertex v = split_face(h, mesh_, number_);
     static_cast<Star_of_vertex&>(move) = star_of_vertex(h);
@@ -257,9 +260,9 @@ private:
   }
 
   // inside: a vertex in the face, at distance zero from the edge, which is flipped away
-  Insertion insert_on_edge(Halfedge h, const Weights& weights) {
-    if (is_on_border(h)) return insert_on_border(h, weights[1]);
-    const Insertion n = insert_in_face(h, weights);
+  Insertion insert_on_edge(Halfedge h, const Weights& weights, const Wanted& place) {
+    if (is_on_border(h)) return insert_on_border(h, weights[1], place);
+    const Insertion n = insert_in_face(h, weights, place);
     if (n.status != Move_status::done) return n;
     const Move_status s = is_convex(h) ? flip(h) : Move_status::not_convex;
     if (s == Move_status::done) return n;
@@ -267,9 +270,9 @@ private:
     return {s};
   }
 
-  Insertion insert_on_border(Halfedge h, double parameter) {
+  Insertion insert_on_border(Halfedge h, double parameter, const Wanted& place) {
     if (!places_.define(t_, metric_)) return {Move_status::not_traceable};
-    Insertion_on_border move{star_of_border_edge(h), parameter};
+    Insertion_on_border move{star_of_border_edge(h), parameter, place};
     if (!ask_to_insert(move)) return {Move_status::not_traceable};
     const Vertex v = split_border_edge(h, mesh_, number_);
     static_cast<Star_on_border&>(move) = star_on_border(h);

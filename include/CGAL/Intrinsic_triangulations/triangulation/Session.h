@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
@@ -184,6 +185,19 @@ public:
       RefinableMetric<typename Triangulation::Metric> {
     const std::optional<Place> p = place(h, weights);
     return p ? Mover(t_).insert(p->h, p->weights) : Insertion{Move_status::weights};
+  }
+  /*!
+  \brief inserts a vertex at a place of the input that is known already, as a copy of another one's on a cover.
+  \param h a halfedge of the face
+  \param weights see `insert_vertex()`: approximations
+  \param on_input the place, which defines the vertex: on an edge, if a weight is zero
+  \return see `insert_vertex()`: `not_traceable` if the place is not in the face
+  */
+  Insertion insert_copy(halfedge_descriptor h, const std::array<double, 3>& weights,
+                        const Surface_point& on_input) requires
+      RefinableMetric<typename Triangulation::Metric> {
+    const std::optional<Place> p = place(h, weights);
+    return p ? Mover(t_).insert(p->h, p->weights, on_input) : Insertion{Move_status::weights};
   }
   /// see `Intrinsic_triangulation::split_edge()`
   Insertion split_edge(halfedge_descriptor h,

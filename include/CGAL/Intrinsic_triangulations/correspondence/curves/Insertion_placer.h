@@ -47,6 +47,23 @@ auto values_from(const Input& input, Faces faces) {
   };
 }
 
+// a point of an edge, from the other side
+inline Surface_point turned_around(const Surface_point& p) {
+  return {p.halfedge ^ 1U, {p.weights[1], p.weights[0], 0}};
+}
+
+// the place that is wanted, if it is in the face
+template <class Layout, class View, class Coordinates>
+auto copied_place(const Layout& layout, const View& view, const Coordinates& coordinates,
+                  std::uint32_t h, const std::array<double, 3>& weights, bool along_side,
+                  const Surface_point& wanted) {
+  const Input& input = coordinates.input();
+  if (!along_side) return layout.place_at(input, wanted, weights);
+  const std::uint32_t x = location_on_side(view, coordinates, h, weights[1]).halfedge;
+  if (wanted.halfedge / 2 != x / 2) return decltype(layout.place_on_side(input, wanted))();
+  return layout.place_on_side(input, wanted.halfedge == x ? wanted : turned_around(wanted));
+}
+
 template <class Layout, class View, class Coordinates>
 auto place_in(const Layout& layout, const View& view, const Coordinates& coordinates,
               std::uint32_t h, const std::array<double, 3>& weights, bool along_side) {
@@ -76,6 +93,7 @@ public:
   \param h a halfedge of the face
   \param weights barycentric coordinates, approximately; if the last one is zero, the vertex will be on the side, if
   that runs along an input edge, else within rounding of it, inside the face
+  \param wanted the place, if it is not to be found
   \note For exact metrics a place on a curve beyond a side is replaced by one beside the curve, and a point that
   rounding puts outside of the face is moved inwards, by a part of the height that is below 2^-28 or, in thin faces, of which
   few points can be represented, by less than 2^-44 of the longest side.
@@ -83,8 +101,8 @@ public:
   */
   template <class Triangulation, CurveCoordinates Coordinates>
   std::optional<Placed_insertion> operator()(const Triangulation& t, const Coordinates& coordinates,
-                                             std::uint32_t h,
-                                             const std::array<double, 3>& weights) {
+                                             std::uint32_t h, const std::array<double, 3>& weights,
+                                             const std::optional<Surface_point>& wanted = {}) {
     const Intrinsic_view<Triangulation> view(t);
     const bool along_side = weights[2] == 0 && coordinates.normal_coordinate(h / 2) < 0;
     if constexpr (internal::Defined_by_places<typename Triangulation::Metric>) {
@@ -93,19 +111,21 @@ public:
           view, coordinates, h,
           internal::values_from(coordinates.input(), intervals_.of(coordinates.input().metric())));
       if (along_side || !face_.is_vague()) {
-        const auto p = place_near(face_, t, coordinates, h, weights, along_side);
+        const auto p = place_near(face_, t, coordinates, h, weights, along_side, wanted);
         if (p || along_side) return p;
       }
       // intervals grow with the number of triangles that are unfolded one from another, and what is in the middle of them
       // means less and less; centers of balls lose no more than rounding does
       return internal::to_nearest([&] {
         unfold(short_, view, coordinates, h);
-        return place_near(short_.face, t, coordinates, h, weights, along_side);
+        return place_near(short_.face, t, coordinates, h, weights, along_side, wanted);
       });
     } else {
       const Input& input = coordinates.input();
       rough_.unfold(view, coordinates, h, approximate_values(input));
-      return placed(internal::place_in(rough_, view, coordinates, h, weights, along_side),
+      return placed(wanted ? internal::copied_place(rough_, view, coordinates, h, weights,
+                                                    along_side, *wanted)
+                           : internal::place_in(rough_, view, coordinates, h, weights, along_side),
                     along_side);
     }
   }
@@ -144,12 +164,19 @@ private:
 
   // the point, or one near it if sides of the face are near
   template <class Layout, class Triangulation, class Coordinates>
-  std::optional<Placed_insertion>
-  place_near(const Layout& layout, const Triangulation& t, const Coordinates& coordinates,
-             std::uint32_t h, const std::array<double, 3>& weights, bool along_side) {
+  std::optional<Placed_insertion> place_near(const Layout& layout, const Triangulation& t,
+                                             const Coordinates& coordinates, std::uint32_t h,
+                                             const std::array<double, 3>& weights, bool along_side,
+                                             const std::optional<Surface_point>& wanted) {
+    const Intrinsic_view<Triangulation> view(t);
+    if (wanted) {
+      const auto p =
+          internal::copied_place(layout, view, coordinates, h, weights, along_side, *wanted);
+      const bool is_there = p && is_in_face(t, coordinates, h, *p, along_side);
+      return is_there ? placed(p, along_side) : std::nullopt;
+    }
     // a point of a side that runs across input faces cannot be represented, as a rule: one beside it can
     double distance = weights[2] == 0 && !along_side ? nearness : 0;
-    const Intrinsic_view<Triangulation> view(t);
     const double last = farthest(view, h);
     const bool is_near_side = *std::min_element(weights.begin(), weights.end()) < last;
     for (; distance <= last; distance = std::max(16 * distance, nearness)) {

@@ -17,7 +17,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -86,6 +88,32 @@ public:
     return result;
   }
 
+  /*!
+  \brief places a point whose place on the input is known.
+  \param input the input
+  \param wanted the place: multiples of 2^-52; on an edge if the last weight is zero
+  \param weights barycentric coordinates of the point in the face, approximately: where the face lies twice over an
+  input triangle, they tell which is meant
+  \return the place; nothing if the face lies over no triangle with that place, or the edge runs along a side of the face
+  */
+  std::optional<Place> place_at(const Input& input, const Surface_point& wanted,
+                                const std::array<double, 3>& weights) const {
+    const Plane_point<double> near = combination(weights);
+    double least = std::numeric_limits<double>::infinity();
+    Place result;
+    for (std::uint32_t t = 0; t <= last(); ++t) {
+      const std::optional<Surface_point> p = seen_in(input, t, wanted);
+      if (!p) continue;
+      const Plane_point<double> d = point_in(t, p->weights) - near;
+      if (!(dot(d, d) < least)) continue;
+      least = dot(d, d);
+      result.triangle = t;
+      result.location = *p;
+    }
+    if (least == std::numeric_limits<double>::infinity()) return std::nullopt;
+    return at(input, result.triangle, result.location);
+  }
+
   /// tells whether errors of points grow so large that what is in the middle of them may be anywhere.
   bool is_vague() const {
     const auto is_vague = [](const FT& x) {
@@ -125,6 +153,56 @@ private:
   using Base::approximate, Base::combination, Base::last, Base::position, Base::region_at;
   using Base::side_towards, Base::vector;
   using typename Base::Triangle;
+
+  // a place on the input from the first side of a triangle, if it is in it
+  std::optional<Surface_point> seen_in(const Input& input, std::uint32_t t,
+                                       const Surface_point& p) const {
+    const std::uint32_t h = triangles_[t].halfedge, o = p.halfedge ^ 1U;
+    if (input.face(p.halfedge) == input.face(h)) return seen_from(input, p, h);
+    if (p.weights[2] != 0 || input.face(o) != input.face(h)) return std::nullopt;
+    return seen_from(input, {o, {p.weights[1], p.weights[0], 0}}, h);
+  }
+
+  Plane_point<double> point_in(std::uint32_t t, const std::array<double, 3>& w) const {
+    Plane_point<double> p{0, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Plane_point<double> z = approximate(triangles_[t].point[k]);
+      p = {p.x + w[k] * z.x, p.y + w[k] * z.y};
+    }
+    return p;
+  }
+
+  // a point of a triangle, from its first side on
+  std::optional<Place> at(const Input& input, std::uint32_t t, const Surface_point& p) const {
+    constexpr double inwards = 0x1p-20; // so far that the walk ends in the triangle
+    std::array<double, 3> w = p.weights;
+    for (double& x : w) x += inwards * (1. / 3 - x);
+    Place result;
+    result.region = middle_region();
+    walk(point_in(t, w), result);
+    if (result.triangle != t) return std::nullopt;
+    const auto zero = std::find(p.weights.begin(), p.weights.end(), 0.);
+    if (zero != p.weights.end()) {
+      const auto opposite = static_cast<unsigned>(zero - p.weights.begin());
+      const std::optional<std::uint32_t> child = beyond(input, t, opposite);
+      if (!child || !put_on_curve(*child, opposite, p.weights, result)) return std::nullopt;
+      return result;
+    }
+    result.weights = p.weights;
+    result.location = p;
+    return result;
+  }
+
+  // the triangle that is entered over the side of a triangle opposite a corner: itself, or another one
+  std::optional<std::uint32_t> beyond(const Input& input, std::uint32_t t,
+                                      unsigned opposite) const {
+    if (t > 0 && opposite == 2) return t;
+    for (const std::uint32_t child : {t + 1, static_cast<std::uint32_t>(along_) + 1})
+      if (child <= last() && triangles_[child].parent == t &&
+          (side_towards(input, child) + 2) % 3 == opposite)
+        return child;
+    return std::nullopt;
+  }
 
   Face_region middle_region() const {
     Face_region r;

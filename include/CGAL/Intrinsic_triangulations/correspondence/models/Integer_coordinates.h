@@ -120,7 +120,7 @@ public:
   /// \return whether a place on the input was found for it
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_in_face& move) {
-    return announce_insertion(t, move.sides, move.weights);
+    return announce_insertion(t, move.sides, move.weights, move.place);
   }
 
   /// follows the insertion of a vertex in a face.
@@ -145,7 +145,7 @@ public:
   template <class Triangulation>
   bool before(const Triangulation& t, const Insertion_on_border& move) {
     return announce_insertion(t, {move.ip, move.jk, move.ki},
-                              {1 - move.parameter, move.parameter, 0});
+                              {1 - move.parameter, move.parameter, 0}, move.place);
   }
 
   /// returns the values at the vertex whose insertion was announced last, in a face or on the border: see
@@ -233,8 +233,9 @@ private:
 
   template <class Triangulation>
   bool announce_insertion(const Triangulation& t, const std::array<std::uint32_t, 3>& sides,
-                          const std::array<double, 3>& weights) {
-    const std::optional<Placed_insertion> p = placer_(t, *this, sides[0], weights);
+                          const std::array<double, 3>& weights,
+                          const std::optional<Surface_point>& wanted) {
+    const std::optional<Placed_insertion> p = placer_(t, *this, sides[0], weights, wanted);
     if (!p) return false;
     Insertion& n = insertion_;
     n.along_side = p->along_side;

@@ -66,6 +66,12 @@ public:
     return own_.get();
   }
 
+  // the same, if they are about the input of the triangulation and that has its surface
+  const Integer_coordinates* on_input(const Triangulation& t) const {
+    const bool are_known = t.input().has_surface() && t.input().is_defined_by_metric();
+    return are_known ? coordinates(t) : nullptr;
+  }
+
   // the values at the vertex whose insertion was announced last
   const auto& inserted_values(const Triangulation& t) const {
     return coordinates(t)->inserted_values();
@@ -153,6 +159,12 @@ std::shared_ptr<const Input> Vertex_places<Triangulation>::surface_of(const Tria
 // Other metrics are defined by moves.
 template <class Triangulation>
 struct No_vertex_places {
+  static const Integer_coordinates* on_input(const Triangulation& t) {
+    if constexpr (std::derived_from<typename Triangulation::Correspondence, Integer_coordinates>)
+      return &t.correspondence();
+    else
+      return nullptr;
+  }
   template <class Metric>
   bool define(const Triangulation&, Metric&) {
     return true;

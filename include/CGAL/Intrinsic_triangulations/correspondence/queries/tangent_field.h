@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_rows.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -75,18 +75,18 @@ class Field_transfer {
 
 public:
   Field_transfer(const Triangulation& t, const std::vector<std::uint32_t>& axes)
-      : t_(t), axes_(axes), frames_(input_frames(t.input())) {}
+      : t_(t), copies_(t), axes_(axes), frames_(input_frames(t.input())) {}
 
   Tangent_field to_intrinsic(const Tangent_field& field) const {
     expect_size(field, t_.input().number_of_vertices());
     const auto at = [&](std::uint32_t v) { // in the frames of the input
       return field[t_.input().names().vertices.user(v)] * rotation(v);
     };
-    Tangent_field result(number_of_copies(t_), 0);
+    Tangent_field result(copies_.size(), 0);
     for (const Vertex v : vertices(t_.mesh())) {
       if (is_isolated(t_, v)) continue;
       const Tangent_vector axis = axis_on_input(v);
-      std::complex<double>& z = result[copy_number(t_, v)];
+      std::complex<double>& z = result[copies_(v)];
       if (t_.is_inserted(v)) { // in a face, on the frames of which there are no two opinions
         const Planar_vector<double> x = frames_.in_face(axis.point, at);
         z = std::complex<double>(x[0], x[1]) *
@@ -99,12 +99,12 @@ public:
   }
 
   Tangent_field to_input(const Tangent_field& field) const {
-    expect_size(field, number_of_copies(t_));
+    expect_size(field, copies_.size());
     Tangent_field result(t_.input().number_of_vertices(), 0);
     for (const Vertex v : vertices(t_.mesh())) {
       if (t_.is_inserted(v) || is_isolated(t_, v)) continue;
       const Tangent_vector axis = axis_on_input(v);
-      const std::uint32_t i = copy_number(t_, v);
+      const std::uint32_t i = copies_(v);
       result[i] = field[i] * std::polar(1., frames_.polar_angle(axis, corner_of(axis.point))) *
                   std::conj(rotation(t_.index(v)));
     }
@@ -124,6 +124,7 @@ private:
   }
 
   const Triangulation& t_;
+  Vertex_copies<Triangulation> copies_;
   const std::vector<std::uint32_t>& axes_;
   Vertex_frames<Input> frames_;
 };
@@ -168,7 +169,7 @@ Tangent_field tangent_field_to_input(const Triangulation& t, const Tangent_field
 mesh, but a soup or a gluing.
 
 See the overload with a mesh. The real axis at vertex `v` of the input runs along `t.input().outgoing_halfedge(v)`; vectors
-are at the user's number of the vertex; of a cover, at the number of the copy, `t.input().names().vertices.user(v)`.
+are at the user's number of the vertex; of a cover, at the number of the copy, `t.input().names().vertices.user(v)`, and vertices that were inserted follow in the order of their numbers.
 */
 template <internal::Queried_triangulation Triangulation>
 Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_field& field) {

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_rows.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <array>
 #include <cmath>
@@ -96,9 +96,10 @@ std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
   const Intrinsic_view<Triangulation> view(t);
   const internal::Vertex_frames frames = internal::intrinsic_frames(t, view);
+  const internal::Vertex_copies copies(t);
   std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
   for (const auto v : vertices(t.mesh())) {
-    const std::uint32_t i = internal::copy_number(t, v);
+    const std::uint32_t i = copies(v);
     if (internal::is_isolated(t, v)) continue;
     if (const auto x = tangent_to_input(t, frames.at_vertex(t.index(v), field[i])))
       result[i] = internal::vector_in_space(named, *x);
@@ -126,9 +127,8 @@ std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
   const Intrinsic_view<Triangulation> view(t);
   const internal::Vertex_frames frames = internal::intrinsic_frames(t, view);
-  const auto at = [&](std::uint32_t v) {
-    return field[internal::copy_number(t, t.numbers().vertex_at(v))];
-  };
+  const internal::Vertex_copies copies(t);
+  const auto at = [&](std::uint32_t v) { return field[copies(t.numbers().vertex_at(v))]; };
   const std::vector<std::array<double, 3>> points = positions(s, mesh);
   std::vector<std::array<double, 3>> result(s.number_of_faces(), {0, 0, 0});
   for (std::size_t f = 0; f < s.number_of_faces(); ++f) {

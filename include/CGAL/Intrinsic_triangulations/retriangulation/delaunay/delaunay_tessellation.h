@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_rows.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -44,16 +44,16 @@ class Tessellation_builder {
 
 public:
   Tessellation_builder(const Triangulation& t, Mesh& mesh)
-      : t_(t), mesh_(mesh), side_(2 * std::size_t{t.numbers().edge_capacity(t.mesh())}),
+      : t_(t), copies_(t), mesh_(mesh), side_(2 * std::size_t{t.numbers().edge_capacity(t.mesh())}),
         is_left_out_(t.numbers().edge_capacity(t.mesh()), 0) {
     result_.cell.assign(t.numbers().face_capacity(t.mesh()), Gluing::none);
   }
 
   Delaunay_tessellation build() {
     for (const auto e : check_delaunay(t_).cocircular_edges) is_left_out_[t_.index(e)] = 1;
-    for (std::size_t v = 0; v < number_of_copies(t_); ++v) vertex_.push_back(add_vertex(mesh_));
+    for (std::size_t v = 0; v < copies_.size(); ++v) vertex_.push_back(add_vertex(mesh_));
     result_.row.resize(vertex_.size());
-    for (const auto v : vertices(t_.mesh())) result_.row[copy_number(t_, v)] = t_.input_vertex(v);
+    for (const auto v : vertices(t_.mesh())) result_.row[copies_(v)] = t_.input_vertex(v);
     for (const auto e : edges(t_.mesh())) add_sides(t_.index(e));
     for (const Halfedge h : halfedges(t_.mesh()))
       if (is_kept(h)) join(h);
@@ -71,7 +71,7 @@ private:
   bool is_border(Halfedge h) const { return face(h, t_.mesh()) == Graph_traits::null_face(); }
   bool is_kept(Halfedge h) const { return is_left_out_[t_.numbers().halfedge(h) / 2] == 0; }
   auto new_side(Halfedge h) const { return side_[t_.numbers().halfedge(h)]; }
-  auto new_target(Halfedge h) const { return vertex_[copy_number(t_, target(h, t_.mesh()))]; }
+  auto new_target(Halfedge h) const { return vertex_[copies_(target(h, t_.mesh()))]; }
 
   void add_sides(std::uint32_t e) {
     if (is_left_out_[e] != 0) return;
@@ -114,6 +114,7 @@ private:
   }
 
   const Triangulation& t_;
+  Vertex_copies<Triangulation> copies_;
   Mesh& mesh_;
   std::vector<typename New_traits::vertex_descriptor> vertex_; // per copy
   std::vector<typename New_traits::halfedge_descriptor> side_; // per intrinsic halfedge

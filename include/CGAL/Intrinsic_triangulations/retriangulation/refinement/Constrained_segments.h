@@ -65,6 +65,20 @@ public:
     }
   }
 
+  /*!
+  \brief takes all angles at copies of a corner for small if one of them is: segments over one edge of a cover are split
+  alike.
+  \param vertices the number of vertices that may be corners
+  \param row a functor: of a vertex, what its copies share
+  */
+  template <class Row>
+  void share_small_angles(std::uint32_t vertices, const Row& row) {
+    std::unordered_set<std::uint32_t> rows;
+    for (const std::uint32_t v : has_small_angle_) rows.insert(row(v));
+    for (std::uint32_t v = 0; v < vertices; ++v)
+      if (rows.count(row(v)) != 0) has_small_angle_.insert(v);
+  }
+
   /// tells whether an edge is one, or a part of one.
   bool is_segment(std::uint32_t edge) const {
     return edge < segment_.size() && segment_[edge] != Gluing::none;

@@ -4,51 +4,42 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINER_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_moves.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Removable_vertices.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*!
 Refines a triangulation: Chew's second algorithm, intrinsically (§4.3 of the course, Algorithm 5).
 
-See `delaunay_refine()`; a segment is an edge of the border or a constrained one. Vertices that are removed near
-a split one are those in a Dijkstra ball. For a bound of at most 30 degrees the circumradius of such a face is at least its shortest side: new
-vertices keep this distance from all others.
+See `delaunay_refine()`; a segment is an edge of the border, a constrained one, or on a cover one over a seam. Vertices that
+are removed near a split one are those in a Dijkstra ball, with their copies. For a bound of at most 30 degrees the
+circumradius of such a face is at least its shortest side: new vertices keep this distance from all others. So do their copies on
+a cover: to change sides is an isometry of what is left when it is cut along its seams, see `Sheets`, and it maps the vertices to
+vertices; Chew's argument needs no more than what is seen from a circumcenter across no segment.
 */
 template <class Triangulation, class Visitor>
-class Delaunay_refiner {
-  using Mesh = typename Triangulation::Mesh;
-  using Traits = boost::graph_traits<Mesh>;
-  using Session = typename Triangulation::Session;
-  using Vertex = typename Triangulation::vertex_descriptor;
-  using Halfedge = typename Triangulation::halfedge_descriptor;
-  using Face = typename Triangulation::face_descriptor;
-  using View = Intrinsic_view<Triangulation>;
+class Delaunay_refiner : public Refinement_moves<Triangulation> {
+  using Base = Refinement_moves<Triangulation>;
+  using Face = typename Base::Face;
+  using Halfedge = typename Base::Halfedge;
+  using Base::descriptor, Base::insert, Base::is_segment, Base::number, Base::split, Base::touch;
+  using Base::encroached_, Base::flipper_, Base::is_going_on_, Base::mesh_, Base::queue_,
+      Base::result_, Base::segments_, Base::session_, Base::t_, Base::touched_, Base::view_;
 
 public:
   using Result = Refinement_result<Face>;
@@ -56,27 +47,18 @@ public:
   /// takes the named parameters of `delaunay_refine()`.
   template <class NP>
   Delaunay_refiner(Triangulation& t, const NP& np, Visitor& visitor)
-      : t_(t), mesh_(t.mesh()), session_(t), view_(t),
+      : Base(t, value_or<tags::conforming>(np, false)),
         test_(value_or<tags::minimum_angle>(np, 25.),
               value_or<tags::maximum_circumradius>(np, infinity),
               value_or<tags::maximum_edge_length>(np, infinity), t.metric().scale_exponent()),
-        visitor_(visitor), flipper_(t, session_),
-        order_(value_or<tags::order>(np, Refinement_order::first_come)),
-        is_conforming_(value_or<tags::conforming>(np, false)),
+        visitor_(visitor), order_(value_or<tags::order>(np, Refinement_order::first_come)),
         cap_(value_or<tags::maximum_insertions>(np, std::optional<std::uint64_t>())
                  .value_or(1000000 + 10 * std::uint64_t{num_faces(t.mesh())})) {}
 
   /// refines; `constrained` tells which edges are kept.
   template <class Constrained>
   Result run(const Constrained& constrained) {
-    for (const auto e : edges(mesh_)) {
-      const Halfedge h = halfedge(e, mesh_);
-      const bool is_constrained = get(constrained, e);
-      if (is_constrained || is_border(h) || is_border(opposite(h, mesh_)))
-        segments_.add(view_, number(h), is_constrained);
-    }
-    if (!segments_.empty()) segments_.find_small_angles(view_);
-    removable_.find(t_, [this](Halfedge h) { return is_segment(h); });
+    Base::find_segments(constrained);
     for (const auto e : edges(mesh_)) flipper_.push(halfedge(e, mesh_));
     flipper_.run(*this);
     touched_.clear();
@@ -90,40 +72,8 @@ public:
   /// returns the edges that were kept, and the parts of those that were split.
   const Constrained_segments& segments() const { return segments_; }
 
-  // ---- observer of the flipper
-  bool before_check() { return true; }
-  bool before_flip() {
-    if (Triangulation::Metric::is_exact || result_.counts.flips < flip_cap()) return true;
-    result_.status = Status::cap;
-    is_going_on_ = false;
-    return false;
-  }
-  bool is_constrained(Halfedge h) {
-    if (!segments_.is_segment(number(h) / 2)) return false;
-    if (is_conforming_) encroached_.push_back(h);
-    return true;
-  }
-  void after_flip(Halfedge h) {
-    ++result_.counts.flips;
-    touch(face(h, mesh_));
-    touch(face(opposite(h, mesh_), mesh_));
-  }
-  void refused(Halfedge) { ++result_.counts.refused; }
-
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  std::uint32_t number(Halfedge h) const { return t_.numbers().halfedge(h); }
-  Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
-  bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
-  bool is_segment(Halfedge h) const { return segments_.is_segment(number(h) / 2); }
-
-  // with inexact numbers, rounding may make flips go round
-  std::uint64_t flip_cap() const {
-    return 1000000 + 100 * (std::uint64_t{num_edges(mesh_)} + result_.counts.circumcenters);
-  }
-
-  void touch(Face f) { touched_.push_back(f); }
 
   Face_state state(Face f) {
     const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_), l = next(n, mesh_);
@@ -196,7 +146,7 @@ private:
     if (n >= cap_) {
       result_.status = Status::cap;
       is_going_on_ = false;
-    } else if ((n & 0xffU) == 0xffU &&
+    } else if (is_time_to_report(n) &&
                !session_.suspended([this] { return visitor_.progress(result_.counts); })) {
       result_.status = Status::cancelled;
       is_going_on_ = false;
@@ -204,48 +154,16 @@ private:
     return is_going_on_;
   }
 
-  // inserts a vertex if it keeps its distance, squared, from others
-  bool insert(const Surface_point& p, double distance) {
-    const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
-    if (n.status != Move_status::done) return false;
-    ++result_.counts.circumcenters;
-    removable_.set(t_.index(n.vertex), true);
-    suspect_star(n.vertex);
-    if (!flip() || keeps_distance(t_, n.vertex, distance)) return true;
-    remove(n.vertex);
-    flip();
-    return false;
+  bool is_time_to_report(std::uint64_t insertions) {
+    if (insertions < next_report_) return false;
+    next_report_ = insertions + 256;
+    return true;
   }
 
   // leaves the faces alone that wait to be looked at, until they change again
   void give_up() {
     for (const Face f : touched_) queue_.remove(t_.index(f));
     touched_.clear();
-  }
-
-  // splits a segment, and removes vertices near it; false if the triangulation refuses
-  bool split(Halfedge h) {
-    if (is_border(h)) h = opposite(h, mesh_);
-    const std::uint32_t e = number(h) / 2;
-    const double parameter = segments_.split_parameter(view_, number(h));
-    const double length = std::sqrt(view_.squared_length(e));
-    const std::array<std::uint32_t, 2> ends{t_.index(source(h, mesh_)), t_.index(target(h, mesh_))};
-    const bool on_border = is_border(opposite(h, mesh_));
-    const auto n = session_.split_edge(h, parameter);
-    if (n.status != Move_status::done) {
-      ++result_.counts.refused;
-      return false;
-    }
-    ++result_.counts.segment_splits;
-    // on the border h is the first half; inside it was flipped, and runs from the vertex
-    const Halfedge other =
-        on_border ? next(opposite(next(h, mesh_), mesh_), mesh_) : next(opposite(h, mesh_), mesh_);
-    const Halfedge one = on_border ? h : next(next(h, mesh_), mesh_);
-    segments_.split(e, {number(one) / 2, number(other) / 2}, ends, t_.index(n.vertex), parameter);
-    removable_.set(t_.index(n.vertex), false);
-    suspect_star(n.vertex);
-    if (flip()) remove_near(n.vertex, length);
-    return true;
   }
 
   // splits constrained edges that are not locally Delaunay, if that is asked for
@@ -260,58 +178,6 @@ private:
     return is_going_on_;
   }
 
-  bool flip() { return flipper_.run(*this); }
-
-  void suspect_star(Vertex v) {
-    flipper_.push_star(v);
-    for_each_outgoing(v, mesh_, [this](Halfedge h) {
-      if (!is_border(h)) touch(face(h, mesh_));
-    });
-  }
-
-  // ---- removal of inserted vertices near a split segment
-
-  void remove_near(Vertex v, double radius) {
-    for (const std::uint32_t w : dijkstra_ball(view_, t_.index(v), radius)) {
-      if (!removable_.has(w)) continue;
-      remove(t_.numbers().vertex_at(w));
-      if (!flip()) return; // now: edges that wait may be removed next
-    }
-  }
-
-  void remove(Vertex v) {
-    std::vector<Halfedge> rim;
-    std::vector<std::uint32_t> old;
-    for_each_outgoing(v, mesh_, [&](Halfedge h) {
-      const Halfedge opposite_side = next(h, mesh_); // unless there is a loop, which goes
-      if (target(h, mesh_) != v && target(opposite_side, mesh_) != v) rim.push_back(opposite_side);
-      old.push_back(t_.index(face(h, mesh_)));
-    });
-    const std::uint32_t number_of_v = t_.index(v);
-    if (session_.remove_vertex(v) != Move_status::done) {
-      ++result_.counts.refused;
-      for (const Halfedge h : rim) suspect_face(h); // flips have been taken back
-      return;
-    }
-    ++result_.counts.removals;
-    removable_.set(number_of_v, false);
-    touched_.erase(std::remove_if(touched_.begin(), touched_.end(),
-                                  [&](Face f) {
-                                    return std::find(old.begin(), old.end(), t_.index(f)) !=
-                                           old.end();
-                                  }),
-                   touched_.end());
-    for (const std::uint32_t f : old) queue_.remove(f);
-    // the faces of a polygon that was a star: two less than the star had
-    if (!rim.empty() && old.size() > 2)
-      for (const Halfedge h : faces_inside(t_, rim, old.size() - 2)) suspect_face(h);
-  }
-
-  void suspect_face(Halfedge h) {
-    touch(face(h, mesh_));
-    for (int k = 0; k < 3; ++k, h = next(h, mesh_)) flipper_.push(h);
-  }
-
   // ---- the end
 
   void list_unsatisfied() {
@@ -322,23 +188,11 @@ private:
     }
   }
 
-  Triangulation& t_;
-  const Mesh& mesh_;
-  Session session_;
-  View view_;
   Refinement_test test_;
   Visitor& visitor_;
-  Delaunay_flipper<Triangulation> flipper_;
   Refinement_order order_;
-  bool is_conforming_;
   std::uint64_t cap_;
-  Constrained_segments segments_;
-  Face_queue queue_;
-  std::vector<Face> touched_;
-  std::vector<Halfedge> encroached_;
-  Removable_vertices removable_;
-  bool is_going_on_ = true;
-  Result result_;
+  std::uint64_t next_report_ = 255;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

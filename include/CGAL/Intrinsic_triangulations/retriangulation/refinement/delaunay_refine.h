@@ -33,6 +33,10 @@ the criteria; with exact traits that is certain, and so is that every edge is lo
 constrained. With inexact traits areas, lengths and topology are checked in the end: the status is `inaccurate`
 where rounding has spoilt them.
 
+On a cover (see `make_domain()`), the copies of a vertex on all sheets are inserted together and share a row of matrices, if the
+triangulation knows the places of vertices, `Intrinsic_triangulation::places()`. Edges over edges of one face of the user, or of more
+than two, are segments like constrained edges, and `conforming`: those that were flipped away before are put back first.
+
 \tparam Triangulation a model of `RefinableTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SHEETS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SHEETS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/*!
+Knows which points of a double cover are copies of one point of the user's faces: the front and the back of a face, by
+name 2f and 2f + 1, and all edges of the cover that lie over one edge of the user.
+
+To change sides is an isometry of the cover away from *seams*: front and back of two faces that meet at an edge are
+glued by front to front and back to back. Where k > 2 faces meet, the front of the first is glued to the second, but
+its back to the last. So edges that have not two faces are seams: those with one, over which a tufted cover turns to the other
+side, too, as there a point and its copy are as near to each other as they are to the edge.
+*/
+class Sheets {
+public:
+  // \complexity linear
+  explicit Sheets(const Input& input) : input_(input), is_cover_(has_two_sides()) {}
+
+  // whether there are two sides
+  bool is_cover() const { return is_cover_; }
+
+  // whether sides are changed at an edge other than by an isometry; an edge of the border is no seam
+  bool is_seam(std::uint32_t edge) const {
+    return !input_.is_border(2 * edge) && !input_.is_border(2 * edge + 1) &&
+           edges_over(2 * edge).size() != 2;
+  }
+
+  // the other points that are copies of the same point as `p`, each once
+  std::vector<Surface_point> others(Surface_point p) const {
+    std::vector<Surface_point> result;
+    p = with_zero_last(p);
+    if (p.weights[2] != 0) {
+      result.push_back({other_side(p.halfedge), {p.weights[1], p.weights[0], p.weights[2]}});
+      return result;
+    }
+    const std::vector<std::uint32_t> edges = edges_over(p.halfedge);
+    for (std::size_t i = 1; i < edges.size(); ++i)
+      result.push_back(input_.is_border(edges[i])
+                           ? Surface_point{edges[i] ^ 1U, {p.weights[1], p.weights[0], 0}}
+                           : Surface_point{edges[i], p.weights});
+    return result;
+  }
+
+  // one of the copies of a point, the same for all of them
+  std::pair<std::uint32_t, std::array<double, 3>> name(const Surface_point& p) const {
+    const auto named = [this](const Surface_point& q) { return name_here(q); };
+    auto least = named(p);
+    for (const Surface_point& q : others(p)) least = std::min(least, named(q));
+    return least;
+  }
+
+private:
+  // the same side of the back of a face as that of its front, and the other way round: it runs against it
+  std::uint32_t other_side(std::uint32_t h) const {
+    const std::uint32_t f = input_.face(h);
+    const std::array<std::uint32_t, 3> sides = sides_of(f), others = sides_of(other_face(f));
+    const auto k =
+        static_cast<std::size_t>(std::find(sides.begin(), sides.end(), h) - sides.begin());
+    return others[(3 - k) % 3];
+  }
+  std::uint32_t other_face(std::uint32_t f) const {
+    return input_.names().faces.here(input_.names().faces.user(f) ^ 1U);
+  }
+  std::array<std::uint32_t, 3> sides_of(std::uint32_t f) const {
+    const std::uint32_t h = input_.halfedge_of_face(f), n = input_.next(h);
+    return {h, n, input_.next(n)};
+  }
+
+  // The edges over the user's edge that one lies over: a halfedge of each, the given one first; all run along it in one
+  // direction.
+  std::vector<std::uint32_t> edges_over(std::uint32_t h) const {
+    std::vector<std::uint32_t> result{h};
+    std::uint32_t x = h;
+    while (!input_.is_border(x)) {
+      x = other_side(x) ^ 1U;
+      if (x == h) return result;
+      result.push_back(x);
+    }
+    for (x = h; !input_.is_border(x ^ 1U);) { // there is border at both ends
+      x = other_side(x ^ 1U);
+      result.push_back(x);
+    }
+    return result;
+  }
+
+  Surface_point with_zero_last(Surface_point p) const {
+    const auto& w = p.weights;
+    for (int k = 0; k < 2 && w[2] != 0; ++k)
+      if (w[0] == 0 || w[1] == 0) p = {input_.next(p.halfedge), {w[1], w[2], w[0]}};
+    return p;
+  }
+
+  std::pair<std::uint32_t, std::array<double, 3>> name_here(Surface_point p) const {
+    p = with_zero_last(p);
+    if (p.weights[2] == 0)
+      return {p.halfedge & ~1U, p.halfedge % 2 == 0
+                                    ? p.weights
+                                    : std::array<double, 3>{p.weights[1], p.weights[0], 0}};
+    const std::uint32_t first = input_.halfedge_of_face(input_.face(p.halfedge));
+    while (p.halfedge != first)
+      p = {input_.next(p.halfedge), {p.weights[1], p.weights[2], p.weights[0]}};
+    return {first, p.weights};
+  }
+
+  // whether faces are front and back of each other, by their names and the rows of their corners
+  bool has_two_sides() const {
+    const Input_names& names = input_.names();
+    if (names.sheets % 2 != 0 || input_.number_of_faces() % 2 != 0) return false;
+    const auto row = [&](std::uint32_t v) { return names.row(v); };
+    for (std::uint32_t f = 0; f < input_.number_of_faces(); ++f) {
+      if (other_face(f) >= input_.number_of_faces()) return false;
+      for (const std::uint32_t h : sides_of(f)) {
+        const std::uint32_t o = other_side(h);
+        if (row(input_.source(h)) != row(input_.target(o))) return false;
+      }
+    }
+    return true;
+  }
+
+  const Input& input_;
+  bool is_cover_;
+};
+
+/*!
+Finds out which inserted vertices lie over one point of the user's faces.
+\param coordinates know where they are; null: nobody knows
+\param is_there of each number of an inserted vertex, from the first: whether it is in use
+\return for each, the first one at the same point
+\complexity O(n log n) on covers, else linear
+*/
+template <class Coordinates>
+std::vector<std::uint32_t> first_copies(const Coordinates* coordinates,
+                                        const std::vector<std::uint8_t>& is_there) {
+  std::vector<std::uint32_t> first(is_there.size());
+  std::iota(first.begin(), first.end(), std::uint32_t{0});
+  if (coordinates == nullptr) return first;
+  const Input& input = coordinates->input();
+  const Sheets sheets(input);
+  if (!sheets.is_cover()) return first;
+  std::map<std::pair<std::uint32_t, std::array<double, 3>>, std::uint32_t> by_place;
+  for (std::uint32_t i = 0; i < first.size(); ++i) {
+    if (is_there[i] == 0) continue;
+    const Surface_point& p = coordinates->location(input.number_of_vertices() + i);
+    first[i] = by_place.insert({sheets.name(p), i}).first->second;
+  }
+  return first;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SHEETS_H

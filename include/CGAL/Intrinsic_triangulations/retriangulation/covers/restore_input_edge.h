@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_COVERS_RESTORE_INPUT_EDGE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_COVERS_RESTORE_INPUT_EDGE_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Which side of a curve the points of its strip are on: 1 right, 2 left, 0 for its ends.
+inline std::vector<char> sides_of_curve(const Curve_strip& strip) {
+  std::vector<char> side(strip.triangles().size() + 2, 0);
+  for (std::size_t n = 1; n < strip.triangles().size(); ++n) {
+    side[strip.triangles()[n].start] = 1;
+    side[strip.triangles()[n].end] = 2;
+  }
+  return side;
+}
+
+// The point of triangle n - 1 of a strip that is not on the side to triangle n.
+inline std::uint32_t point_before(const Curve_strip& strip, std::size_t n) {
+  const Curve_strip::Triangle &t = strip.triangles()[n - 1], &next = strip.triangles()[n];
+  for (const std::uint32_t p : {t.start, t.end})
+    if (p != next.start && p != next.end) return p;
+  return static_cast<std::uint32_t>(n + 1);
+}
+
+// Flips an edge across a curve, the first from a place in the strip on; whether there was one.
+// \param may_cross whether the new edge may cross the curve, too: if not, fewer edges do
+template <class Triangulation, class Session>
+bool flip_off_curve(const Triangulation& t, Session& session, const Curve_strip& strip,
+                    bool may_cross, std::size_t from) {
+  const std::vector<char> side = sides_of_curve(strip);
+  const std::size_t crossings = strip.triangles().size() - 1;
+  for (std::size_t i = 0; i < crossings; ++i) {
+    const std::size_t n = 1 + (from + i) % crossings;
+    const char before = side[point_before(strip, n)], after = side[n + 2];
+    if (before != 0 && after != 0 && before != after && !may_cross) continue;
+    const auto h = t.numbers().halfedge_at(strip.triangles()[n].entered);
+    if (session.flip_edge(h) == Move_status::done) return true;
+  }
+  return false;
+}
+
+/*!
+Flips edges until an input edge is an edge of the triangulation, or a chain of edges if vertices were inserted on it.
+\param coordinates where the input edges are
+\param x a halfedge of the input edge
+\return whether it is one, which it may fail to become where it crosses a face more than once
+\complexity quadratic in the number of edges that cross it
+*/
+template <class Triangulation, class Session, class Coordinates>
+bool restore_input_edge(const Triangulation& t, Session& session, const Coordinates& coordinates,
+                        std::uint32_t x) {
+  const Intrinsic_view<Triangulation> view(t);
+  std::uint32_t vertex = coordinates.input().source(x);
+  std::size_t detours = 0;
+  for (;;) {
+    const std::optional<Curve_end> start = find_curve(view, coordinates, vertex, x);
+    if (!start) return false;
+    if (start->index < 0) { // a part of it, which is an edge
+      vertex = view.target(start->halfedge);
+      if (!coordinates.is_inserted(vertex)) return true;
+      continue;
+    }
+    const Curve_strip strip(view, coordinates, sides_of_face(view, start->halfedge),
+                            first_crossing(view, coordinates, *start));
+    // where no flip leaves fewer crossings, as in a zigzag, one that leaves as many makes way for that
+    if (flip_off_curve(t, session, strip, false, 0)) continue;
+    const std::size_t most = 100 + 10 * strip.triangles().size();
+    if (detours >= most || !flip_off_curve(t, session, strip, true, detours++)) return false;
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_COVERS_RESTORE_INPUT_EDGE_H

@@ -1,0 +1,283 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_MOVES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_MOVES_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/covers/Sheet_copies.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Removable_vertices.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/*!
+Inserts and removes vertices of a triangulation that is being refined, with their copies on the sheets of a cover, and
+flips it back to Delaunay; notes which faces changed. What is done next is for `Delaunay_refiner` to decide.
+*/
+template <class Triangulation>
+class Refinement_moves {
+protected:
+  using Mesh = typename Triangulation::Mesh;
+  using Traits = boost::graph_traits<Mesh>;
+  using Session = typename Triangulation::Session;
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Face = typename Triangulation::face_descriptor;
+  using View = Intrinsic_view<Triangulation>;
+
+  Refinement_moves(Triangulation& t, bool is_conforming)
+      : t_(t), mesh_(t.mesh()), copies_(t), session_(t), view_(t), flipper_(t, session_),
+        is_conforming_(is_conforming) {}
+
+  // \param constrained tells which edges are kept
+  template <class Constrained>
+  void find_segments(const Constrained& constrained) {
+    copies_.restore_seams(session_);
+    for (const auto e : edges(mesh_)) {
+      const Halfedge h = halfedge(e, mesh_);
+      const bool is_constrained = get(constrained, e);
+      if (is_constrained || is_border(h) || is_border(opposite(h, mesh_)) ||
+          copies_.is_seam(number(h) / 2))
+        segments_.add(view_, number(h), is_constrained);
+    }
+    find_small_angles();
+    removable_.find(t_, [this](Halfedge h) { return is_segment(h); });
+  }
+
+public:
+  // ---- observer of the flipper
+  bool before_check() { return true; }
+  bool before_flip() {
+    if (Triangulation::Metric::is_exact || result_.counts.flips < flip_cap()) return true;
+    result_.status = Status::cap;
+    is_going_on_ = false;
+    return false;
+  }
+  bool is_constrained(Halfedge h) {
+    if (!segments_.is_segment(number(h) / 2)) return false;
+    if (is_conforming_ || copies_.is_seam(number(h) / 2)) encroached_.push_back(h);
+    return true;
+  }
+  void after_flip(Halfedge h) {
+    ++result_.counts.flips;
+    touch(face(h, mesh_));
+    touch(face(opposite(h, mesh_), mesh_));
+  }
+  void refused(Halfedge) { ++result_.counts.refused; }
+
+protected:
+  std::uint32_t number(Halfedge h) const { return t_.numbers().halfedge(h); }
+  Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
+  bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
+  bool is_segment(Halfedge h) const { return segments_.is_segment(number(h) / 2); }
+
+  void find_small_angles() {
+    if (segments_.empty()) return;
+    segments_.find_small_angles(view_);
+    if (copies_.exist())
+      segments_.share_small_angles(t_.input().number_of_vertices(),
+                                   [this](std::uint32_t v) { return t_.input().names().row(v); });
+  }
+
+  // with inexact numbers, rounding may make flips go round
+  std::uint64_t flip_cap() const {
+    return 1000000 + 100 * (std::uint64_t{num_edges(mesh_)} + result_.counts.circumcenters);
+  }
+
+  void touch(Face f) { touched_.push_back(f); }
+
+  // inserts a vertex and its copies if they keep their distance, squared, from others
+  bool insert(const Surface_point& p, double distance) {
+    const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
+    if (n.status != Move_status::done) return false;
+    start_from(n.vertex);
+    std::vector<std::uint32_t> all{t_.index(n.vertex)};
+    if (insert_copies(all) && (!flip() || std::ranges::all_of(all, [&](std::uint32_t v) {
+          return keeps_distance(t_, t_.numbers().vertex_at(v), distance);
+        })))
+      return true;
+    copies_.take(all.front());
+    for (const std::uint32_t v : all) {
+      if (!flip()) return false; // before: edges that wait may be removed
+      remove(t_.numbers().vertex_at(v));
+    }
+    flip();
+    return false;
+  }
+
+  void start_from(Vertex circumcenter) {
+    ++result_.counts.circumcenters;
+    removable_.set(t_.index(circumcenter), true);
+    suspect_star(circumcenter);
+  }
+
+  // Inserts the copies of a vertex, all or as many as can be; whether these are all.
+  bool insert_copies(std::vector<std::uint32_t>& all) {
+    for (const Surface_point& place : copies_.missing(all.front())) {
+      const std::optional<Vertex> v = insert_copy(place);
+      if (!v) return false;
+      all.push_back(t_.index(*v));
+    }
+    if (all.size() == 1) return true;
+    copies_.join(all);
+    const bool are_free =
+        std::ranges::all_of(all, [this](std::uint32_t v) { return removable_.has(v); });
+    for (const std::uint32_t v : all) removable_.set(v, are_free);
+    return true;
+  }
+
+  // in the face where it is found, or in that beyond a side nearby
+  std::optional<Vertex> insert_copy(const Surface_point& place) {
+    if constexpr (Knows_places<Triangulation>) {
+      const std::optional<Surface_point> p = copies_.locate(place);
+      if (!p) return std::nullopt;
+      if (const std::optional<Vertex> v = insert_copy_at(*p, place)) return v;
+      if (const std::optional<Surface_point> q = copies_.across(*p))
+        return insert_copy_at(*q, place);
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Vertex> insert_copy_at(const Surface_point& p, const Surface_point& place) {
+    const Halfedge h = descriptor(p.halfedge);
+    if (p.weights[2] == 0 && is_segment(h)) return split_at(h, p.weights[1], place);
+    const auto n = session_.insert_copy(h, p.weights, place);
+    if (n.status != Move_status::done) return std::nullopt;
+    start_from(n.vertex);
+    return n.vertex;
+  }
+
+  // splits a segment and its copies, and removes vertices near them; false if the triangulation refuses
+  bool split(Halfedge h) {
+    if (is_border(h)) h = opposite(h, mesh_);
+    const double length = std::sqrt(view_.squared_length(number(h) / 2));
+    const std::optional<Vertex> v =
+        split_at(h, segments_.split_parameter(view_, number(h)), std::nullopt);
+    if (!v) return false;
+    std::vector<std::uint32_t> all{t_.index(*v)};
+    if (!insert_copies(all)) ++result_.counts.refused;
+    for (std::size_t i = 0; i < all.size() && flip(); ++i)
+      remove_near(t_.numbers().vertex_at(all[i]), length);
+    return true;
+  }
+
+  // \param place on the input, if it is known
+  std::optional<Vertex> split_at(Halfedge h, double parameter,
+                                 const std::optional<Surface_point>& place) {
+    const std::uint32_t e = number(h) / 2;
+    const std::array<std::uint32_t, 2> ends{t_.index(source(h, mesh_)), t_.index(target(h, mesh_))};
+    const bool on_border = is_border(opposite(h, mesh_));
+    const auto n = insert_on_edge(h, parameter, place);
+    if (n.status != Move_status::done) {
+      ++result_.counts.refused;
+      return std::nullopt;
+    }
+    ++result_.counts.segment_splits;
+    // on the border h is the first half; inside it was flipped, and runs from the vertex
+    const Halfedge other =
+        on_border ? next(opposite(next(h, mesh_), mesh_), mesh_) : next(opposite(h, mesh_), mesh_);
+    const Halfedge one = on_border ? h : next(next(h, mesh_), mesh_);
+    segments_.split(e, {number(one) / 2, number(other) / 2}, ends, t_.index(n.vertex), parameter);
+    removable_.set(t_.index(n.vertex), false);
+    suspect_star(n.vertex);
+    return n.vertex;
+  }
+
+  auto insert_on_edge(Halfedge h, double parameter, const std::optional<Surface_point>& place) {
+    if constexpr (Knows_places<Triangulation>)
+      if (place) return session_.insert_copy(h, {1 - parameter, parameter, 0}, *place);
+    return session_.split_edge(h, parameter);
+  }
+
+  bool flip() { return flipper_.run(*this); }
+
+  void suspect_star(Vertex v) {
+    flipper_.push_star(v);
+    for_each_outgoing(v, mesh_, [this](Halfedge h) {
+      if (!is_border(h)) touch(face(h, mesh_));
+    });
+  }
+
+  // ---- removal of inserted vertices near a split segment
+
+  void remove_near(Vertex v, double radius) {
+    for (const std::uint32_t w : dijkstra_ball(view_, t_.index(v), radius)) {
+      if (!removable_.has(w)) continue;
+      for (const std::uint32_t copy : copies_.take(w)) {
+        remove(t_.numbers().vertex_at(copy));
+        if (!flip()) return; // now: edges that wait may be removed next
+      }
+    }
+  }
+
+  void remove(Vertex v) {
+    std::vector<Halfedge> rim;
+    std::vector<std::uint32_t> old;
+    for_each_outgoing(v, mesh_, [&](Halfedge h) {
+      const Halfedge opposite_side = next(h, mesh_); // unless there is a loop, which goes
+      if (target(h, mesh_) != v && target(opposite_side, mesh_) != v) rim.push_back(opposite_side);
+      old.push_back(t_.index(face(h, mesh_)));
+    });
+    const std::uint32_t number_of_v = t_.index(v);
+    if (session_.remove_vertex(v) != Move_status::done) {
+      ++result_.counts.refused;
+      for (const Halfedge h : rim) suspect_face(h); // flips have been taken back
+      return;
+    }
+    ++result_.counts.removals;
+    removable_.set(number_of_v, false);
+    touched_.erase(std::remove_if(touched_.begin(), touched_.end(),
+                                  [&](Face f) {
+                                    return std::find(old.begin(), old.end(), t_.index(f)) !=
+                                           old.end();
+                                  }),
+                   touched_.end());
+    for (const std::uint32_t f : old) queue_.remove(f);
+    // the faces of a polygon that was a star: two less than the star had
+    if (!rim.empty() && old.size() > 2)
+      for (const Halfedge h : faces_inside(t_, rim, old.size() - 2)) suspect_face(h);
+  }
+
+  void suspect_face(Halfedge h) {
+    touch(face(h, mesh_));
+    for (int k = 0; k < 3; ++k, h = next(h, mesh_)) flipper_.push(h);
+  }
+
+  Triangulation& t_;
+  const Mesh& mesh_;
+  Sheet_copies<Triangulation> copies_;
+  Session session_;
+  View view_;
+  Delaunay_flipper<Triangulation> flipper_;
+  bool is_conforming_;
+  Constrained_segments segments_;
+  Face_queue queue_;
+  std::vector<Face> touched_;
+  std::vector<Halfedge> encroached_;
+  Removable_vertices removable_;
+  bool is_going_on_ = true;
+  Refinement_result<Face> result_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_MOVES_H

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_COPIES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_COPIES_H
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Of a cover, several vertices are copies of one of the user's and share its row. What belongs to a neighbourhood, as a tangent
+// plane, has a number for each copy: its name, and inserted vertices follow in their order. Without copies these are rows.
+template <class Triangulation>
+class Vertex_copies {
+  using Vertex = typename Triangulation::vertex_descriptor;
+
+public:
+  explicit Vertex_copies(const Triangulation& t) : t_(t), size_(t.input().number_of_vertices()) {
+    for (const Vertex v : vertices(t.mesh()))
+      if (t.is_inserted(v)) inserted_.push_back(t.index(v));
+    std::sort(inserted_.begin(), inserted_.end());
+  }
+
+  std::uint32_t operator()(Vertex v) const {
+    const std::uint32_t i = t_.index(v);
+    if (!t_.is_inserted(v)) return t_.input().names().vertices.user(i);
+    const auto place = std::lower_bound(inserted_.begin(), inserted_.end(), i);
+    return size_ + static_cast<std::uint32_t>(place - inserted_.begin());
+  }
+  std::size_t size() const { return size_ + inserted_.size(); }
+
+private:
+  const Triangulation& t_;
+  std::uint32_t size_;
+  std::vector<std::uint32_t> inserted_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_COPIES_H

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "soups.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edge.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using meshes::Mesh;
+using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                          IT::Integer_coordinates>;
+
+// a long edge between points close above it and close below it, and fans from its start to them
+Mesh edge_in_zigzag(std::uint32_t n) {
+  Mesh m;
+  m.points = {{0, 0, 0}, {2. * n + 1, 0, 0}};
+  for (std::uint32_t i = 0; i < n; ++i) m.points.push_back({2. * i + 1, 0.6, 0});
+  for (std::uint32_t i = 0; i < n; ++i) m.points.push_back({2. * i + 2, -0.7, 0});
+  m.triangles = {{0, 1, n + 1}, {0, 2 * n + 1, 1}};
+  for (std::uint32_t i = 0; i + 1 < n; ++i) {
+    m.triangles.push_back({0, i + 3, i + 2});
+    m.triangles.push_back({0, n + i + 2, n + i + 3});
+  }
+  return m;
+}
+
+std::uint32_t first_edge(const Exact& t) {
+  for (std::uint32_t h = 0; h < t.input().number_of_halfedges(); ++h)
+    if (t.input().names().row(t.input().source(h)) == 0 &&
+        t.input().names().row(t.input().target(h)) == 1)
+      return h;
+  return IT::Gluing::none;
+}
+
+// how many edges run along an input edge
+std::ptrdiff_t edges_along(const Exact& t, std::uint32_t x) {
+  const auto& c = t.correspondence();
+  return std::ranges::count_if(edges(t.mesh()), [&](const auto& e) {
+    const std::uint32_t i = t.index(e);
+    return c.normal_coordinate(i) < 0 && c.fans().halfedge(c.roundabout(2 * i)) / 2 == x / 2;
+  });
+}
+
+TEST(Restore_input_edge, straightens_zigzags) {
+  for (const std::uint32_t n : {1U, 2U, 3U, 10U, 50U}) {
+    Exact t(soups::soup(edge_in_zigzag(n)));
+    IT::flip_to_delaunay(t);
+    const std::uint32_t x = first_edge(t);
+    EXPECT_EQ(edges_along(t, x), 0) << n;
+    Exact::Session session(t);
+    EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x)) << n;
+    EXPECT_EQ(edges_along(t, x), 1) << n;
+  }
+}
+
+TEST(Restore_input_edge, leaves_an_edge_alone_that_is_there) {
+  Exact t(soups::soup(edge_in_zigzag(5)));
+  const std::uint32_t x = first_edge(t);
+  Exact::Session session(t);
+  EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x ^ 1U));
+  EXPECT_EQ(edges_along(t, x), 1);
+}
+
+TEST(Restore_input_edge, restores_the_parts_of_an_edge_that_was_split) {
+  Exact t(soups::soup(edge_in_zigzag(6)));
+  const std::uint32_t x = first_edge(t);
+  ASSERT_EQ(t.split_edge(t.numbers().halfedge_at(x), 0.4).status, IT::Move_status::done);
+  IT::flip_to_delaunay(t);
+  EXPECT_LT(edges_along(t, x), 2);
+  Exact::Session session(t);
+  EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x));
+  EXPECT_EQ(edges_along(t, x), 2);
+}
+
+} // namespace
