@@ -146,7 +146,7 @@ void expect_metric_of_polygons(const IT::Input& input, const Polygon_mesh& m) {
         EXPECT_EQ(exact,
                   IT::Input_metric::squared_distance<CGAL::Gmpq>(m.points[row[k]], m.points[w]) *
                       CGAL::Gmpq(unit));
-        EXPECT_NE(input.names().edges.user(h / 2), IT::Gluing::none - 1);
+        EXPECT_NE(input.names().edges.user(h / 2), IT::Gluing::none);
       } else {
         const double x = polygon.points[i][0] - polygon.points[j][0],
                      y = polygon.points[i][1] - polygon.points[j][1];
@@ -416,6 +416,20 @@ TEST(Planar_polygons, are_written_and_read) {
     std::istringstream in(text);
     EXPECT_THROW(IT::read_intrinsic_triangulation<Stored>(in, "file"), IT::Invalid_input);
   }
+}
+
+// Faces of which nothing but lines is left have numbers, too.
+TEST(Planar_polygons, may_have_larger_numbers_than_there_are_triangles) {
+  const Points points{{0, 0, 0.5}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}};
+  const Polygon_mesh m{points, {{0, 1, 1}, {1, 2, 2}, {2, 3, 3}, {3, 0, 0}, {0, 1, 2, 3}}};
+  const Exact t(input_of(m, planar));
+  ASSERT_EQ(t.input().number_of_faces(), 2U);
+  std::stringstream file;
+  IT::write_intrinsic_triangulation(file, t);
+  const Exact read = IT::read_intrinsic_triangulation<Exact>(file, "file");
+  EXPECT_EQ(read.input().names().polygon(1), 4U);
+  ASSERT_EQ(read.input().planar_polygons().size(), 1U);
+  EXPECT_EQ(read.input().planar_polygons().face(0), 4U);
 }
 
 // Two polygons with the same four corners: each diagonal is one of both, or a side.

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -39,7 +40,7 @@ public:
   // whether sides are changed at an edge other than by an isometry; an edge of the border is no seam
   bool is_seam(std::uint32_t edge) const {
     return !input_.is_border(2 * edge) && !input_.is_border(2 * edge + 1) &&
-           edges_over(2 * edge).size() != 2;
+           edges_over(2 * edge, 3).size() != 2;
   }
 
   // the other points that are copies of the same point as `p`, each once
@@ -85,15 +86,18 @@ private:
 
   // The edges over the user's edge that one lies over: a halfedge of each, the given one first; all run along it in one
   // direction.
-  std::vector<std::uint32_t> edges_over(std::uint32_t h) const {
+  // \param most how many are wanted at most
+  std::vector<std::uint32_t>
+  edges_over(std::uint32_t h, std::size_t most = std::numeric_limits<std::size_t>::max()) const {
     std::vector<std::uint32_t> result{h};
     std::uint32_t x = h;
-    while (!input_.is_border(x)) {
+    while (!input_.is_border(x) && result.size() < most) {
       x = other_side(x) ^ 1U;
       if (x == h) return result;
       result.push_back(x);
     }
-    for (x = h; !input_.is_border(x ^ 1U);) { // there is border at both ends
+    for (x = h;
+         !input_.is_border(x ^ 1U) && result.size() < most;) { // there is border at both ends
       x = other_side(x ^ 1U);
       result.push_back(x);
     }

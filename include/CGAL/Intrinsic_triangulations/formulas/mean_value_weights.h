@@ -32,15 +32,17 @@ inline std::vector<double> mean_value_weights(std::span<const std::array<double,
     const double ax = polygon[i][0] - p[0], ay = polygon[i][1] - p[1], bx = polygon[j][0] - p[0],
                  by = polygon[j][1] - p[1];
     const double a = std::hypot(ax, ay), b = std::hypot(bx, by);
-    const double cross = ax * by - ay * bx, dot = ax * bx + ay * by;
-    if (a == 0 || b == 0 || (dot < 0 && std::abs(cross) <= 0x1p-50 * a * b)) {
+    // of unit vectors: products of lengths may overflow or vanish
+    const double cross = (ax / a) * (by / b) - (ay / a) * (bx / b),
+                 dot = (ax / a) * (bx / b) + (ay / a) * (by / b);
+    if (a == 0 || b == 0 || (dot < 0 && std::abs(cross) <= 0x1p-50)) {
       weights.assign(n, 0); // on the side
       weights[i] = b / (a + b);
       weights[j] = a / (a + b);
       return weights;
     }
     // the tangent of half the angle, without cancellation
-    const double tangent = dot < 0 ? (a * b - dot) / cross : cross / (a * b + dot);
+    const double tangent = dot < 0 ? (1 - dot) / cross : cross / (1 + dot);
     weights[i] += tangent / a;
     weights[j] += tangent / b;
     sum += tangent / a + tangent / b;

@@ -6,14 +6,17 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edge.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 
 namespace {
 
@@ -82,6 +85,37 @@ TEST(Restore_input_edge, restores_the_parts_of_an_edge_that_was_split) {
   Exact::Session session(t);
   EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x));
   EXPECT_EQ(edges_along(t, x), 2);
+}
+
+// Seeds of soups and flips where edges cross faces twice, and flips off them come back.
+TEST(Restore_input_edge, ends_where_an_edge_crosses_faces_more_than_once) {
+  for (const std::uint32_t seed : {427U, 711U, 963U}) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const auto below = [&random](std::size_t most) {
+      return static_cast<std::uint32_t>(random() % most);
+    };
+    const std::uint32_t n = 3 + seed % 5;
+    const double thin = std::pow(10, -2 * uniform(random));
+    Mesh m;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double x = uniform(random), y = thin * uniform(random);
+      m.points.push_back({x, y, thin * uniform(random)});
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = below(n), b = below(n), c = below(n);
+      if (a != b && b != c && a != c) m.triangles.push_back({a, b, c});
+    }
+    Exact t(IT::make_domain(soups::soup(m), IT::Domain_kind::tufted_cover).input);
+    IT::flip_to_delaunay(t);
+    for (int flips = 0; flips < 180; ++flips)
+      t.flip_edge(t.numbers().halfedge_at(below(2 * num_edges(t.mesh()))));
+    Exact::Session session(t);
+    for (std::uint32_t x = 0; x < t.input().number_of_halfedges(); x += 2)
+      if (IT::internal::restore_input_edge(t, session, t.correspondence(), x)) {
+        EXPECT_EQ(edges_along(t, x), 1) << seed << ' ' << x;
+      }
+  }
 }
 
 } // namespace

@@ -170,7 +170,8 @@ private:
     names.faces = element_names(std::move(face_names_), "face");
     const std::uint32_t count = read_count(in_, "polygons", Gluing::none - 1);
     in_.lines(count, [&](std::uint32_t) {
-      names.polygon_of_triangle.push_back(in_.index(count, "polygon"));
+      // faces of the user of which nothing but lines was there have no triangle, but a number
+      names.polygon_of_triangle.push_back(in_.index(Gluing::none, "polygon"));
     });
     if (count != 0 && count != connectivity_.mesh.number_of_faces() && has_surface())
       in_.fail("every face of the input needs its polygon, or none");
@@ -187,12 +188,12 @@ private:
     if (!has_polygons()) return result;
     const std::uint32_t vertices = connectivity_.mesh.number_of_vertices();
     const std::uint32_t rows = names.number_of_rows(vertices);
-    const std::uint32_t faces = connectivity_.mesh.number_of_faces();
-    const std::uint32_t count = read_count(in_, planar_polygons_name, faces);
+    const std::uint32_t count =
+        read_count(in_, planar_polygons_name, connectivity_.mesh.number_of_faces());
     std::vector<std::uint32_t> corners;
     std::vector<Planar_polygons::Point> points;
     in_.lines(count, [&](std::uint32_t i) {
-      const std::uint32_t face = in_.index(faces, "polygon");
+      const std::uint32_t face = in_.index(Gluing::none, "polygon");
       if (i > 0 && face <= result.face(i - 1)) in_.fail("the polygons are not in their order");
       corners.resize(in_.index(rows + 1, "number of corners"));
       points.resize(corners.size());

@@ -11,8 +11,10 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -65,21 +67,27 @@ bool restore_input_edge(const Triangulation& t, Session& session, const Coordina
                         std::uint32_t x) {
   const Intrinsic_view<Triangulation> view(t);
   std::uint32_t vertex = coordinates.input().source(x);
-  std::size_t detours = 0;
+  constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
+  std::size_t detours = 0, least = unknown; // triangles of the strip
   for (;;) {
     const std::optional<Curve_end> start = find_curve(view, coordinates, vertex, x);
     if (!start) return false;
     if (start->index < 0) { // a part of it, which is an edge
       vertex = view.target(start->halfedge);
       if (!coordinates.is_inserted(vertex)) return true;
+      least = unknown;
       continue;
     }
     const Curve_strip strip(view, coordinates, sides_of_face(view, start->halfedge),
                             first_crossing(view, coordinates, *start));
-    // where no flip leaves fewer crossings, as in a zigzag, one that leaves as many makes way for that
-    if (flip_off_curve(t, session, strip, false, 0)) continue;
-    const std::size_t most = 100 + 10 * strip.triangles().size();
-    if (detours >= most || !flip_off_curve(t, session, strip, true, detours++)) return false;
+    // Where no flip leaves fewer crossings, as in a zigzag, one that leaves as many makes way for that. Where the curve crosses a
+    // face more than once, a flip that takes one crossing away may add others, and might be taken back for ever.
+    const std::size_t size = strip.triangles().size();
+    if (size >= least && ++detours > 100 + 10 * least) return false;
+    least = std::min(least, size);
+    if (!flip_off_curve(t, session, strip, false, size > least ? detours : 0) &&
+        !flip_off_curve(t, session, strip, true, detours))
+      return false;
   }
 }
 
