@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -108,15 +109,16 @@ public:
 
   // notes that vertices are copies of each other
   void join(const std::vector<std::uint32_t>& vertices) {
-    for (const std::uint32_t v : vertices) copies_[v] = vertices;
+    const auto all = std::make_shared<const std::vector<std::uint32_t>>(vertices);
+    for (const std::uint32_t v : vertices) copies_[v] = all;
   }
   // returns a vertex and its copies, and forgets them
   std::vector<std::uint32_t> take(std::uint32_t vertex) {
     const auto found = copies_.find(vertex);
     if (found == copies_.end()) return {vertex};
-    const std::vector<std::uint32_t> all = found->second;
-    for (const std::uint32_t v : all) copies_.erase(v);
-    return all;
+    const auto all = found->second;
+    for (const std::uint32_t v : *all) copies_.erase(v);
+    return *all;
   }
 
 private:
@@ -149,7 +151,8 @@ private:
   const Integer_coordinates* places_ = nullptr;
   std::optional<Sheets> sheets_;
   std::vector<char> is_seam_; // of each edge of the input
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> copies_;
+  // one list for all of them
+  std::unordered_map<std::uint32_t, std::shared_ptr<const std::vector<std::uint32_t>>> copies_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -174,7 +174,11 @@ protected:
         split_at(h, segments_.split_parameter(view_, number(h)), std::nullopt);
     if (!v) return false;
     std::vector<std::uint32_t> all{t_.index(*v)};
-    if (!insert_copies(all)) ++result_.counts.refused;
+    if (!insert_copies(all)) {
+      ++result_.counts.refused;
+      // those in faces may be removed below
+      std::erase_if(all, [this](std::uint32_t i) { return removable_.has(i); });
+    }
     for (std::size_t i = 0; i < all.size() && flip(); ++i)
       remove_near(t_.numbers().vertex_at(all[i]), length);
     return true;
