@@ -58,10 +58,11 @@ INTRINSIC_TRIANGULATIONS_MESH_INSTANCE Gluing_map
 gluing_map_unless_polygonal(const Surface_mesh<Simple_cartesian<double>::Point_3>&, std::uint32_t&);
 INTRINSIC_TRIANGULATIONS_MESH_INSTANCE Gluing_map
 gluing_map_from_polygons(const Surface_mesh<Simple_cartesian<double>::Point_3>&,
-                         const std::vector<std::array<double, 3>>&, std::size_t&, Input_names&);
+                         const std::vector<std::array<double, 3>>&, Nonplanar_polygons,
+                         std::size_t&, Input_names&, Planar_polygons&);
 INTRINSIC_TRIANGULATIONS_MESH_INSTANCE
 Intrinsic_input::Intrinsic_input(const Surface_mesh<Simple_cartesian<double>::Point_3>&,
-                                 Mollification);
+                                 Mollification, Nonplanar_polygons);
 
 } // namespace Intrinsic_triangulations
 
