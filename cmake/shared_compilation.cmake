@@ -1,13 +1,12 @@
 # What tests and examples share.
 #
-#   read_polygon_mesh_instance  CGAL's reader for the mesh type that most of them read
+#   read_polygon_mesh_instance  the mesh type that most of them read, and CGAL's reader for it
 #   shared_settings             their options; they share a precompiled header,
 #   shared_precompiled          the target that has it
 
 add_library(read_polygon_mesh_instance STATIC EXCLUDE_FROM_ALL
   "${PROJECT_SOURCE_DIR}/cmake/read_polygon_mesh_instance.cpp")
-target_link_libraries(read_polygon_mesh_instance PUBLIC CGAL::CGAL)
-target_compile_features(read_polygon_mesh_instance PUBLIC cxx_std_20)
+target_link_libraries(read_polygon_mesh_instance PUBLIC Intrinsic_triangulations)
 
 add_library(shared_settings INTERFACE)
 target_link_libraries(shared_settings INTERFACE
@@ -40,11 +39,9 @@ if(NOT INTRINSIC_TRIANGULATIONS_TEST_PROGRAM_PER_FILE) # else foreign ones only,
     <CGAL/Intrinsic_triangulations.h>)
 endif()
 target_precompile_headers(shared_precompiled PRIVATE
-  <CGAL/Constrained_Delaunay_triangulation_2.h>
   <CGAL/Exact_predicates_inexact_constructions_kernel.h>
   <CGAL/Gmpfi.h>
   <CGAL/Interval_nt.h>
-  <CGAL/Projection_traits_3.h>
   <CGAL/Simple_cartesian.h>
   <CGAL/Surface_mesh.h>
   <CGAL/boost/graph/Euler_operations.h>

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/sort_around_edge_impl.h>
+#include <CGAL/Intrinsic_triangulations/domains/triangulate_polygons_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_flattener_impl.h>

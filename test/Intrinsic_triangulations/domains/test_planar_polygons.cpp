@@ -25,6 +25,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <random>
@@ -325,6 +326,39 @@ TEST(Planar_polygons, regular_skew_quadrilaterals_are_squares) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       EXPECT_NEAR(l(i, j), i == j ? 1.0 : i % 2 == j % 2 ? 0.0 : -0.5, 1e-14);
+}
+
+// Ties of triangles in space are proven beside planar polygons, and at them.
+TEST(Planar_polygons, ties_are_certified) {
+  for (const double slope : {0.0, 0.5}) {
+    Polygon_mesh m = quadrilaterals(12, [&](double x, double y) {
+      return slope * x + (x > 0.7 && y > 0.7 ? 0.125 * x * y : 0);
+    });
+    Faces triangles;
+    for (const auto& f : m.faces)
+      if (m.points[f[2]][1] < 0) {
+        triangles.push_back({f[0], f[1], f[2]});
+        triangles.push_back({f[0], f[2], f[3]});
+      } else
+        triangles.push_back(f);
+    m.faces = triangles;
+    IT::Triangle_soup soup = IT::triangle_soup(m.points, m.faces, planar);
+    const std::size_t flattened = soup.planar_polygons.report.flattened;
+    EXPECT_GT(flattened, 0U);
+    EXPECT_LT(flattened, 20U);
+    Exact t(std::move(IT::make_domain(std::move(soup)).input));
+    std::mt19937 random(3);
+    for (int i = 0; i < 300; ++i) { // away from the input
+      const auto e = *std::next(edges(t.mesh()).begin(), random() % num_edges(t.mesh()));
+      t.flip_edge(halfedge(e, t.mesh())); // unless it is refused
+    }
+    IT::flip_to_delaunay(t);
+    const auto check = IT::check_delaunay(t);
+    EXPECT_EQ(check.non_delaunay_edges, 0U);
+    EXPECT_GT(check.cocircular_edges.size(), 50U);
+    EXPECT_EQ(t.metric().statistics().probable_zero, 0U);
+    EXPECT_GT(t.metric().statistics().certified_zero, 50U);
+  }
 }
 
 TEST(Planar_polygons, exact_and_inexact_traits_agree) {

@@ -82,7 +82,7 @@ public:
   \brief prepares the bound.
   \param diamond the triangles
   \param faces the metric of each
-  \param in_space whether triangles may lie flat, see `Input_metric::is_in_space()`
+  \param in_space whether triangles may lie flat, see `Unfolded_diamond::is_in_space()`
   */
   Conjugate_bound(const Unfolded_diamond& diamond, const std::vector<const Integer_face*>& faces,
                   bool in_space) {

@@ -108,7 +108,8 @@ private:
         return Zero_answer::zero;
       if (basis_.dimension() > maximal_dimension) return Zero_answer::probably_zero;
     }
-    const double bits = Conjugate_bound(diamond, metric_, input.is_in_space()).bits(expression);
+    const double bits =
+        Conjugate_bound(diamond, metric_, diamond.is_in_space(input)).bits(expression);
     return vanishes(diamond, expression, bits, true) ? Zero_answer::zero : Zero_answer::not_zero;
   }
 

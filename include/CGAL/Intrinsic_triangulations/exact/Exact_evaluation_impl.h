@@ -60,11 +60,11 @@ struct Exact_evaluation::Memory {
   static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
                               const Expression&) {
     if constexpr (std::is_same_v<Expression, Delaunay_expression>)
-      return input.is_in_space() && is_cocircular_strip(input, diamond);
+      return diamond.is_in_space(input) && is_cocircular_strip(input, diamond);
     else if constexpr (std::is_same_v<Expression, Convexity_at_source_expression>)
-      return input.is_in_space() && is_collinear_strip(input, diamond, 2, 0, 3);
+      return diamond.is_in_space(input) && is_collinear_strip(input, diamond, 2, 0, 3);
     else if constexpr (std::is_same_v<Expression, Convexity_at_target_expression>)
-      return input.is_in_space() && is_collinear_strip(input, diamond, 2, 1, 3);
+      return diamond.is_in_space(input) && is_collinear_strip(input, diamond, 2, 1, 3);
     else
       return false;
   }

@@ -83,6 +83,8 @@ public:
   bool is_embedded() const { return squared_lengths_.empty(); }
   /// tells whether it is that of the points, without mollification or planar polygons.
   bool is_in_space() const { return is_embedded() && delta_ == 0 && excess_.empty(); }
+  /// tells whether that is so of face `f`.
+  bool is_in_space(std::uint32_t f) const { return is_embedded() && delta_ == 0 && !has_excess(f); }
   /// returns what is added to the squared distance of the ends of side `k` of face `f`, in scaled units.
   double excess(std::uint32_t f, unsigned k) const { return excess_.empty() ? 0 : excess_[f][k]; }
   /// tells whether anything is added to a side of face `f`.

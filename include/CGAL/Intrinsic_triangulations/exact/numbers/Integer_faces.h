@@ -46,7 +46,7 @@ public:
   const Integer_face& operator()(const Input_metric& input, std::uint32_t f) {
     const auto found = faces_.find(f);
     if (found != faces_.end()) return found->second;
-    return faces_.emplace(f, input.is_in_space() ? from_points(input, f) : from_lengths(input, f))
+    return faces_.emplace(f, input.is_in_space(f) ? from_points(input, f) : from_lengths(input, f))
         .first->second;
   }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Complex_ball.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -76,6 +77,12 @@ struct Unfolded_diamond {
   bool has_inserted_corners() const {
     return std::any_of(corners.begin(), corners.end(),
                        [](const Corner& c) { return c.is_inserted(); });
+  }
+  /// tells whether all of its triangles are those of points in space.
+  bool is_in_space(const Input_metric& input) const {
+    return input.is_in_space() ||
+           std::all_of(triangles.begin(), triangles.end(),
+                       [&input](const auto& t) { return input.is_in_space(t.face); });
   }
   /// returns the numbers of the points of the triangle of a corner, from its slot on.
   std::array<std::uint32_t, 3> points(const Corner& c) const {

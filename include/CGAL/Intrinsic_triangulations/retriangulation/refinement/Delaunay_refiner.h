@@ -111,8 +111,8 @@ private:
   void refine(std::uint32_t f) {
     if (!may_insert()) return;
     const std::uint32_t h = number(halfedge(t_.numbers().face_at(f), mesh_));
-    const auto ends_walk = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
-    const Located_circumcenter c = locate_circumcenter(view_, h, ends_walk);
+    const auto is_kept = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
+    const Located_circumcenter c = locate_circumcenter(view_, h, is_kept);
     const Face face_of_h = t_.numbers().face_at(f);
     if (c.kind == Located_circumcenter::Kind::segment)
       split_between(face_of_h, descriptor(c.segment));
