@@ -131,10 +131,10 @@ public:
                    Diamond_values<FT>& better) const {
     FT value;
     if (!is_defined_by_places_) {
-      ++statistics_.sharpenings[106];
       const auto e =
           evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
                                       versions_.right_side(d), expression);
+      if (e) ++statistics_.sharpenings[106];
       if (e && is_known_to_a_unit(e->first) && is_known(e->second, unit)) {
         better = e->first;
         return e->second;
@@ -171,7 +171,7 @@ private:
   }
   // a few units in the last place
   static constexpr double unit = 0x1p-50;
-  // to a unit in the last place: whoever computes them finds the same doubles
+  // to a unit in the last place: whoever computes them finds the same doubles, as a rule
   static bool is_known_to_a_unit(const Diamond_values<FT>& v) {
     const std::array values{v.ij, v.jk, v.ki, v.im, v.mj, v.area_f, v.area_g};
     return std::all_of(values.begin(), values.end(), [](const FT& x) { return is_known(x, unit); });
