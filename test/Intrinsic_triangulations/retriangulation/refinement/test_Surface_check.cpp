@@ -122,6 +122,7 @@ TEST(Surface_check, Finds_area_that_is_lost_and_says_how_much) {
 struct Changing {
   using Metric = Rounded::Metric;
   using face_descriptor = Rounded::face_descriptor;
+  using halfedge_descriptor = Rounded::halfedge_descriptor;
   const Rounded* t;
   const auto& mesh() const { return t->mesh(); }
   const auto& metric() const { return t->metric(); }
