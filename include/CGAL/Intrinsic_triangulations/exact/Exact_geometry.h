@@ -24,7 +24,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -119,7 +121,7 @@ public:
   FT first_squared_length(const Indexed_face& face, unsigned bits) const;
 
   /*!
-  \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
+  \brief encloses the value of an expression in the values of a diamond, to a unit in the last place.
   \param d, expression, better see `sign()`
   \pre the value is not zero
   \complexity that of the precision that it takes
@@ -135,7 +137,7 @@ public:
           evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
                                       versions_.right_side(d), expression);
       if (e) ++statistics_.sharpenings[106];
-      if (e && is_known_to_a_unit(e->first) && is_known(e->second, unit)) {
+      if (e && is_known_to_a_unit(e->first) && is_known_to_a_unit(e->second)) {
         better = e->first;
         return e->second;
       }
@@ -147,7 +149,8 @@ public:
           u != nullptr ? evaluation_.enclosure(*input_, *u, expression, bits)
                        : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
                                                versions_.right_side(d), expression, bits);
-      if (is_known(value, 0x1p-42)) break;
+      // more bits do not help where a value is zero
+      if (is_known_to_a_unit(value) && (bits > 106 || is_known_to_a_unit(better))) break;
     }
     return value;
   }
@@ -165,16 +168,15 @@ private:
     }
   };
 
-  // to how much of it
-  static bool is_known(const FT& x, double relative_width) {
-    return CGAL::width(x) <= relative_width * CGAL::magnitude(x) && CGAL::is_finite(x);
+  // To a unit in the last place: whoever computes them, in balls of whatever precision, finds the same doubles, as a rule.
+  static bool is_known_to_a_unit(const FT& x) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return x.sup() <= std::nextafter(std::nextafter(x.inf(), infinity), infinity);
   }
-  // a few units in the last place
-  static constexpr double unit = 0x1p-50;
-  // to a unit in the last place: whoever computes them finds the same doubles, as a rule
   static bool is_known_to_a_unit(const Diamond_values<FT>& v) {
     const std::array values{v.ij, v.jk, v.ki, v.im, v.mj, v.area_f, v.area_g};
-    return std::all_of(values.begin(), values.end(), [](const FT& x) { return is_known(x, unit); });
+    return std::all_of(values.begin(), values.end(),
+                       [](const FT& x) { return is_known_to_a_unit(x); });
   }
 
   Input_unfolder* unfolder() const;
