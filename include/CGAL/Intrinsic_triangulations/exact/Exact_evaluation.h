@@ -84,8 +84,6 @@ public:
 
   /// A slot of a version of a face.
   using Side = Face_side;
-  /// Intervals that contain the values of a diamond, and one that contains that of an expression in them.
-  using Enclosure = std::pair<Diamond_values<Interval_nt<false>>, Interval_nt<false>>;
 
   /*!
   \brief returns the sign of an expression in the values of a diamond that is unfolded.
@@ -136,23 +134,24 @@ public:
                                     unsigned bits);
 
   /*!
-  \brief encloses the values of a diamond that is unfolded, and an expression in them.
+  \brief encloses an expression in the values of a diamond that is unfolded.
   \param input, diamond, expression see `sign()`
   \param bits 53, 106, 256, or any more
   */
   template <class Expression>
-  Enclosure enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Expression& expression, unsigned bits);
+  Interval_nt<false> enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
+                               const Expression& expression, unsigned bits);
 
-  /// encloses the values of a diamond between two sides, and an expression in them; see the other `enclosure()`.
+  /// encloses an expression in the values of a diamond between two sides; see the other `enclosure()`.
   template <class Expression>
-  Enclosure enclosure(const Input_metric& input, const Flip_history& history, Side left, Side right,
-                      const Expression& expression, unsigned bits);
+  Interval_nt<false> enclosure(const Input_metric& input, const Flip_history& history, Side left,
+                               Side right, const Expression& expression, unsigned bits);
 
-  /// encloses the same by repeating flips in 106 bits, unless there are many to repeat; see above.
+  /// encloses an expression by repeating flips in 106 bits, unless there are many to repeat; see above.
   template <class Expression>
-  std::optional<Enclosure> short_enclosure(const Input_metric& input, const Flip_history& history,
-                                           Side left, Side right, const Expression& expression);
+  std::optional<Interval_nt<false>> short_enclosure(const Input_metric& input,
+                                                    const Flip_history& history, Side left,
+                                                    Side right, const Expression& expression);
 
   /*!
   \brief returns the sign of an expression in the values of the diamond between two sides.

@@ -137,16 +137,16 @@ struct Exact_evaluation::Memory {
 
   // by the history, if few flips are to be repeated
   template <class Expression>
-  auto short_value(const Input_metric& input, const Flip_history& history, Side left, Side right,
-                   const Expression& expression)
-      -> std::optional<std::pair<Diamond_values<Ball<Double_double>>, Ball<Double_double>>> {
+  std::optional<Ball<Double_double>> short_value(const Input_metric& input,
+                                                 const Flip_history& history, Side left, Side right,
+                                                 const Expression& expression) {
     using FT = Ball<Double_double>;
     if (short_moves.size() > maximal_memory) short_moves = {};
     const auto face = short_balls.of(input);
     const auto faces = History_evaluator<FT, decltype(face)>(history, face, short_moves)
                            .faces({left, right}, few_flips);
     if (!faces) return std::nullopt;
-    return internal::with_value(diamond_values((*faces)[0], (*faces)[1]), expression);
+    return expression(diamond_values((*faces)[0], (*faces)[1]));
   }
 
   Diamond_zero_test is_zero;
@@ -256,31 +256,31 @@ Exact_evaluation::squared_length(const Input_metric& input, const Unfolded_diamo
 }
 
 template <class Expression>
-auto Exact_evaluation::enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
-                                 const Expression& expression, unsigned bits) -> Enclosure {
-  return memory().at_precision<Enclosure>(bits, [&](auto& numbers) {
+Interval_nt<false> Exact_evaluation::enclosure(const Input_metric& input,
+                                               const Unfolded_diamond& diamond,
+                                               const Expression& expression, unsigned bits) {
+  return memory().at_precision<Interval_nt<false>>(bits, [&](auto& numbers) {
     using FT = typename std::decay_t<decltype(numbers)>::Number;
-    return internal::with_value(diamond.values<FT>(numbers.of(input)), expression);
+    return expression(diamond.values<FT>(numbers.of(input)));
   });
 }
 
 template <class Expression>
-auto Exact_evaluation::enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                                 Side right, const Expression& expression, unsigned bits)
-    -> Enclosure {
+Interval_nt<false> Exact_evaluation::enclosure(const Input_metric& input,
+                                               const Flip_history& history, Side left, Side right,
+                                               const Expression& expression, unsigned bits) {
   const Gmpfi_precision precision(std::max(bits, internal::first_bits));
-  return internal::intervals(
-      internal::with_value(memory().values(input, history, left, right), expression));
+  return internal::interval(expression(memory().values(input, history, left, right)));
 }
 
 template <class Expression>
-auto Exact_evaluation::short_enclosure(const Input_metric& input, const Flip_history& history,
-                                       Side left, Side right, const Expression& expression)
-    -> std::optional<Enclosure> {
+std::optional<Interval_nt<false>>
+Exact_evaluation::short_enclosure(const Input_metric& input, const Flip_history& history, Side left,
+                                  Side right, const Expression& expression) {
   const auto value = internal::to_nearest(
       [&] { return memory().short_value(input, history, left, right, expression); });
   if (!value) return std::nullopt;
-  return internal::intervals(*value);
+  return internal::interval(*value);
 }
 
 template <class Expression>

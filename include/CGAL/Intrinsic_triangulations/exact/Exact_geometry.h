@@ -22,7 +22,6 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -31,7 +30,6 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <tuple>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -122,35 +120,29 @@ public:
 
   /*!
   \brief encloses the value of an expression in the values of a diamond, to a unit in the last place.
-  \param d, expression, better see `sign()`
   \pre the value is not zero
   \complexity that of the precision that it takes
   \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before, and weights are
   to have the same digits after a triangulation is read from a file.
   */
   template <class Expression>
-  FT nonzero_value(const Diamond& d, const Expression& expression,
-                   Diamond_values<FT>& better) const {
-    FT value;
+  FT nonzero_value(const Diamond& d, const Expression& expression) const {
     if (!is_defined_by_places_) {
-      const auto e =
+      const std::optional<FT> value =
           evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
                                       versions_.right_side(d), expression);
-      if (e) ++statistics_.sharpenings[106];
-      if (e && is_known_to_a_unit(e->first) && is_known_to_a_unit(e->second)) {
-        better = e->first;
-        return e->second;
-      }
+      if (value) ++statistics_.sharpenings[106];
+      if (value && is_known_to_a_unit(*value)) return *value;
     }
+    FT value;
     for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
       ++statistics_.sharpenings[bits];
       const Unfolded_diamond* u = unfolded(d);
-      std::tie(better, value) =
-          u != nullptr ? evaluation_.enclosure(*input_, *u, expression, bits)
-                       : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
-                                               versions_.right_side(d), expression, bits);
-      // more bits do not help where a value is zero
-      if (is_known_to_a_unit(value) && (bits > 106 || is_known_to_a_unit(better))) break;
+      value = u != nullptr
+                  ? evaluation_.enclosure(*input_, *u, expression, bits)
+                  : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
+                                          versions_.right_side(d), expression, bits);
+      if (is_known_to_a_unit(value)) break;
     }
     return value;
   }
@@ -172,11 +164,6 @@ private:
   static bool is_known_to_a_unit(const FT& x) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return x.sup() <= std::nextafter(std::nextafter(x.inf(), infinity), infinity);
-  }
-  static bool is_known_to_a_unit(const Diamond_values<FT>& v) {
-    const std::array values{v.ij, v.jk, v.ki, v.im, v.mj, v.area_f, v.area_g};
-    return std::all_of(values.begin(), values.end(),
-                       [](const FT& x) { return is_known_to_a_unit(x); });
   }
 
   Input_unfolder* unfolder() const;

@@ -77,13 +77,6 @@ Diamond_values<Interval_nt<false>> intervals(const Diamond_values<FT>& d) {
           interval(d.mj), interval(d.area_f), interval(d.area_g)};
 }
 
-// values of a diamond, and of an expression in them
-template <class FT>
-std::pair<Diamond_values<Interval_nt<false>>, Interval_nt<false>>
-intervals(const std::pair<Diamond_values<FT>, FT>& x) {
-  return {intervals(x.first), interval(x.second)};
-}
-
 template <class FT>
 std::vector<Face_values<Interval_nt<false>>> intervals(const std::vector<Face_values<FT>>& faces) {
   std::vector<Face_values<Interval_nt<false>>> result;
@@ -100,12 +93,6 @@ inline std::optional<Sign> counted(const Uncertain<Sign>& s, unsigned bits,
   return get_certain(s);
 }
 
-// Values, and an expression in them.
-template <class Values, class Expression>
-auto with_value(const Values& values, const Expression& expression) {
-  return std::pair(values, expression(values));
-}
-
 /*
 Returns the sign of an expression in values that `values()` computes in balls with so many bits, if it is certain, and whether the
 value seems to be zero. `better` is set to intervals that contain the values.
@@ -114,7 +101,10 @@ template <class Values, class Expression, class Better>
 std::pair<std::optional<Sign>, bool> sign_in_balls(unsigned bits, const Values& values,
                                                    const Expression& expression, Better& better,
                                                    Predicate_statistics& statistics) {
-  const auto [wide, value] = to_nearest([&] { return with_value(values(), expression); });
+  const auto [wide, value] = to_nearest([&] {
+    const auto v = values();
+    return std::pair(v, expression(v));
+  });
   better = intervals(wide);
   return {counted(value.sign(), bits, statistics), value.seems_zero()};
 }

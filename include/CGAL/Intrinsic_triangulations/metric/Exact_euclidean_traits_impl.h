@@ -64,10 +64,8 @@ Exact_euclidean_metric::cotangent_weight(const Diamond& d) const {
                                : 0;
   }
   if (sign(d, Delaunay_expression()) == ZERO) return 0;
-  Diamond_values<FT> better;
-  const FT value = geometry_.nonzero_value(d, Delaunay_expression(), better);
-  refine(d, better); // the edges around need not be evaluated then
   sharpen(std::array<Indexed_face, 2>{{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}});
+  const FT value = geometry_.nonzero_value(d, Delaunay_expression());
   return CGAL::to_double(value) / approximate_quadruple_area(d.f) /
          (2 * approximate_quadruple_area(d.g));
 }
