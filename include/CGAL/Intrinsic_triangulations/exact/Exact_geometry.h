@@ -119,7 +119,7 @@ public:
   FT first_squared_length(const Indexed_face& face, unsigned bits) const;
 
   /*!
-  \brief encloses the value of an expression in the values of a diamond, to a unit in the last place.
+  \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
   \pre the value is not zero
   \complexity that of the precision that it takes
   \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before, and weights are
@@ -142,7 +142,7 @@ public:
                   ? evaluation_.enclosure(*input_, *u, expression, bits)
                   : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
                                           versions_.right_side(d), expression, bits);
-      if (is_known_to_a_unit(value)) break;
+      if (CGAL::width(value) <= 0x1p-42 * CGAL::magnitude(value) && CGAL::is_finite(value)) break;
     }
     return value;
   }
@@ -160,7 +160,7 @@ private:
     }
   };
 
-  // To a unit in the last place: whoever computes them, in balls of whatever precision, finds the same doubles, as a rule.
+  // To a unit in the last place: by unfolding, too, the same double is found, as a rule.
   static bool is_known_to_a_unit(const FT& x) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return x.sup() <= std::nextafter(std::nextafter(x.inf(), infinity), infinity);
