@@ -27,8 +27,8 @@ namespace {
 
 using CGAL::Intrinsic_triangulations::Element_kind;
 using CGAL::Intrinsic_triangulations::File_faces;
-using CGAL::Intrinsic_triangulations::Nonplanar_polygons;
 using CGAL::Intrinsic_triangulations::Invalid_input;
+using CGAL::Intrinsic_triangulations::Nonplanar_polygons;
 using CGAL::Intrinsic_triangulations::read_triangle_soup;
 using CGAL::Intrinsic_triangulations::Triangle_soup;
 
