@@ -323,6 +323,28 @@ void add_curve_output_options(CLI::App& command, Options& options) {
       ->type_name("FILE");
 }
 
+void add_application_options(CLI::App& command, Options& options) {
+  add_common_options(command, options);
+  command
+      .add_option("-o", options.output,
+                  "write values (.txt), or the surface with them (.ply .obj .off .stl .vtp)")
+      ->check(text_or_mesh());
+  command
+      .add_option("--on", options.application.on,
+                  "where they are written: on the common subdivision (default), the input, or the "
+                  "intrinsic triangulation (values only)")
+      ->check(CLI::IsMember({"subdivision", "input", "intrinsic"}));
+  command.add_option("--view", options.view, "write a page that shows the result")
+      ->type_name("FILE");
+  CLI::Option* const refine = command.add_flag(
+      "--refine", options.refines, "refine the triangulation, as the command refine does");
+  add_constraint_options(command, options);
+  add_metric_option(command, options);
+  add_refinement_options(command, options);
+  add_adaptive_options(command, options);
+  make_refinement_options_need(*refine, command);
+}
+
 void make_refinement_options_need(CLI::Option& refine, CLI::App& command) {
   for (CLI::Option* const option : command.get_options())
     for (const char* const name : refinement_options)
