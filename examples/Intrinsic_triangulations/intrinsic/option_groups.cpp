@@ -104,6 +104,18 @@ CLI::Validator text_or_mesh() {
       "FILE");
 }
 
+CLI::Validator text_or_surface() {
+  return CLI::Validator(
+      [](std::string& path) {
+        const std::string extension = std::filesystem::path(path).extension().string();
+        return extension == ".txt" ||
+                       CGAL::Intrinsic_triangulations::is_common_subdivision_extension(extension)
+                   ? std::string()
+                   : path + ": write values to .txt, or the surface to .ply .obj .off .stl .vtp";
+      },
+      "FILE");
+}
+
 void add_common_options(CLI::App& command, Options& options) {
   command
       .add_option("IN", options.input,
@@ -328,7 +340,7 @@ void add_application_options(CLI::App& command, Options& options) {
   command
       .add_option("-o", options.output,
                   "write values (.txt), or the surface with them (.ply .obj .off .stl .vtp)")
-      ->check(text_or_mesh());
+      ->check(text_or_surface());
   command
       .add_option("--on", options.application.on,
                   "where they are written: on the common subdivision (default), the input, or the "

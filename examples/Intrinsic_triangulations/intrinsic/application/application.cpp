@@ -7,6 +7,8 @@
 #include "../view.h"
 #include "direction_lines.h"
 
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
