@@ -88,6 +88,7 @@ void write_results_view(std::ostream& out, const Drawn_results& results, const C
   Viewed viewed;
   viewed.curves = lines;
   viewed.isolines = computed.isolines;
+  viewed.has_edges = computed.isolines == 0 && !computed.is_map && !computed.directions;
   std::vector<std::array<double, 2>> texture;
   if (computed.is_map)
     for (std::size_t v = 0; v < results.drawn.points.size(); ++v)
