@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/field_singularities.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>

@@ -76,7 +76,7 @@ Direction_problem direction_problem(const Triangulation& t, int degree,
       degree, Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(copies.size())), 0, {}};
   for (const auto& [v, z] : fixed) {
     const std::complex<double> u = unit_vector(z);
-    if (u == 0. || is_isolated(t, v))
+    if (u == 0. || Intrinsic_triangulations::internal::is_isolated(t, v))
       throw std::invalid_argument("the direction at vertex " + std::to_string(copies(v)) +
                                   " cannot be fixed: it is zero or not finite, or the vertex has "
                                   "no face");
