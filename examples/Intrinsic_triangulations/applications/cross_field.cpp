@@ -33,7 +33,8 @@ int main(int argc, char* argv[]) {
   //! [field]
   std::size_t count = 0;
   for (const int i : singularities.index) count += i != 0 ? 1 : 0;
-  std::cout << vectors.size() << " crosses with " << count << " singularities, the sum of indices is "
-            << singularities.sum() << ", as it must be: " << expected << '\n';
+  std::cout << vectors.size() << " crosses with " << count
+            << " singularities, the sum of indices is " << singularities.sum()
+            << ", as it must be: " << expected << '\n';
   return singularities.sum() == expected ? 0 : 1;
 }

@@ -46,7 +46,7 @@ int main() {
     points.push_back({IT::surface_point(t, {t.numbers().face_at(f), {0.4, 0.3, 0.3}}), 1.});
   const IT::Karcher_mean mean = IT::karcher_mean(heat, points);
   //! [mean]
-  std::cout << "centre after " << mean.steps << " steps, at (" 
+  std::cout << "centre after " << mean.steps << " steps, at ("
             << IT::point_in_space(t, *IT::locate_on_input(t, mean.point), mesh) << ")\n";
   return CGAL::squared_distance(p, mesh.point(to)) < 1e-12 ? 0 : 1;
 }

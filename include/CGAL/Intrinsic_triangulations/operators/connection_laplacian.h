@@ -76,8 +76,8 @@ Eigen::SparseMatrix<Scalar> shifted_laplacian(const Connection_graph& graph, int
 \brief computes parallel transport along halfedges (§2.4 of the course).
 
 Of a vector `z` at the source of halfedge `h`, in its polar coordinates, `r[h] * z` is the parallel vector at the target in the
-coordinates there: the transport keeps the angle with the edge. Around a vertex of an inner face it turns vectors by the angle
-of the cone that polar coordinates spread over the faces; the sum of these angles is 2 pi times the Euler characteristic. Along
+coordinates there: the transport keeps the angle with the edge. Around a face it turns vectors by the sum of its corner angles as they are scaled,
+minus pi; over all faces these angles sum up to 2 pi times the Euler characteristic. Along
 the border vectors keep their angle with the border.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
@@ -107,8 +107,8 @@ semidefinite. It is the weak form, of which `lumped_mass_matrix()` is the partne
 turns vectors, and adds w |1 - r^order|^2 to the diagonal. Weights that are negative are taken as zero: in a Delaunay
 triangulation only edges on the border have such weights, and where the surface is curved there the matrix would be indefinite.
 
-In a closed Delaunay triangulation the quadratic form depends on the triangulation, other than that of the cotangent Laplacian,
-as faces are where curvature is spread over; on flat surfaces it does not.
+As the cotangent Laplacian, it does not depend on which Delaunay triangulation it is, but for the real axes at vertices: edges that may be flipped
+have the weight zero.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \param order the power of the transport: 1 for vectors, 4 for crosses; 0 gives the cotangent Laplacian of functions

@@ -3,10 +3,12 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/direction_field.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/field_singularities.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/principal_directions.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
@@ -18,11 +20,14 @@
 #include "meshes.h"
 #include "operator_test_meshes.h"
 #include "soups.h"
+#include "surface_mesh.h"
 
 #include <Eigen/Dense>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -240,6 +245,44 @@ TEST(Fixed_directions,
               1e-12);
 }
 
+/// Around a cylinder, along its circles; in between, a guided field of crosses follows circles and rulings.
+TEST(Principal_directions, of_a_cylinder_are_those_of_its_circles) {
+  const std::uint32_t n = 24, rings = 8;
+  meshes::Mesh shape;
+  for (std::uint32_t r = 0; r <= rings; ++r)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double a = 2 * pi * (i + 0.5 * r) / n;
+      shape.points.push_back({2 * std::cos(a), 2 * std::sin(a), 0.5 * r});
+    }
+  for (std::uint32_t r = 0; r < rings; ++r)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = n * r + i, b = n * r + (i + 1) % n;
+      shape.triangles.push_back({a, b, a + n});
+      shape.triangles.push_back({b, b + n, a + n});
+    }
+  const Surface_mesh mesh = meshes::surface_mesh<Surface_mesh>(shape);
+  Exact t(mesh);
+  IT::delaunay_refine(t, IT::parameters::maximum_circumradius(0.4));
+  const IT::Tangent_field guide = IT::principal_directions(t, mesh);
+  const auto in_space = IT::vectors_in_space(t, guide, mesh);
+  const IT::Direction_field crosses = IT::aligned_direction_field(t, 4, guide);
+  const auto arms = IT::vectors_in_space(t, crosses.directions(), mesh);
+  std::size_t inserted = 0;
+  for (const auto v : vertices(t.mesh())) {
+    const std::uint32_t i = t.input_vertex(v);
+    if (t.is_inserted(v)) {
+      ++inserted;
+      EXPECT_EQ(guide[i], 0.);
+    } else if (i >= n && i < n * rings) {          // inside
+      EXPECT_NEAR(std::abs(guide[i]), 0.25, 0.05); // curvatures 1/2 and 0
+      EXPECT_NEAR(in_space[i][2], 0, 0.02 * std::abs(guide[i]));
+    }
+    const double up = std::abs(arms[i][2]);
+    EXPECT_TRUE(up < 0.1 || up > 0.99) << up;
+  }
+  EXPECT_GT(inserted, 20U);
+}
+
 TEST(Direction_fields, refuse_what_they_cannot_do) {
   Exact t(meshes::box(1, 1, 1).input());
   const auto v = t.numbers().vertex_at(0);
@@ -253,7 +296,8 @@ TEST(Direction_fields, refuse_what_they_cannot_do) {
 
 template <class Mesh>
 class Direction_field_on : public testing::Test {};
-TYPED_TEST_SUITE(Direction_field_on, All_meshes);
+using Direction_meshes = testing::Types<Surface_mesh, Polyhedron, OpenMesh_polygons>;
+TYPED_TEST_SUITE(Direction_field_on, Direction_meshes);
 
 /// Whatever the mesh type and arithmetic, the same faces are singular.
 TYPED_TEST(Direction_field_on, has_the_same_singular_faces_for_all_mesh_types) {

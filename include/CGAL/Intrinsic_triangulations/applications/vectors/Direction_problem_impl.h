@@ -90,14 +90,14 @@ private:
   // By inverse power iteration, in every part for itself.
   Eigen::VectorXcd smallest_eigenvectors(Eigen::VectorXcd z) const {
     normalize(z);
-    for (int step = 0; step < 200; ++step) {
+    for (int step = 0; step < 100; ++step) {
       Eigen::VectorXcd next(z.size());
       for (Eigen::Index i = 0; i < z.size(); ++i) next[i] = mass(i) * z[i];
       next = factor_.solve(next);
       normalize(next);
       const double change = (next - z).lpNorm<Eigen::Infinity>();
       z.swap(next);
-      if (change <= 1e-9 * z.lpNorm<Eigen::Infinity>()) break;
+      if (change <= 1e-6 * z.lpNorm<Eigen::Infinity>()) break;
     }
     return z;
   }

@@ -10,8 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
-#include <boost/graph/graph_traits.hpp>
+#include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>

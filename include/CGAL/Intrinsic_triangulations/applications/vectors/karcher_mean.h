@@ -29,6 +29,51 @@ struct Karcher_mean {
   Status status = Status::done; ///< `cap`: the number of steps did not suffice
 };
 
+namespace internal {
+
+// Points with weights, as they are seen from a point.
+template <class Triangulation>
+class Weighted_points {
+public:
+  using Points = std::vector<std::pair<Surface_point, double>>;
+
+  Weighted_points(const Vector_heat_method<Triangulation>& heat, const Points& points)
+      : heat_(heat), points_(points) {
+    for (const auto& [p, w] : points) {
+      if (!(w >= 0) || !std::isfinite(w))
+        throw std::invalid_argument("the weights of points must be finite and not negative");
+      all_ += w;
+      if (w > greatest_) heaviest_ = p, greatest_ = w;
+    }
+    if (!(greatest_ > 0))
+      throw std::invalid_argument("there must be a point with a positive weight");
+  }
+
+  // the one of greatest weight
+  const Surface_point& heaviest() const { return heaviest_; }
+
+  // the mean of the vectors from a point, and of their squared lengths
+  std::complex<double> mean(const Surface_point& from, double& energy) const {
+    const std::vector<std::complex<double>> log = heat_.logarithmic_map(from);
+    std::complex<double> sum = 0;
+    energy = 0;
+    for (const auto& [q, w] : points_) {
+      const std::complex<double> z = heat_.logarithm_at(log, from, q);
+      sum += w / all_ * z;
+      energy += w / all_ * std::norm(z);
+    }
+    return sum;
+  }
+
+private:
+  const Vector_heat_method<Triangulation>& heat_;
+  const Points& points_;
+  double all_ = 0, greatest_ = 0;
+  Surface_point heaviest_;
+};
+
+} // namespace internal
+
 /*!
 \brief finds the centre of points on a surface: a point where the mean of the vectors to them vanishes, a local minimum of the mean of squared distances.
 
@@ -47,47 +92,29 @@ template <internal::Connected_triangulation Triangulation>
 Karcher_mean karcher_mean(const Vector_heat_method<Triangulation>& heat,
                           const std::vector<std::pair<Surface_point, double>>& points,
                           double tolerance = 1e-4, std::size_t maximum_steps = 50) {
-  using Complex = std::complex<double>;
-  double all = 0, greatest = 0;
+  const internal::Weighted_points<Triangulation> seen(heat, points);
   Karcher_mean mean;
-  for (const auto& [p, w] : points) {
-    if (!(w >= 0) || !std::isfinite(w))
-      throw std::invalid_argument("the weights of points must be finite and not negative");
-    all += w;
-    if (w > greatest) mean.point = internal::off_vertex(p), greatest = w;
-  }
-  if (!(greatest > 0)) throw std::invalid_argument("there must be a point with a positive weight");
-  const auto look_around = [&](const Surface_point& p, double& energy) {
-    const std::vector<Complex> log = heat.logarithmic_map(p);
-    Complex sum = 0;
-    energy = 0;
-    for (const auto& [q, w] : points) {
-      const Complex z = heat.logarithm_at(log, p, q);
-      sum += w / all * z;
-      energy += w / all * std::norm(z);
-    }
-    return sum;
-  };
-  Complex step = look_around(mean.point, mean.energy);
+  mean.point = internal::off_vertex(seen.heaviest());
+  std::complex<double> step = seen.mean(mean.point, mean.energy);
   mean.residual = std::abs(step);
   const double enough = tolerance * heat.mean_edge_length();
-  double part = 1;
-  for (mean.steps = 1; mean.residual > enough; ++mean.steps) {
+  double part =
+      1; // of the step; so small that the energy falls no more for the errors of logarithmic maps
+  for (mean.steps = 1; mean.residual > enough && part >= 0x1p-10; ++mean.steps) {
     if (mean.steps >= maximum_steps) {
       mean.status = Status::cap;
       break;
     }
-    if (part < 0x1p-10) break; // the energy falls no more, up to the errors of logarithmic maps
     const Surface_point there = internal::off_vertex(
         exponential_map(heat.triangulation(), mean.point, part * step).points.back());
     double energy = 0;
-    const Complex next = look_around(there, energy);
+    const std::complex<double> next = seen.mean(there, energy);
     if (energy >= mean.energy && std::abs(next) >= mean.residual) {
       part /= 2;
-      continue;
+    } else {
+      step = next;
+      mean = {there, std::abs(next), energy, mean.steps, mean.status};
     }
-    step = next;
-    mean = {there, std::abs(next), energy, mean.steps, mean.status};
   }
   return mean;
 }
