@@ -14,7 +14,10 @@
 #include <CGAL/boost/graph/generators.h>
 
 #include <complex>
+#include <cstddef>
+#include <cstdint>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -42,7 +45,7 @@ int main() {
   std::cout << "distance " << std::abs(z) << ", and back to (" << p << ")\n";
   //! [mean]
   std::vector<std::pair<IT::Surface_point, double>> points; // in faces, with weights
-  for (const std::size_t f : {3, 60, 101})
+  for (const std::uint32_t f : {3U, 60U, 101U})
     points.push_back({IT::surface_point(t, {t.numbers().face_at(f), {0.4, 0.3, 0.3}}), 1.});
   const IT::Karcher_mean mean = IT::karcher_mean(heat, points);
   //! [mean]
