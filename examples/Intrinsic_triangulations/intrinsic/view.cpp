@@ -78,6 +78,7 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   if (viewed.field != nullptr) view.field = *viewed.field;
   view.isolines = viewed.isolines;
   view.texture = viewed.texture;
+  view.has_edges = viewed.has_edges;
   IT::write_html_view(out, s, points, view);
 }
 

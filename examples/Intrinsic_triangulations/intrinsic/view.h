@@ -24,6 +24,7 @@ struct Viewed {
   const IT::Vertex_field* field = nullptr;          ///< shown as colours; null: none
   unsigned isolines = 0;                            ///< steps between lines of equal values of it
   std::span<const std::array<double, 2>> texture{}; ///< places in the plane, or none
+  bool has_edges = true;                            ///< whether edges show at first
 };
 
 /*!

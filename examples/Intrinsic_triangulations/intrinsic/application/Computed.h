@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +34,8 @@ struct Computed {
   std::string command; ///< key of `json` among the statistics
   Json json;
   std::vector<Function> functions;
-  unsigned isolines = 0; ///< number of steps between lines of equal values of the first function
+  std::size_t shown = 0; ///< which of the functions a page shows
+  unsigned isolines = 0; ///< number of steps between lines of equal values of it
   /// Whether the first two functions are places in the plane, shown by a checkerboard.
   bool is_map = false;
   std::optional<Direction_field> directions{};

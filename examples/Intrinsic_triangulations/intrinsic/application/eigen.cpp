@@ -31,6 +31,7 @@ Computed eigenfunctions(const Eigen::SparseMatrix<double>& laplacian,
   computed.json = {{"count", n},
                    {"values", std::vector<double>(pairs.values.begin(), pairs.values.end())}};
   computed.isolines = 20;
+  computed.shown = n > 1 ? 1 : 0; // the first is constant
   for (Eigen::Index k = 0; k < n; ++k)
     computed.functions.push_back({"eigenfunction_" + std::to_string(k), pairs.vectors.col(k)});
   return computed;

@@ -46,6 +46,8 @@ struct Html_view {
   unsigned isolines = 0;
   /// A place in the plane for each vertex, to be shown by a checkerboard; or none.
   std::span<const std::array<double, 2>> texture{};
+  /// Whether edges show at first.
+  bool has_edges = true;
   /// Curves on the surface, to be drawn in colours that their labels choose.
   std::span<const Polyline> curves{};
   /// What the curves were before, to be drawn thin and grey.
@@ -225,7 +227,7 @@ private:
     out_.text(" data-name=\"");
     escaped(view_.field.name);
     out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\" data-isolines=\"",
-              view_.isolines, "\">");
+              view_.isolines, "\" data-edges=\"", view_.has_edges ? "shown" : "hidden", "\">");
     close_data([&](Base64_writer& out) {
       for (const double x : view_.field.values)
         out.put(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()
