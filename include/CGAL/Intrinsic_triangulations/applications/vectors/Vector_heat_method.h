@@ -64,7 +64,7 @@ public:
   \throws std::invalid_argument if the time is not positive
   \complexity linear; the first question factors matrices
   */
-  explicit Vector_heat_method(const Triangulation& t, double time_scale = 1)
+  explicit Vector_heat_method(const Triangulation_& t, double time_scale = 1)
       : frames_(t), heat_(internal::connection_graph(t, frames_.angles()), checked(time_scale)) {}
 
   /// returns the triangulation.

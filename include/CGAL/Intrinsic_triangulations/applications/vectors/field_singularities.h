@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
+#include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
