@@ -357,6 +357,22 @@ void add_application_options(CLI::App& command, Options& options) {
   make_refinement_options_need(*refine, command);
 }
 
+void add_source_option(CLI::App& command, Options& options) {
+  command
+      .add_option("--source", options.application.sources,
+                  "points, separated by commas: vertices as numbered in the file, from 0, or "
+                  "face:b0:b1:b2")
+      ->required()
+      ->check([](const std::string& text) { return curve_points_misuse(text, 1); });
+}
+
+void add_time_option(CLI::App& command, Options& options) {
+  command
+      .add_option("--time", options.application.time_factor,
+                  "how long heat flows, in squares of the mean edge length (default 1)")
+      ->check(CLI::PositiveNumber);
+}
+
 void make_refinement_options_need(CLI::Option& refine, CLI::App& command) {
   for (CLI::Option* const option : command.get_options())
     for (const char* const name : refinement_options)

@@ -41,6 +41,10 @@ void add_curve_options(CLI::App& command, Options& options);
 void add_curve_output_options(CLI::App& command, Options& options);
 /// adds all that commands take that solve something on the triangulation: its refinement, where results are written.
 void add_application_options(CLI::App& command, Options& options);
+/// adds points from which something is computed.
+void add_source_option(CLI::App& command, Options& options);
+/// adds how long heat flows.
+void add_time_option(CLI::App& command, Options& options);
 /// refuses criteria of refinement without an option.
 void make_refinement_options_need(CLI::Option& refine, CLI::App& command);
 
