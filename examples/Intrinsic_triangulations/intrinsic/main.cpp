@@ -124,9 +124,8 @@ void add_transport(CLI::App& app, Options& options, Command& chosen) {
 void add_logmap(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
       "logmap", "unroll the surface about a point: directions and distances from there");
-  program::add_application_options(command, options);
+  program::add_application_options(command, options, true);
   program::add_time_option(command, options);
-  program::add_source_option(command, options);
   command.add_option("--method", options.method, "how: affine (default) or polar")
       ->check(CLI::IsMember({"affine", "polar"}));
   command.callback([&chosen] { chosen = program::run_logmap; });
