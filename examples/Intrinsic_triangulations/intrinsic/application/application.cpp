@@ -88,12 +88,13 @@ void write_results_view(std::ostream& out, const Drawn_results& results, const C
   Viewed viewed;
   viewed.curves = lines;
   viewed.isolines = computed.isolines;
-  viewed.has_edges = computed.isolines == 0 && !computed.is_map && !computed.directions;
+  viewed.is_plain = computed.isolines > 0 || computed.is_map || computed.directions;
+  if (computed.directions) viewed.curve_width = 1.5;
   std::vector<std::array<double, 2>> texture;
   if (computed.is_map)
     for (std::size_t v = 0; v < results.drawn.points.size(); ++v)
       texture.push_back({results.fields[0].values[v], results.fields[1].values[v]});
-  else if (!results.fields.empty())
+  else if (computed.shown < results.fields.size())
     viewed.field = &results.fields.at(computed.shown);
   viewed.texture = texture;
   write_view(out, results.drawn.s, results.drawn.points, options, json, viewed);

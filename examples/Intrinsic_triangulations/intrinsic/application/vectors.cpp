@@ -64,6 +64,7 @@ Computed transport(const Triangulation& t, const Options& options) {
   computed.functions.push_back(
       {"length", by_rows(t, computed.directions->vectors,
                          [](const std::complex<double>& z) { return std::abs(z); })});
+  computed.shown = computed.functions.size(); // none: arrows
   computed.json = {{"sources", sources.size()},
                    {"longest", computed.functions[0].values.maxCoeff()}};
   return computed;
