@@ -14,6 +14,10 @@ void run_delaunay(const Options& options);
 void run_transfer(const Options& options);
 /// makes curves geodesic, refines with them as constraints if that is asked for, and writes what is asked for.
 void run_geodesic(const Options& options);
+/// computes distances by heat flow.
+void run_distance(const Options& options);
+/// maps a disk to the plane.
+void run_parametrize(const Options& options);
 /// transports tangent vectors from some vertices to all.
 void run_transport(const Options& options);
 /// unrolls the surface about a point.

@@ -106,7 +106,7 @@ void constrain_listed_edges(const Mesh_file& file, const Options& options, Const
 Constraints constraints_of(const Mesh_file& file, const Options& options) {
   Constraints c;
   if (!options.geodesic.paths.empty() || !options.geodesic.loops.empty() ||
-      !options.application.sources.empty())
+      !options.application.sources.empty() || !options.application.curves.empty())
     c.mesh = file.input.mesh;
   if (!has_constraints(options)) return c;
   c.is_constrained.assign(file.input.mesh.number_of_edges(), 0);

@@ -108,6 +108,26 @@ void add_geodesic(CLI::App& app, Options& options, Command& chosen) {
   command.callback([&chosen] { chosen = program::run_geodesic; });
 }
 
+void add_distance(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "distance", "compute distances from points and curves, by the flow of heat");
+  program::add_application_options(command, options, true);
+  program::add_time_option(command, options);
+  program::add_distance_options(command, options);
+  command.callback([&chosen] { chosen = program::run_distance; });
+}
+
+void add_parametrize(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "parametrize", "map a disk to the plane, and certify that it is injective");
+  program::add_application_options(command, options);
+  command
+      .add_option("--method", options.application.map,
+                  "harmonic (to a circle, default), spectral (conformal) or lscm")
+      ->check(CLI::IsMember({"harmonic", "spectral", "lscm"}));
+  command.callback([&chosen] { chosen = program::run_parametrize; });
+}
+
 void add_transport(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
       "transport", "take tangent vectors from some vertices to all, along shortest paths");
@@ -203,6 +223,8 @@ int run(int argc, char** argv) {
   add_laplacian(app, options, chosen);
   add_transfer(app, options, chosen);
   add_geodesic(app, options, chosen);
+  add_distance(app, options, chosen);
+  add_parametrize(app, options, chosen);
   add_transport(app, options, chosen);
   add_logmap(app, options, chosen);
   add_field(app, options, chosen);
@@ -216,7 +238,8 @@ int run(int argc, char** argv) {
     if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
       std::cerr << "intrinsic: there is no command \""
                 << program::legible(argv[1], program::longest_argument)
-                << "\"; use delaunay, refine, laplacian, transfer, geodesic, transport, logmap, "
+                << "\"; use delaunay, refine, laplacian, transfer, geodesic, distance, "
+                   "parametrize, transport, logmap, "
                    "field, eigen, edit, info or "
                    "study, or --help\n";
       return program::misused;
@@ -225,6 +248,7 @@ int run(int argc, char** argv) {
   }
   std::string misuse = program::misuse(options);
   if (misuse.empty() && chosen == program::run_geodesic) misuse = program::geodesic_misuse(options);
+  if (misuse.empty() && chosen == program::run_distance) misuse = program::distance_misuse(options);
   if (!misuse.empty()) {
     std::cerr << "intrinsic: " << misuse << '\n';
     return program::misused;

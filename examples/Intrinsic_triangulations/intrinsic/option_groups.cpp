@@ -374,6 +374,26 @@ void add_application_options(CLI::App& command, Options& options, bool has_sourc
   make_refinement_options_need(*refine, command);
 }
 
+void add_distance_options(CLI::App& command, Options& options) {
+  command.get_option("--source")->required(false);
+  command
+      .add_option("--curve", options.application.curves,
+                  "a curve through points, along edges of the triangulation; closed if the last "
+                  "point is the first")
+      ->check(curve_points(2));
+  command.add_flag("--signed", options.application.is_signed,
+                   "distances on the left of curves are negative");
+}
+
+std::string distance_misuse(const Options& o) {
+  const Application_options& a = o.application;
+  if (a.sources.empty() && a.curves.empty())
+    return "distances are from something; give points with --source, or --curve";
+  if (a.is_signed && (a.curves.empty() || !a.sources.empty()))
+    return "only curves have sides; with --signed, give --curve and no --source";
+  return {};
+}
+
 void add_time_option(CLI::App& command, Options& options) {
   command
       .add_option("--time", options.application.time_factor,

@@ -42,6 +42,8 @@ void add_curve_output_options(CLI::App& command, Options& options);
 /// adds all that commands take that solve something on the triangulation: its refinement, where results are written, and points from which
 /// they start, if they do.
 void add_application_options(CLI::App& command, Options& options, bool has_sources = false);
+/// adds curves as sources of distances.
+void add_distance_options(CLI::App& command, Options& options);
 /// adds how long heat flows.
 void add_time_option(CLI::App& command, Options& options);
 /// refuses criteria of refinement without an option.
@@ -49,6 +51,8 @@ void make_refinement_options_need(CLI::Option& refine, CLI::App& command);
 
 /// returns what is wrong with the options of the command `geodesic`, like `misuse()`.
 std::string geodesic_misuse(const Options& options);
+/// returns what is wrong with the options of the command `distance`, like `misuse()`.
+std::string distance_misuse(const Options& options);
 /// returns what is wrong with options that are valid by themselves, and the remedy; empty: nothing.
 std::string misuse(const Options& options);
 

@@ -105,6 +105,10 @@ std::vector<Asked_curve> asked_points(const Options& options, std::size_t vertic
     lists.push_back({points_of(text), false, "--source " + text});
     expect_elements(lists.back(), options.input, vertices, faces);
   }
+  for (const std::string& text : options.application.curves) {
+    lists.push_back({points_of(text), false, "--curve " + text});
+    expect_elements(lists.back(), options.input, vertices, faces);
+  }
   return lists;
 }
 
