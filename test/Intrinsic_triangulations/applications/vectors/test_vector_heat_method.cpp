@@ -168,6 +168,27 @@ TEST(Vector_heat_method, converges_on_the_sphere) {
   EXPECT_LT(errors[2], 0.7 * errors[1]);
 }
 
+/// Heat underflows on the way: the rest is reached in a longer time.
+TEST(Vector_heat_method, reaches_the_far_end_of_a_long_strip_exactly) {
+  const meshes::Mesh shape = meshes::grid(2000, 2);
+  Exact t(shape.input());
+  const Heat heat(t);
+  const auto v = t.numbers().vertex_at(2001 + 3); // in the middle row
+  const Complex expected = in_plane(t, v, {1, 2}, shape.points);
+  const IT::Tangent_field field = heat.transport(v, {1, 2});
+  const std::vector<Complex> affine = heat.logarithmic_map(v),
+                             polar = heat.logarithmic_map(v, IT::Logarithm_method::polar);
+  for (std::uint32_t i = 2001 + 1; i < 2 * 2001 - 1; ++i) {
+    const Complex z = in_plane(t, t.numbers().vertex_at(i), field[i], shape.points);
+    EXPECT_LE(std::abs(z - expected), 1e-5) << i;
+    const double r = std::abs(shape.points[i][0] - 3);
+    EXPECT_NEAR(std::abs(affine[i]), r, 1e-5 * r) << i;
+    EXPECT_NEAR(std::abs(polar[i]), r, 0.1 * r + 1) << i;
+  }
+  using Values = std::vector<std::pair<Exact::vertex_descriptor, double>>;
+  EXPECT_LE((heat.extend_scalars(Values{{v, 7}}).array() - 7).abs().maxCoeff(), 1e-9);
+}
+
 TEST(Vector_heat_method, extends_scalars_between_their_extremes_and_by_the_nearest_source) {
   Exact t(meshes::grid(10, 4).input());
   const Heat heat(t);

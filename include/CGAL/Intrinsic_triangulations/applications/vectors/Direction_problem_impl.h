@@ -13,9 +13,9 @@
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -38,12 +38,12 @@ public:
   Eigen::VectorXcd solve() const {
     std::vector<char> has_wishes(graph_.size, 0); // by part
     for (Eigen::Index i = 0; i < right_.size(); ++i)
-      if (right_[i] != 0.) has_wishes[part(i)] = 1;
+      if (right_[i] != 0.) has_wishes[static_cast<std::size_t>(part(i))] = 1;
     Eigen::VectorXcd z = factor_.solve(right_), free = Eigen::VectorXcd::Zero(z.size());
     std::mt19937 random(1); // any start will do
     bool is_free = false;
     for (Eigen::Index i = 0; i < z.size(); ++i) {
-      if (has_wishes[part(i)] != 0) continue;
+      if (has_wishes[static_cast<std::size_t>(part(i))] != 0) continue;
       is_free = true;
       const double x = static_cast<double>(random()), y = static_cast<double>(random());
       free[i] = Complex(x, y) * 0x1p-31 - Complex(1, 1);
@@ -53,7 +53,9 @@ public:
   }
 
 private:
-  std::size_t part(Eigen::Index i) const { return part_[static_cast<std::size_t>(i)]; }
+  Eigen::Index part(Eigen::Index i) const {
+    return static_cast<Eigen::Index>(part_[static_cast<std::size_t>(i)]);
+  }
   double mass(Eigen::Index i) const { return masses_[static_cast<std::size_t>(i)]; }
 
   // The factored matrix, with ones for what is fixed; sets the right side.
@@ -87,26 +89,74 @@ private:
       if (is_fixed(i)) m.coeffRef(i, i) = 1;
   }
 
-  // By inverse power iteration, in every part for itself.
+  // By the method of Lanczos with the inverse, in all parts at once and in each for itself.
   Eigen::VectorXcd smallest_eigenvectors(Eigen::VectorXcd z) const {
-    normalize(z);
-    for (int step = 0; step < 100; ++step) {
-      Eigen::VectorXcd next(z.size());
-      for (Eigen::Index i = 0; i < z.size(); ++i) next[i] = mass(i) * z[i];
-      next = factor_.solve(next);
-      normalize(next);
-      const double change = (next - z).lpNorm<Eigen::Infinity>();
-      z.swap(next);
-      if (change <= 1e-6 * z.lpNorm<Eigen::Infinity>()) break;
-    }
+    for (int round = 0; round < 8; ++round)
+      if (improve(z)) break;
     return z;
   }
 
-  void normalize(Eigen::VectorXcd& z) const {
-    std::vector<double> square(graph_.size, 0);
-    for (Eigen::Index i = 0; i < z.size(); ++i) square[part(i)] += mass(i) * std::norm(z[i]);
+  // Replaces vectors by the best ones of what some powers of the inverse make of them; returns whether they are eigenvectors.
+  bool improve(Eigen::VectorXcd& z) const {
+    constexpr int steps = 16;
+    Eigen::MatrixXcd basis(z.size(), steps);
+    Eigen::MatrixXd diagonal = Eigen::MatrixXd::Zero(z.size(), steps), beside = diagonal;
+    basis.col(0) = z;
+    divide(basis.col(0), norms(z));
+    for (int j = 0; j < steps; ++j) {
+      Eigen::VectorXcd next(z.size());
+      for (Eigen::Index i = 0; i < z.size(); ++i) next[i] = mass(i) * basis(i, j);
+      next = factor_.solve(next);
+      for (int k = j; k >= 0; --k) { // all of them, as rounding does not keep them orthogonal
+        const Eigen::VectorXcd c = products(basis.col(k), next);
+        if (k == j) diagonal.col(j) = c.real();
+        for (Eigen::Index i = 0; i < z.size(); ++i) next[i] -= c[part(i)] * basis(i, k);
+      }
+      Eigen::VectorXd norm = norms(next);
+      for (Eigen::Index i = 0; i < z.size(); ++i) // rounding errors are no direction
+        if (norm[i] <= 1e-13 * diagonal(i, 0)) norm[i] = 0;
+      beside.col(j) = norm;
+      if (j + 1 == steps) break;
+      basis.col(j + 1) = next;
+      divide(basis.col(j + 1), norm);
+    }
+    return combine(basis, diagonal, beside, z);
+  }
+
+  // The greatest eigenvectors of tridiagonal matrices, a row of entries for each part, as sums of vectors of the basis.
+  bool combine(const Eigen::MatrixXcd& basis, const Eigen::MatrixXd& diagonal,
+               const Eigen::MatrixXd& beside, Eigen::VectorXcd& z) const {
+    const Eigen::Index last = diagonal.cols() - 1;
+    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(z.size(), last + 1);
+    bool is_done = true;
+    for (Eigen::Index p = 0; p < z.size(); ++p) {
+      if (!(diagonal(p, 0) > 0)) continue; // stands for no part, or nothing is asked of it
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+      solver.computeFromTridiagonal(diagonal.row(p), beside.row(p).head(last));
+      weights.row(p) = solver.eigenvectors().col(last);
+      const double residual = beside(p, last) * std::abs(weights(p, last));
+      is_done = is_done && residual <= 1e-7 * solver.eigenvalues()[last];
+    }
     for (Eigen::Index i = 0; i < z.size(); ++i)
-      if (square[part(i)] > 0) z[i] /= std::sqrt(square[part(i)]);
+      z[i] = basis.row(i).transpose().cwiseProduct(weights.row(part(i)).transpose()).sum();
+    return is_done;
+  }
+
+  // inner products in each part, at the vertex that stands for it
+  Eigen::VectorXcd products(const Eigen::VectorXcd& x, const Eigen::VectorXcd& y) const {
+    Eigen::VectorXcd result = Eigen::VectorXcd::Zero(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) result[part(i)] += mass(i) * std::conj(x[i]) * y[i];
+    return result;
+  }
+  Eigen::VectorXd norms(const Eigen::VectorXcd& x) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) result[part(i)] += mass(i) * std::norm(x[i]);
+    return result.cwiseSqrt();
+  }
+  // in each part by its norm, or by nothing
+  void divide(Eigen::Ref<Eigen::VectorXcd> x, const Eigen::VectorXd& norm) const {
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      x[i] = norm[part(i)] > 0 ? Complex(x[i] / norm[part(i)]) : 0;
   }
 
   const Connection_graph& graph_;

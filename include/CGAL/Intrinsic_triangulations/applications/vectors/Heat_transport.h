@@ -11,7 +11,9 @@
 
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -41,9 +43,10 @@ struct Source_corner {
 class Heat_transport {
 public:
   // \param time_scale the time, in squares of the mean length of edges
-  Heat_transport(Connection_graph graph, double time_scale);
+  Heat_transport(Connection_graph graph, double time_scale)
+      : Heat_transport(std::make_shared<const Connection_graph>(std::move(graph)), time_scale) {}
 
-  const Connection_graph& graph() const { return graph_; }
+  const Connection_graph& graph() const { return *graph_; }
 
   // the heat that comes from a source
   Eigen::VectorXd heat(const std::vector<Source_corner>& source) const;
@@ -57,20 +60,31 @@ public:
   Eigen::VectorXcd polar_logarithm(const std::vector<Source_corner>& source) const;
 
 private:
+  Heat_transport(std::shared_ptr<const Connection_graph> graph, double time_scale);
+
   Eigen::MatrixXd diffused(const Eigen::MatrixXd& b) const;
   Eigen::MatrixXcd diffused(const Eigen::MatrixXcd& b) const;
+  Eigen::MatrixXd heats(const Vector_sources& sources) const;
+  Eigen::VectorXd weights(const std::vector<Source_corner>& source) const;
+  Eigen::MatrixXcd polar_fields(const std::vector<Source_corner>& source) const;
   Eigen::VectorXcd parallel_frames(const std::vector<Source_corner>& source) const;
   Eigen::VectorXcd outward_vectors(const std::vector<Source_corner>& source) const;
   Eigen::VectorXd distances(const std::vector<Source_corner>& source,
                             const Eigen::VectorXcd& radial) const;
   std::vector<double> pins() const;
+  template <class Values, class Ask>
+  void ask_longer(Values& values, const Eigen::VectorXd& heat, const Eigen::VectorXd& weights,
+                  const Ask& ask) const;
 
-  Connection_graph graph_;
-  double time_;
+  std::shared_ptr<const Connection_graph> graph_;
+  std::vector<std::size_t> part_; // of each vertex, see graph_parts()
+  double time_scale_, time_;
   std::vector<std::complex<double>> at_source_, at_target_; // directions of edges
   std::vector<double> masses_;                              // areas, ones at isolated vertices
   mutable std::optional<Cholesky_factorization<double>> functions_, poisson_;
   mutable std::optional<Cholesky_factorization<std::complex<double>>> vectors_;
+  mutable std::shared_ptr<const Heat_transport>
+      longer_; // by a longer time, for where no heat arrives
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

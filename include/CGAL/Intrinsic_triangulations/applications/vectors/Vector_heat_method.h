@@ -42,8 +42,8 @@ triangulations, which other ones should be made first.
 
 Vectors at vertices are those of a `Tangent_field`; at border vertices, whose angles are not scaled inside, a vector that points
 out of the surface is kept in the half of the circle beyond the border. Points are places on the triangulation with vectors in the
-frame of their halfedge, as `Tangent_vector`; `surface_point(t, face_location)` makes one. Components without a source have zeros,
-as have vertices so far from it that no heat arrives in doubles: about 700 edges with the default time.
+frame of their halfedge, as `Tangent_vector`; `surface_point(t, face_location)` makes one. Components without a source have zeros. Heat falls with distance, below what doubles hold after some
+hundred edges; farther away the time is 64 times as long, and so on.
 
 Functions that are const factor matrices at first: threads must not call them at once before.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
