@@ -38,9 +38,10 @@ inline std::array<double, 3> checked_half_cotangents(const Table_face& f) {
   for (std::size_t k = 0; k < 3; ++k) {
     result[k] = f.half_cotangent(k);
     if (!std::isfinite(result[k]))
-      throw Invalid_input(Element_kind::none, 0,
-                          "a face has no area, or one too small for its cotangents; make the triangulation "
-                          "Delaunay, or build it with mollification");
+      throw Invalid_input(
+          Element_kind::none, 0,
+          "a face has no area, or one too small for its cotangents; make the triangulation "
+          "Delaunay, or build it with mollification");
   }
   return result;
 }
@@ -113,7 +114,8 @@ flat surface those of constant vectors.
 */
 template <NumberedTriangulation Triangulation>
 Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Triangulation& t) {
-  internal::expect_countable(10 * std::uint64_t{t.numbers().edge_capacity(t.mesh())}, "the matrix has many entries");
+  internal::expect_countable(10 * std::uint64_t{t.numbers().edge_capacity(t.mesh())},
+                             "the matrix has many entries");
   return internal::edge_connection_laplacian(internal::face_table(t));
 }
 

@@ -50,7 +50,9 @@ private:
   void split(std::size_t begin, std::size_t end, std::size_t axis) {
     if (end - begin < 2) return;
     const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [this](std::size_t i) { return balls_.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto at = [this](std::size_t i) {
+      return balls_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
     std::nth_element(at(begin), at(middle), at(end), [axis](const auto& a, const auto& b) {
       return a.center[axis] < b.center[axis];
     });

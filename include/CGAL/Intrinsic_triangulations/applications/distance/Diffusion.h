@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_DIFFUSION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_DIFFUSION_H
 
-#include <CGAL/Intrinsic_triangulations/operators/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

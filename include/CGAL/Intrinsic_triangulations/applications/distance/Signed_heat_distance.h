@@ -49,8 +49,7 @@ public:
   \complexity that of a sparse factorization with three times as many rows as there are vertices
   */
   template <NamedParameters NP = parameters::Parameters<>>
-  explicit Signed_heat_distance(const Triangulation& t,
-                                const NP& np = parameters::default_values())
+  explicit Signed_heat_distance(const Triangulation& t, const NP& np = parameters::default_values())
       : t_(&t), solver_(internal::face_table(with_sides(t)), cotangent_laplacian(t),
                         internal::value_or<internal::tags::time_factor>(np, 1.0)) {
     internal::expect_names<internal::tags::time_factor>(np);
@@ -79,8 +78,9 @@ public:
 private:
   static const Triangulation& with_sides(const Triangulation& t) {
     if (t.input().names().sheets > 1)
-      throw Invalid_input(Element_kind::none, 0,
-                          "signed distances need a surface with sides; this one is a cover, on which both are one");
+      throw Invalid_input(
+          Element_kind::none, 0,
+          "signed distances need a surface with sides; this one is a cover, on which both are one");
     return t;
   }
 

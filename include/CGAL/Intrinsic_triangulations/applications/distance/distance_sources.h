@@ -90,9 +90,10 @@ private:
     else if constexpr (std::same_as<Source, Polyline_source>)
       add_polyline(source.points);
     else {
-      static_assert(std::ranges::range<const Source>,
-                    "sources are vertices and halfedges of t.mesh(), objects Surface_point, Face_location or "
-                    "Polyline_source, or ranges of them");
+      static_assert(
+          std::ranges::range<const Source>,
+          "sources are vertices and halfedges of t.mesh(), objects Surface_point, Face_location or "
+          "Polyline_source, or ranges of them");
       for (const auto& s : source) add(s);
     }
   }
@@ -170,7 +171,8 @@ private:
   void add_segment(const Surface_point& p, const Surface_point& q) {
     const auto& mesh = t_.mesh();
     const Halfedge h = t_.numbers().halfedge_at(p.halfedge);
-    if (is_border(h)) throw std::invalid_argument("a source is not in a face, but beyond the border");
+    if (is_border(h))
+      throw std::invalid_argument("a source is not in a face, but beyond the border");
     const std::uint32_t f = table_.slot[t_.index(face(h, mesh))];
     std::size_t k = 0;
     while (table_.faces[f].halfedges[k] != p.halfedge) ++k;
