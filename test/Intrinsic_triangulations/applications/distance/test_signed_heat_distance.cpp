@@ -20,7 +20,6 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,32 +46,40 @@ std::vector<typename T::halfedge_descriptor> path_of_rows(const T& t,
   return path;
 }
 
-// Signed distances from a line across are a coordinate: all normals are parallel.
+// Two circles around a square torus bound a strip: all normals are parallel.
 template <class T>
-void expect_coordinate(const T& t, const Shape& s, std::uint32_t n, std::uint32_t x0) {
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t y = 0; y <= n; ++y) rows.push_back((n + 1) * y + x0);
-  IT::Signed_heat_distance signed_distance(t);
-  const Eigen::VectorXd d = signed_distance.distances(path_of_rows(t, rows));
-  std::reverse(rows.begin(), rows.end());
-  const Eigen::VectorXd back = signed_distance.distances(path_of_rows(t, rows));
-  for (std::uint32_t v = 0; v < s.points.size(); ++v) {
-    EXPECT_NEAR(d[v], s.points[v][0] - x0, 1e-10 * n);
-    EXPECT_NEAR(back[v], x0 - s.points[v][0], 1e-10 * n);
+void expect_exact_from_strip() {
+  constexpr std::uint32_t n = 12;
+  const T t(torus(n, 0));
+  std::vector<std::uint32_t> up, down; // x = 0 upwards, x = n / 2 downwards
+  for (std::uint32_t y = 0; y <= n; ++y) {
+    up.push_back(n * (y % n));
+    down.push_back(n * ((n - y) % n) + n / 2);
   }
-  for (const std::uint32_t r : rows) EXPECT_EQ(d[r], 0);
+  IT::Signed_heat_distance signed_distance(t);
+  const Eigen::VectorXd d =
+      signed_distance.distances(std::vector{path_of_rows(t, up), path_of_rows(t, down)});
+  std::reverse(up.begin(), up.end());
+  std::reverse(down.begin(), down.end());
+  const Eigen::VectorXd back =
+      signed_distance.distances(std::vector{path_of_rows(t, up), path_of_rows(t, down)});
+  for (std::uint32_t v = 0; v < n * n; ++v) {
+    const double x = v % n, half = n / 2;
+    const double expected = x < half ? std::min(x, half - x) : -std::min(x - half, n - x);
+    EXPECT_NEAR(d[v], expected, 1e-10);
+    EXPECT_NEAR(back[v], -expected, 1e-10);
+    if (expected == 0) {
+      EXPECT_EQ(d[v], 0);
+    }
+  }
 }
 
-TEST(Signed_heat_distance, from_a_line_across_a_grid_is_exact_on_every_mesh_type) {
-  const Shape s = grid(10);
-  expect_coordinate(Exact(s.input()), s, 10, 4);
-  expect_coordinate(Double(s.input()), s, 10, 0);
-  const auto on = [&s](const auto& mesh) {
-    expect_coordinate(IT::Intrinsic_triangulation<std::decay_t<decltype(mesh)>>(mesh), s, 10, 7);
-  };
-  on(mesh_of<Surface_mesh>(s));
-  on(mesh_of<Polyhedron>(s));
-  on(mesh_of<OpenMesh_triangles>(s));
+TEST(Signed_heat_distance, from_the_sides_of_a_strip_is_exact_on_every_mesh_type) {
+  expect_exact_from_strip<Exact>();
+  expect_exact_from_strip<Double>();
+  expect_exact_from_strip<IT::Intrinsic_triangulation<Surface_mesh>>();
+  expect_exact_from_strip<IT::Intrinsic_triangulation<Polyhedron_with_ids>>();
+  expect_exact_from_strip<IT::Intrinsic_triangulation<OpenMesh_triangles>>();
 }
 
 // The square [a, b]^2 in a grid, counterclockwise.
