@@ -29,11 +29,18 @@ enum class Heat_border {
 
 namespace internal {
 
+// What `Heat_distance` may be asked for.
+struct Heat_options {
+  double time_factor = 1;
+  Heat_border border = Heat_border::average;
+  unsigned iterations = 0;
+};
+
 // The heat method on a table of faces, in scaled units.
 class Heat_solver {
 public:
-  Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian, double time_factor,
-              Heat_border border, int sheets);
+  Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
+              const Heat_options& options, int sheets);
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
@@ -65,6 +72,7 @@ private:
   Pinned_laplacian poisson_;
   std::optional<Diffusion<double>> insulated_, cold_;
   std::vector<int> inside_; // the rows that are not on the border
+  unsigned iterations_;
   int sheets_;
 };
 
