@@ -38,8 +38,8 @@ struct Table_face {
   // Where the corners are in the frame of side 0, as complex numbers.
   std::array<std::complex<double>, 3> layout() const {
     const auto& l = squared_lengths;
-    const double two_l = 2 * length(0);
-    return {0, length(0), {(l[0] + l[2] - l[1]) / two_l, quadruple_area / two_l}};
+    const double base = length(0), two_l = 2 * base;
+    return {0, base, {(l[0] + l[2] - l[1]) / two_l, quadruple_area / two_l}};
   }
 };
 

@@ -80,8 +80,9 @@ TEST(Harmonic_map, of_a_flat_disk_with_its_own_border_is_the_identity) {
 
 TEST(Harmonic_map, to_the_circle_is_injective_by_certificate_if_edges_are_Delaunay) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    Shape s = rough_grid(10, 0.35, 1.5, seed);
-    for (auto& p : s.points) p[1] *= 0.05; // slivers
+    Shape s = rough_grid(10, 0.35, seed % 2 == 0 ? 0.4 : 0, seed);
+    if (seed % 2 == 1)
+      for (auto& p : s.points) p[1] *= 0.05; // slivers
     Exact t = delaunay_of(s);
     const IT::Map_certificate certificate = IT::certify_map(t, IT::harmonic_map(t));
     EXPECT_TRUE(certificate.is_injective()) << seed;
@@ -96,8 +97,8 @@ TEST(Harmonic_map, to_the_circle_is_injective_by_certificate_if_edges_are_Delaun
 TEST(Harmonic_map, flips_faces_where_weights_are_negative_and_the_certificate_says_so) {
   bool is_any_flipped = false;
   for (unsigned seed = 1; seed <= 10; ++seed) {
-    Shape s = rough_grid(10, 0.35, 1.5, seed);
-    for (auto& p : s.points) p[1] *= 0.02;
+    Shape s = rough_grid(10, 0.35, 0, seed);
+    for (auto& p : s.points) p[1] *= 0.05;
     const Exact t(s.input());
     const IT::Map_certificate c = IT::certify_map(t, IT::harmonic_map(t));
     is_any_flipped = is_any_flipped || c.flipped > 0;
@@ -108,7 +109,7 @@ TEST(Harmonic_map, flips_faces_where_weights_are_negative_and_the_certificate_sa
 }
 
 TEST(Harmonic_map, reaches_the_corners_of_a_polygon) {
-  const Shape s = rough_grid(12, 0.2, 0.8, 2);
+  const Shape s = rough_grid(12, 0.05, 0.1, 2); // corners of the grid come to corners of the square
   const Exact t = delaunay_of(s);
   const std::vector<std::array<double, 2>> square{{0, 0}, {3, 0}, {3, 3}, {0, 3}};
   const IT::Border_map border = IT::polygonal_border(t, square);

@@ -26,7 +26,8 @@ struct Heat {
 
   // the value, as a multiple of 2^(-step * l)
   Scalar at(Eigen::Index r, int l) const {
-    return value[r] * std::ldexp(1.0, step * (l - level[static_cast<std::size_t>(r)]));
+    const int steps = l - level[static_cast<std::size_t>(r)];
+    return steps == 0 ? value[r] : value[r] * std::ldexp(1.0, step * steps);
   }
 };
 

@@ -67,6 +67,7 @@ private:
                                       const std::array<double, 3>& u);
 
   Face_table table_;
+  double mean_edge_;
   double time_;
   std::vector<int> component_;
   Pinned_laplacian poisson_;

@@ -109,20 +109,19 @@ Heat_solver::heat(const Source_places& sources, const Pinned_laplacian::Pins& pi
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
 Heat_solver::initial_heat(const Source_places& sources) const {
-  const double unit = table_.mean_edge_length();
   Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table_.number_of_rows));
   for (const int row : sources.rows) start[row] += 1;
   for (const Source_side& s : sources.sides) {
     const Table_face& f = table_.faces[s.face];
     for (const std::size_t k : {s.side, (s.side + 1) % 3})
-      start[f.rows[k]] += f.length(s.side) / (2 * unit);
+      start[f.rows[k]] += f.length(s.side) / (2 * mean_edge_);
   }
   for (const Source_segment& s : sources.segments) {
     const Table_face& f = table_.faces[s.face];
     const auto corners = f.layout();
     const double length =
         std::abs(place_in_layout(corners, s.to) - place_in_layout(corners, s.from));
-    const double strength = s.from == s.to ? 1 : length / unit;
+    const double strength = s.from == s.to ? 1 : length / mean_edge_;
     for (std::size_t k = 0; k < 3; ++k) start[f.rows[k]] += strength * (s.from[k] + s.to[k]) / 2;
   }
   return start;
@@ -146,12 +145,13 @@ Heat_solver::divergence(const Heat<double>& heat) const {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::complex<double>
 Heat_solver::descent(const std::array<std::complex<double>, 3>& corners,
                      const std::array<double, 3>& u) {
-  const double greatest = std::max({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])});
+  const double first = u[1] - u[0], second = u[2] - u[0];
+  const double greatest = std::max(std::abs(first), std::abs(second));
   if (!(greatest > 0)) return 0;
-  std::complex<double> gradient = 0; // up to a positive factor
-  const std::complex<double> i(0, 1);
-  for (std::size_t k = 0; k < 3; ++k)
-    gradient += u[k] / greatest * (i * (corners[(k + 2) % 3] - corners[(k + 1) % 3]));
+  // up to a positive factor: sides by values, a quarter turn to the left; sides sum to zero
+  std::complex<double> gradient =
+      first / greatest * (corners[0] - corners[2]) + second / greatest * (corners[1] - corners[0]);
+  gradient = {-gradient.imag(), gradient.real()};
   const double norm = std::abs(gradient);
   return norm > 0 ? -gradient / norm : 0;
 }

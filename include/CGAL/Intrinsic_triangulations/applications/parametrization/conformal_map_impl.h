@@ -91,7 +91,7 @@ least_squares_conformal_map(const Face_table& table, const Eigen::SparseMatrix<d
 class Border_spectrum {
 public:
   Border_spectrum(const Complex_matrix& c, const Disk_border& border)
-      : weight_(Eigen::VectorXd::Zero(c.rows())), factored_(shifted(c, border)) {}
+      : weight_(Eigen::VectorXd::Zero(c.rows())), matrix_(shifted(c, border)), factored_(matrix_) {}
 
   Eigen::VectorXcd first() const {
     const Eigen::Index n = std::min<Eigen::Index>(vectors, (weight_.array() > 0).count() - 1);
@@ -102,14 +102,10 @@ public:
     double last = 0;
     for (int round = 0; round < rounds; ++round) {
       remove_constants(w);
-      const Eigen::MatrixXcd weighted = weight_.asDiagonal() * w;
-      const Eigen::MatrixXcd next = factored_.solve(weighted);
-      // Rayleigh and Ritz, for the inverse: in the space of the new vectors
-      const Eigen::MatrixXcd mass = next.adjoint() * weight_.asDiagonal() * next,
-                             form = next.adjoint() * weighted;
-      const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> ritz(
-          (form + form.adjoint()) / 2, mass);
-      w = next * ritz.eigenvectors();
+      w = orthonormal(factored_.solve(Eigen::MatrixXcd(weight_.asDiagonal() * w)));
+      const Eigen::MatrixXcd form = w.adjoint() * (matrix_ * w);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> ritz((form + form.adjoint()) / 2);
+      w *= ritz.eigenvectors();
       const double least = ritz.eigenvalues()[0];
       if (std::abs(least - last) <= 1e-10 * least + 1e-15) break;
       last = least;
@@ -142,8 +138,24 @@ private:
     }
   }
 
+  // By Gram and Schmidt, twice, in the inner product of B: one solution makes nearly parallel vectors of all, where an
+  // eigenvalue is zero.
+  Eigen::MatrixXcd orthonormal(Eigen::MatrixXcd w) const {
+    for (Eigen::Index k = 0; k < w.cols(); ++k)
+      for (int time = 0; time < 2; ++time) {
+        w.col(k) /= w.col(k).cwiseAbs().maxCoeff();
+        for (Eigen::Index i = 0; i < k; ++i) {
+          const std::complex<double> along = w.col(i).dot(weight_.asDiagonal() * w.col(k));
+          w.col(k) -= along * w.col(i);
+        }
+        w.col(k) /= std::sqrt(std::real(w.col(k).dot(weight_.asDiagonal() * w.col(k))));
+      }
+    return w;
+  }
+
   static constexpr double shift = 1e-9;
   Eigen::VectorXd weight_;
+  Complex_matrix matrix_;
   Cholesky_factorization<std::complex<double>> factored_;
 };
 
