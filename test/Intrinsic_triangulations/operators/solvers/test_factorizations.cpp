@@ -3,10 +3,10 @@
 
 #include "operator_test_meshes.h"
 
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -74,33 +74,19 @@ inline Eigen::SparseMatrix<double> free_selection(const std::vector<int>& place,
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::uint32_t>
 rows_with_constant_kernel(const Eigen::SparseMatrix<double>& a) {
-  const auto size = static_cast<std::size_t>(a.cols());
-  std::vector<std::size_t> parent(size);
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&parent](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  std::vector<char> is_zero_sum(size, 0);
+  const std::vector<std::uint32_t> component = components_of_matrix(a);
+  std::vector<char> has_kernel(component.size(), 1);
   for (int c = 0; c < a.outerSize(); ++c) {
     double sum = 0, absolute = 0;
     for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i) {
       sum += i.value();
       absolute += std::abs(i.value());
-      if (i.value() != 0)
-        parent[root(static_cast<std::size_t>(i.row()))] = root(static_cast<std::size_t>(c));
     }
-    is_zero_sum[static_cast<std::size_t>(c)] = std::abs(sum) <= 0x1p-46 * absolute ? 1 : 0;
+    if (std::abs(sum) > 0x1p-46 * absolute) has_kernel[component[static_cast<std::size_t>(c)]] = 0;
   }
-  std::vector<char> has_kernel(size, 1);
-  for (std::size_t c = 0; c < size; ++c)
-    if (is_zero_sum[c] == 0) has_kernel[root(c)] = 0;
   std::vector<std::uint32_t> rows;
-  for (std::size_t c = 0; c < size; ++c)
-    if (has_kernel[root(c)] != 0) {
-      rows.push_back(static_cast<std::uint32_t>(c));
-      has_kernel[root(c)] = 0; // found
-    }
+  for (std::uint32_t r = 0; r < component.size(); ++r)
+    if (component[r] == r && has_kernel[r] != 0) rows.push_back(r);
   return rows;
 }
 

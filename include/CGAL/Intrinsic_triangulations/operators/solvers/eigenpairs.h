@@ -17,7 +17,8 @@ struct Eigenpairs {
 };
 
 /*!
-\brief computes the smallest eigenvalues of `a x = lambda m x`, and their eigenvectors, by the Lanczos method of Spectra, inverted near zero.
+\brief computes the smallest eigenvalues of `a x = lambda m x`, and their eigenvectors, by the Lanczos method of Spectra, inverted near
+zero, several times until none is missing of eigenvalues that are several times there.
 
 With `a` the cotangent Laplacian and `m` a mass matrix they are the squared frequencies and modes of the surface: zero once for each of its
 components, with constants there.
