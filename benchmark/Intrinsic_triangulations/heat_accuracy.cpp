@@ -76,8 +76,20 @@ int main(int argc, char** argv) {
   try {
     std::vector<std::string> names(argv + std::min(argc, 2), argv + argc);
     if (names.empty())
-      names = {"mech-holes-shark", "turbine", "camel", "mannequin-devil", "poly2x^2+y^2-0.062500", "bull",
-               "anchor", "homer", "man", "polygon_mesh", "ChineseDragon-10kv", "cheese", "elephant", "fandisk"};
+      names = {"mech-holes-shark",
+               "turbine",
+               "camel",
+               "mannequin-devil",
+               "poly2x^2+y^2-0.062500",
+               "bull",
+               "anchor",
+               "homer",
+               "man",
+               "polygon_mesh",
+               "ChineseDragon-10kv",
+               "cheese",
+               "elephant",
+               "fandisk"};
     nlohmann::json result;
     for (const std::string& name : names) {
       result[name] = measure(read_mesh(mesh_directory(argc, argv), name));

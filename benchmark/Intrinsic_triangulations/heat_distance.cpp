@@ -114,7 +114,8 @@ int main(int argc, char** argv) {
   try {
     const std::size_t repetitions = argc > 2 ? std::stoul(argv[2]) : 5;
     std::vector<std::string> names(argv + std::min(argc, 3), argv + argc);
-    if (names.empty()) names = {"armadillo", "camel", "bunny00", "refined_elephant", "man", "fandisk"};
+    if (names.empty())
+      names = {"armadillo", "camel", "bunny00", "refined_elephant", "man", "fandisk"};
     nlohmann::json result;
     for (const std::string& name : names) {
       result[name] = measure(read_mesh(mesh_directory(argc, argv), name), repetitions);

@@ -24,7 +24,8 @@ double mean_error(const IT::Corresponding_triangulation& t, const Mesh& mesh) {
   const Eigen::VectorXd d = heat.distances(source).head(mesh.number_of_vertices());
   //! [distance]
   const std::vector<double> exact = IT::Polyhedral_distance(t, source).distances();
-  return (d - Eigen::Map<const Eigen::VectorXd>(exact.data(), d.size())).cwiseAbs().mean() / d.mean();
+  return (d - Eigen::Map<const Eigen::VectorXd>(exact.data(), d.size())).cwiseAbs().mean() /
+         d.mean();
 }
 
 int main(int argc, char* argv[]) {
@@ -38,6 +39,7 @@ int main(int argc, char* argv[]) {
   IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_edge_length(0.1));
   //! [refine]
   const double refined = mean_error(t, mesh);
-  std::cout << "mean error: " << as_is << ", Delaunay " << delaunay << ", refined " << refined << '\n';
+  std::cout << "mean error: " << as_is << ", Delaunay " << delaunay << ", refined " << refined
+            << '\n';
   return refined < delaunay && delaunay < as_is ? 0 : 1;
 }

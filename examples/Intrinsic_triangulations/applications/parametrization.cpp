@@ -41,15 +41,22 @@ int main() {
   //! [corners]
   const Eigen::MatrixX2d of_mesh = IT::copy_to_input(t, uv); // a row per vertex of the mesh
   const IT::Common_subdivision s = IT::common_subdivision(t);
-  const Eigen::MatrixX2d of_subdivision = IT::interpolation_from_intrinsic(s) * uv; // s.corner[c] is a row
+  const Eigen::MatrixX2d of_subdivision =
+      IT::interpolation_from_intrinsic(s) * uv; // s.corner[c] is a row
   //! [corners]
   //! [conformal]
   const IT::Map_distortion harmonic = IT::measure_distortion(t, uv),
-                           least_squares = IT::measure_distortion(t, IT::least_squares_conformal_map(t)),
+                           least_squares =
+                               IT::measure_distortion(t, IT::least_squares_conformal_map(t)),
                            spectral = IT::measure_distortion(t, IT::spectral_conformal_map(t));
   //! [conformal]
-  std::cout << "injective as is: " << is_injective_as_is << ", refined: " << certificate.is_injective() << "; " << of_mesh.rows() << " vertices, "
-            << of_subdivision.rows() << " of the subdivision\nquasi-conformal: harmonic " << harmonic.mean_quasi_conformal
-            << ", least squares " << least_squares.mean_quasi_conformal << ", spectral " << spectral.mean_quasi_conformal << '\n';
-  return certificate.is_injective() && spectral.mean_quasi_conformal < harmonic.mean_quasi_conformal ? 0 : 1;
+  std::cout << "injective as is: " << is_injective_as_is
+            << ", refined: " << certificate.is_injective() << "; " << of_mesh.rows()
+            << " vertices, " << of_subdivision.rows()
+            << " of the subdivision\nquasi-conformal: harmonic " << harmonic.mean_quasi_conformal
+            << ", least squares " << least_squares.mean_quasi_conformal << ", spectral "
+            << spectral.mean_quasi_conformal << '\n';
+  return certificate.is_injective() && spectral.mean_quasi_conformal < harmonic.mean_quasi_conformal
+             ? 0
+             : 1;
 }

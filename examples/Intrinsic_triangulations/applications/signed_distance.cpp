@@ -20,7 +20,9 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 int main() {
   Mesh mesh; // a square of 30 x 30 cells
-  CGAL::make_grid(30, 30, mesh, [](std::size_t i, std::size_t j) { return Mesh::Point(double(i), double(j), 0); }, true);
+  CGAL::make_grid(
+      30, 30, mesh,
+      [](std::size_t i, std::size_t j) { return Mesh::Point(double(i), double(j), 0); }, true);
   const IT::Intrinsic_triangulation<Mesh> t(mesh);
 
   //! [loop]
@@ -33,10 +35,12 @@ int main() {
     return true;
   };
   for (const auto h : halfedges(t.mesh()))
-    if (!is_border_edge(h, t.mesh()) && is_inside(face(h, t.mesh())) && !is_inside(face(opposite(h, t.mesh()), t.mesh())))
+    if (!is_border_edge(h, t.mesh()) && is_inside(face(h, t.mesh())) &&
+        !is_inside(face(opposite(h, t.mesh()), t.mesh())))
       loop.push_back(h);
   const Eigen::VectorXd d = IT::Signed_heat_distance(t).distances(loop);
   //! [loop]
-  std::cout << "from " << d.minCoeff() << " in the middle to " << d.maxCoeff() << " in the corners\n";
+  std::cout << "from " << d.minCoeff() << " in the middle to " << d.maxCoeff()
+            << " in the corners\n";
   return d.minCoeff() < -4 && d.maxCoeff() > 13 && (d.array() == 0).count() == 40 ? 0 : 1;
 }

@@ -38,8 +38,8 @@ typename T::vertex_descriptor vertex_of_row(const T& t, std::uint32_t row) {
 }
 
 template <class T>
-std::vector<typename T::vertex_descriptor> vertices_of_rows(const T& t,
-                                                            const std::vector<std::uint32_t>& rows) {
+std::vector<typename T::vertex_descriptor>
+vertices_of_rows(const T& t, const std::vector<std::uint32_t>& rows) {
   std::vector<typename T::vertex_descriptor> result;
   for (const std::uint32_t r : rows) result.push_back(vertex_of_row(t, r));
   return result;
@@ -123,8 +123,7 @@ TEST(Heat_distance, is_zero_at_each_of_many_sources_and_never_below_the_chord) {
     for (const std::uint32_t r : rows) EXPECT_EQ(d[r], 0);
     for (std::uint32_t v = 0; v < s.points.size(); ++v) {
       double chord = infinity;
-      for (const std::uint32_t r : rows)
-        chord = std::min(chord, (s.point(v) - s.point(r)).norm());
+      for (const std::uint32_t r : rows) chord = std::min(chord, (s.point(v) - s.point(r)).norm());
       EXPECT_GE(d[v], chord * (1 - 1e-15)) << many << " sources, vertex " << v;
       EXPECT_LT(d[v], 20);
     }
@@ -133,8 +132,8 @@ TEST(Heat_distance, is_zero_at_each_of_many_sources_and_never_below_the_chord) {
 
 TEST(Heat_distance, of_inserted_vertices_is_not_below_the_chord_either) {
   const Shape s = rough_grid(6, 0.3, 0.6, 2);
-  IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, IT::Integer_coordinates> t(
-      s.input());
+  IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, IT::Integer_coordinates>
+      t(s.input());
   IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_edge_length(0.4));
   const Vector d = IT::Heat_distance(t).distances(vertex_of_row(t, 0));
   ASSERT_GT(d.size(), 49);
@@ -173,7 +172,8 @@ TEST(Heat_distance, of_few_sources_by_multipliers_is_that_by_elimination) {
 TEST(Heat_distance, is_infinite_where_there_is_no_source) {
   Shape two = tetrahedron();
   const std::size_t n = two.points.size();
-  for (std::size_t i = 0; i < n; ++i) two.points.push_back({5 + two.points[i][0], 0, two.points[i][2]});
+  for (std::size_t i = 0; i < n; ++i)
+    two.points.push_back({5 + two.points[i][0], 0, two.points[i][2]});
   for (std::size_t i = 0; i < n; ++i) {
     const auto& f = two.triangles[i];
     two.triangles.push_back({f[0] + 4, f[1] + 4, f[2] + 4});
@@ -311,9 +311,11 @@ TEST(Heat_distance, refuses_what_makes_no_sense) {
   const auto f = faces(t.mesh()).begin();
   const auto first = t.numbers().halfedge(halfedge(*f, t.mesh())),
              last = t.numbers().halfedge(halfedge(*std::prev(faces(t.mesh()).end()), t.mesh()));
-  EXPECT_THROW(heat.distances(IT::Polyline_source{{{first, {0.4, 0.3, 0.3}}, {last, {0.4, 0.3, 0.3}}}}),
-               std::invalid_argument);
-  EXPECT_NEAR(heat.time() / IT::Heat_distance(t, IT::parameters::time_factor(0.5)).time(), 2, 1e-15);
+  EXPECT_THROW(
+      heat.distances(IT::Polyline_source{{{first, {0.4, 0.3, 0.3}}, {last, {0.4, 0.3, 0.3}}}}),
+      std::invalid_argument);
+  EXPECT_NEAR(heat.time() / IT::Heat_distance(t, IT::parameters::time_factor(0.5)).time(), 2,
+              1e-15);
 }
 
 TEST(Heat_distance, on_a_sphere_and_a_cylinder_is_near_the_closed_form) {

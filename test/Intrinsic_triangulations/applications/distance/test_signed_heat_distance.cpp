@@ -121,7 +121,8 @@ TEST(Signed_heat_distance, of_a_loop_is_negative_inside_and_zero_on_it) {
   EXPECT_LT(with_gap[(n + 1) * 20 + 20], -5);
   EXPECT_GT(with_gap[0], 5);
   // two loops
-  const auto two = std::vector{path_of_rows(t, square_loop(n, 4, 12)), path_of_rows(t, square_loop(n, 24, 36))};
+  const auto two =
+      std::vector{path_of_rows(t, square_loop(n, 4, 12)), path_of_rows(t, square_loop(n, 24, 36))};
   const Eigen::VectorXd both = signed_distance.distances(two);
   EXPECT_LT(both[(n + 1) * 8 + 8], -2);
   EXPECT_LT(both[(n + 1) * 30 + 30], -4);
@@ -140,8 +141,7 @@ TEST(Signed_heat_distance, from_a_straight_polyline_through_faces_is_that_from_i
   }
   const IT::Shortest_path path = IT::Polyhedral_distance(t, a).shortest_path(b);
   ASSERT_GT(path.points.size(), 10U);
-  const Eigen::VectorXd d =
-      IT::Signed_heat_distance(t).distances(IT::Polyline_source{path.points});
+  const Eigen::VectorXd d = IT::Signed_heat_distance(t).distances(IT::Polyline_source{path.points});
   const Eigen::Vector3d along = (s.point(to) - s.point(from)).normalized();
   for (std::uint32_t v = 0; v < s.points.size(); ++v) {
     const Eigen::Vector3d x = s.point(v) - s.point(from);

@@ -128,10 +128,10 @@ TEST(Harmonic_map, reaches_the_corners_of_a_polygon) {
   const auto refused = [&t](const std::vector<std::array<double, 2>>& corners) {
     EXPECT_THROW(IT::polygonal_border(t, corners), std::invalid_argument);
   };
-  refused({{0, 0}, {0, 3}, {3, 3}, {3, 0}});                                     // clockwise
-  refused({{0, 0}, {1, 0}, {2, 0}, {1, 1}});                                     // a straight corner
-  refused({{0, 0}, {1, 0}});                                                     // no polygon
-  refused({{1, 0}, {-0.8, 0.6}, {0.3, -0.95}, {0.3, 0.95}, {-0.8, -0.6}});       // a star
+  refused({{0, 0}, {0, 3}, {3, 3}, {3, 0}});                               // clockwise
+  refused({{0, 0}, {1, 0}, {2, 0}, {1, 1}});                               // a straight corner
+  refused({{0, 0}, {1, 0}});                                               // no polygon
+  refused({{1, 0}, {-0.8, 0.6}, {0.3, -0.95}, {0.3, 0.95}, {-0.8, -0.6}}); // a star
   refused(std::vector<std::array<double, 2>>(1000, std::array<double, 2>{0, 0})); // a point
 }
 
@@ -206,7 +206,8 @@ TEST(Map_certificate, knows_flipped_degenerate_and_overlapping_maps) {
   const Exact t(grid(1).input()); // two triangles, 0 1 3 and 0 3 2
   const auto certify = [&t](const std::vector<double>& x) {
     Map uv(4, 2);
-    for (Eigen::Index i = 0; i < 4; ++i) uv.row(i) << x[2 * static_cast<std::size_t>(i)], x[2 * static_cast<std::size_t>(i) + 1];
+    for (Eigen::Index i = 0; i < 4; ++i)
+      uv.row(i) << x[2 * static_cast<std::size_t>(i)], x[2 * static_cast<std::size_t>(i) + 1];
     return IT::certify_map(t, uv);
   };
   EXPECT_TRUE(certify({0, 0, 1, 0, 0, 1, 1, 1}).is_injective());
@@ -259,7 +260,8 @@ TEST(Map_distortion, of_a_linear_map_is_its_singular_values) {
   const Exact t(s.input());
   Map uv(s.points.size(), 2);
   for (std::uint32_t v = 0; v < s.points.size(); ++v)
-    uv.row(v) << 3 * s.points[v][0] + 4 * s.points[v][1], 0.5 * (3 * s.points[v][1] - 4 * s.points[v][0]);
+    uv.row(v) << 3 * s.points[v][0] + 4 * s.points[v][1],
+        0.5 * (3 * s.points[v][1] - 4 * s.points[v][0]);
   const IT::Map_distortion d = IT::measure_distortion(t, uv); // a rotation, times diag(5, 2.5)
   EXPECT_NEAR(d.mean_quasi_conformal, 2, 1e-10);
   EXPECT_NEAR(d.maximum_quasi_conformal, 2, 1e-10);
@@ -287,9 +289,11 @@ TEST(Disk_border, is_refused_of_what_is_no_disk) {
   expect_no_disk(tetrahedron().input(), "no border", border);
   expect_no_disk(input(gallery::self_folded_cone()), "1 vertices", border);
   Shape two = grid(1);
-  for (std::size_t i = 0; i < 4; ++i) two.points.push_back({two.points[i][0] + 5, two.points[i][1], 0});
+  for (std::size_t i = 0; i < 4; ++i)
+    two.points.push_back({two.points[i][0] + 5, two.points[i][1], 0});
   for (std::size_t i = 0; i < 2; ++i)
-    two.triangles.push_back({two.triangles[i][0] + 4, two.triangles[i][1] + 4, two.triangles[i][2] + 4});
+    two.triangles.push_back(
+        {two.triangles[i][0] + 4, two.triangles[i][1] + 4, two.triangles[i][2] + 4});
   expect_no_disk(two.input(), "not connected", border);
   IT::Triangle_soup soup;
   soup.points = grid(2).points;
@@ -304,15 +308,19 @@ TEST(Harmonic_map, is_the_same_on_every_mesh_type_and_leaves_isolated_vertices_a
   const auto on = [&](const auto& mesh) {
     const IT::Intrinsic_triangulation<std::decay_t<decltype(mesh)>> t(mesh);
     EXPECT_LE((IT::harmonic_map(t) - expected).cwiseAbs().maxCoeff(), 1e-12);
-    EXPECT_LE((IT::least_squares_conformal_map(t) -
-               IT::least_squares_conformal_map(Exact(s.input()))).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LE(
+        (IT::least_squares_conformal_map(t) - IT::least_squares_conformal_map(Exact(s.input())))
+            .cwiseAbs()
+            .maxCoeff(),
+        1e-9);
   };
   on(mesh_of<Surface_mesh>(s));
   on(mesh_of<Polyhedron>(s));
   on(mesh_of<OpenMesh_polygons>(s));
   s.points.push_back({50, 50, 50});
   const Exact t(s.input());
-  for (const Map& uv : {IT::harmonic_map(t), IT::least_squares_conformal_map(t), IT::spectral_conformal_map(t)}) {
+  for (const Map& uv :
+       {IT::harmonic_map(t), IT::least_squares_conformal_map(t), IT::spectral_conformal_map(t)}) {
     EXPECT_EQ(uv.row(uv.rows() - 1).norm(), 0);
     EXPECT_TRUE(uv.allFinite());
     EXPECT_TRUE(IT::certify_map(t, uv).border_is_simple);

@@ -29,8 +29,7 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief is a curve through faces of an intrinsic triangulation, as a source of distances.
 
-Two consecutive points are in one face, and the curve is straight between them: what `Polyhedral_distance::shortest_path()` and
-`trace_geodesic()` return.
+Two consecutive points are in one face, and the curve is straight between them: what `Polyhedral_distance::shortest_path()` returns.
 */
 struct Polyline_source {
   /// The points, on the intrinsic triangulation.

@@ -95,7 +95,8 @@ Map_distortion measure_distortion(const Triangulation& t, const Eigen::MatrixX2d
   }
   for (const internal::Table_face& f : table.faces) {
     const internal::Face_distortion face = measure(f);
-    const double share = f.area() / area, ratio = face.area_ratio * area / of_image;
+    const double share = f.area() / area,
+                 ratio = of_image != 0 ? face.area_ratio * area / of_image : 0;
     d.mean_quasi_conformal += share * face.quasi_conformal;
     d.maximum_quasi_conformal = std::max(d.maximum_quasi_conformal, face.quasi_conformal);
     for (const double change : face.angle_changes) {
