@@ -37,10 +37,8 @@ Triangulation::vertex_descriptor first_vertex(const Triangulation& t) {
 }
 
 // Of the distances of the user's vertices from the first, by the greatest distance.
-nlohmann::json errors(const Triangulation& t, const std::vector<double>& exact,
-                      unsigned iterations = 0) {
-  const Eigen::VectorXd d =
-      IT::Heat_distance(t, parameters::number_of_iterations(iterations)).distances(first_vertex(t));
+nlohmann::json errors(const Triangulation& t, const std::vector<double>& exact) {
+  const Eigen::VectorXd d = IT::Heat_distance(t).distances(first_vertex(t));
   double sum = 0, greatest = 0, farthest = 0;
   std::size_t reached = 0;
   for (std::size_t v = 0; v < exact.size(); ++v) {
@@ -65,12 +63,10 @@ nlohmann::json measure(const Surface_mesh& mesh) {
     if (std::isfinite(d)) farthest = std::max(farthest, d);
   IT::flip_to_delaunay(t);
   result["delaunay"] = errors(t, exact);
-  result["delaunay_iterated"] = errors(t, exact, 5);
   IT::delaunay_refine(t, parameters::minimum_angle(25));
   result["by_angle"] = errors(t, exact);
   IT::delaunay_refine(t, parameters::minimum_angle(25).maximum_edge_length(farthest / 200));
   result["by_size"] = errors(t, exact);
-  result["by_size_iterated"] = errors(t, exact, 5);
   return result;
 }
 

@@ -36,7 +36,7 @@ int main(int argc, char* argv[]) {
   //! [refine]
   IT::flip_to_delaunay(t);
   const double delaunay = mean_error(t, mesh);
-  IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_edge_length(0.1));
+  IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_edge_length(2));
   //! [refine]
   const double refined = mean_error(t, mesh);
   std::cout << "mean error: " << as_is << ", Delaunay " << delaunay << ", refined " << refined

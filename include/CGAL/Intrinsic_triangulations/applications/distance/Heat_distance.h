@@ -62,8 +62,6 @@ public:
     - `border_condition(c)`: how heat behaves at the border. `Heat_border::average` takes the mean of both
       conditions, as the authors recommend, at the price of a factorization more; `Heat_border::insulated` has no flux. Default: `average`.
       Without border they are the same.
-    - `number_of_iterations(n)`: how often the distance is improved by one more solution, of which the right side has the
-      directions of its own gradient in place of that of heat (Belyaev and Fayolle 2015). Default: 0.
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if the factor is not positive and finite
   \throws std::runtime_error if rounding has left no positive definite matrix (the message names a row)
@@ -102,11 +100,10 @@ private:
   template <class NP>
   static internal::Heat_options options(const NP& np) {
     using namespace internal::tags;
-    internal::expect_names<time_factor, border_condition, number_of_iterations>(np);
+    internal::expect_names<time_factor, border_condition>(np);
     internal::Heat_options o;
     o.time_factor = internal::value_or<time_factor>(np, o.time_factor);
     o.border = internal::value_or<border_condition>(np, o.border);
-    o.iterations = internal::value_or<number_of_iterations>(np, o.iterations);
     return o;
   }
 

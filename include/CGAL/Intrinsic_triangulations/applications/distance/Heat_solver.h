@@ -16,6 +16,7 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -33,14 +34,13 @@ namespace internal {
 struct Heat_options {
   double time_factor = 1;
   Heat_border border = Heat_border::average;
-  unsigned iterations = 0;
 };
 
 // The heat method on a table of faces, in scaled units.
 class Heat_solver {
 public:
   Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-              const Heat_options& options, int sheets);
+              const Heat_options& options, std::uint32_t sheets);
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
@@ -73,8 +73,7 @@ private:
   Pinned_laplacian poisson_;
   std::optional<Diffusion<double>> insulated_, cold_;
   std::vector<int> inside_; // the rows that are not on the border
-  unsigned iterations_;
-  int sheets_;
+  std::uint32_t sheets_;
 };
 
 } // namespace internal

@@ -22,7 +22,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The lumped mass matrix, as a diagonal.
-inline Eigen::VectorXd row_areas(const Face_table& table, int sheets) {
+inline Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_rows));
   for (const Table_face& f : table.faces)
     for (const int row : f.rows) areas[row] += f.area() / 3 / sheets;
@@ -42,10 +42,10 @@ inline Eigen::SparseMatrix<double> plus_diagonal(Eigen::SparseMatrix<double> m,
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Heat_solver::Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-                         const Heat_options& options, int sheets)
-    : table_(std::move(table)), time_(options.time_factor * std::pow(table_.mean_edge_length(), 2)),
-      component_(table_.components()), poisson_(laplacian, component_),
-      iterations_(options.iterations), sheets_(sheets) {
+                         const Heat_options& options, std::uint32_t sheets)
+    : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
+      time_(options.time_factor * mean_edge_ * mean_edge_), component_(table_.components()),
+      poisson_(laplacian, component_), sheets_(sheets) {
   if (!(options.time_factor > 0) || !std::isfinite(time_))
     throw std::invalid_argument("the time factor must be positive and finite");
   const Eigen::SparseMatrix<double> flow =
@@ -59,10 +59,6 @@ Heat_solver::distances(const Source_places& sources, const Chord_bound& chord,
                        const std::vector<std::array<double, 3>>& positions) {
   const Pinned_laplacian::Pins pins = distances_near_sources(table_, sources);
   Eigen::VectorXd d = poisson_.solve(divergence(heat(sources, pins)), pins);
-  for (unsigned i = 0; i < iterations_; ++i) { // what falls away from the sources is -d
-    const Eigen::VectorXd falling = d.unaryExpr([](double x) { return std::isfinite(x) ? -x : 0; });
-    d = poisson_.solve(divergence({falling, std::vector<int>(component_.size(), 0)}), pins);
-  }
   for (Eigen::Index r = 0; r < d.size(); ++r) {
     if (pins.count(static_cast<int>(r)) == 0) {
       double bound = 0;

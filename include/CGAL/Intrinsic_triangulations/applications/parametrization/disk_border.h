@@ -34,7 +34,7 @@ struct Disk_border {
 };
 
 // \throws Invalid_input if the surface is no disk with three vertices on its border, or a cover
-Disk_border disk_border(const Face_table& table, int sheets);
+Disk_border disk_border(const Face_table& table, std::uint32_t sheets);
 template <NumberedTriangulation Triangulation>
 Disk_border disk_border(const Triangulation& t) {
   return disk_border(face_table(t), t.input().names().sheets);

@@ -31,7 +31,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
                           "; cut it along edges first");
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Disk_border disk_border(const Face_table& table, int sheets) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Disk_border disk_border(const Face_table& table,
+                                                             std::uint32_t sheets) {
   if (sheets > 1) throw_no_disk("is a cover");
   std::set<int> rows;
   for (const Table_face& f : table.faces) rows.insert(f.rows.begin(), f.rows.end());
