@@ -14,6 +14,12 @@ void run_delaunay(const Options& options);
 void run_transfer(const Options& options);
 /// makes curves geodesic, refines with them as constraints if that is asked for, and writes what is asked for.
 void run_geodesic(const Options& options);
+/// transports tangent vectors from some vertices to all.
+void run_transport(const Options& options);
+/// unrolls the surface about a point.
+void run_logmap(const Options& options);
+/// finds the smoothest field of directions.
+void run_field(const Options& options);
 /// computes eigenvalues and eigenfunctions of the Laplacian.
 void run_eigen(const Options& options);
 /// deforms the surface by moving some of its vertices.

@@ -108,6 +108,43 @@ void add_geodesic(CLI::App& app, Options& options, Command& chosen) {
   command.callback([&chosen] { chosen = program::run_geodesic; });
 }
 
+void add_transport(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "transport", "take tangent vectors from some vertices to all, along shortest paths");
+  program::add_application_options(command, options);
+  program::add_time_option(command, options);
+  command
+      .add_option("--vectors", options.application.vectors,
+                  "text file: on each line the number of a vertex, an angle in degrees from the "
+                  "first edge there, and a length or none")
+      ->required();
+  command.callback([&chosen] { chosen = program::run_transport; });
+}
+
+void add_logmap(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "logmap", "unroll the surface about a point: directions and distances from there");
+  program::add_application_options(command, options, true);
+  program::add_time_option(command, options);
+  command.add_option("--method", options.method, "how: affine (default) or polar")
+      ->check(CLI::IsMember({"affine", "polar"}));
+  command.callback([&chosen] { chosen = program::run_logmap; });
+}
+
+void add_field(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command =
+      *app.add_subcommand("field", "find the smoothest field of vectors, lines or crosses");
+  program::add_application_options(command, options);
+  command
+      .add_option(
+          "--degree", options.application.degree,
+          "how many directions at a vertex are alike: 1 vectors (default), 2 lines, 4 crosses")
+      ->check(CLI::Range(1, 12));
+  command.add_option("--vectors", options.application.vectors,
+                     "text file of vectors that are kept, as for transport");
+  command.callback([&chosen] { chosen = program::run_field; });
+}
+
 void add_eigen(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
       "eigen", "compute the smallest eigenvalues of the Laplacian, and their eigenfunctions");
@@ -166,6 +203,9 @@ int run(int argc, char** argv) {
   add_laplacian(app, options, chosen);
   add_transfer(app, options, chosen);
   add_geodesic(app, options, chosen);
+  add_transport(app, options, chosen);
+  add_logmap(app, options, chosen);
+  add_field(app, options, chosen);
   add_eigen(app, options, chosen);
   add_edit(app, options, chosen);
   add_info(app, options, chosen);
@@ -176,7 +216,8 @@ int run(int argc, char** argv) {
     if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
       std::cerr << "intrinsic: there is no command \""
                 << program::legible(argv[1], program::longest_argument)
-                << "\"; use delaunay, refine, laplacian, transfer, geodesic, eigen, edit, info or "
+                << "\"; use delaunay, refine, laplacian, transfer, geodesic, transport, logmap, "
+                   "field, eigen, edit, info or "
                    "study, or --help\n";
       return program::misused;
     }

@@ -226,7 +226,8 @@ void add_refinement_options(CLI::App& command, Options& options) {
       ->check(positive());
 }
 
-void add_adaptive_options(CLI::App& command, Options& options) {
+// The vertex may be named by another option.
+void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex) {
   Adaptive_criteria& a = options.adaptive;
   CLI::Option* const adaptive =
       command.add_flag("--adaptive", a.is_asked_for,
@@ -234,7 +235,8 @@ void add_adaptive_options(CLI::App& command, Options& options) {
   for (const char* other : {"--max-circumradius", "--max-edge-length", "--size", "--max-insertions",
                             "--order", "--conforming", "--odt"})
     adaptive->excludes(other);
-  command.add_option("--source", a.source, "the vertex; default 0")->needs(adaptive);
+  if (has_vertex)
+    command.add_option("--source", a.source, "the vertex; default 0")->needs(adaptive);
   command
       .add_option("--tolerance", a.tolerance,
                   "estimated error to be reached, in units of the root of the area; default 0.01")
@@ -245,6 +247,10 @@ void add_adaptive_options(CLI::App& command, Options& options) {
                   "cap on the number of vertices; default 100000")
       ->check(between(1, 1e9))
       ->needs(adaptive);
+}
+
+void add_adaptive_options(CLI::App& command, Options& options) {
+  add_adaptive_options(command, options, true);
 }
 
 void add_matrix_options(CLI::App& command, Options& options) {
@@ -335,7 +341,17 @@ void add_curve_output_options(CLI::App& command, Options& options) {
       ->type_name("FILE");
 }
 
-void add_application_options(CLI::App& command, Options& options) {
+// Adaptive refinement is about the first of them.
+void add_source_option(CLI::App& command, Options& options) {
+  command
+      .add_option("--source", options.application.sources,
+                  "points, separated by commas: vertices as numbered in the file, from 0, or "
+                  "face:b0:b1:b2")
+      ->required()
+      ->check(curve_points(1));
+}
+
+void add_application_options(CLI::App& command, Options& options, bool has_sources) {
   add_common_options(command, options);
   command
       .add_option("-o", options.output,
@@ -353,8 +369,16 @@ void add_application_options(CLI::App& command, Options& options) {
   add_constraint_options(command, options);
   add_metric_option(command, options);
   add_refinement_options(command, options);
-  add_adaptive_options(command, options);
+  add_adaptive_options(command, options, !has_sources);
+  if (has_sources) add_source_option(command, options);
   make_refinement_options_need(*refine, command);
+}
+
+void add_time_option(CLI::App& command, Options& options) {
+  command
+      .add_option("--time", options.application.time_factor,
+                  "how long heat flows, in squares of the mean edge length (default 1)")
+      ->check(CLI::PositiveNumber);
 }
 
 void make_refinement_options_need(CLI::Option& refine, CLI::App& command) {

@@ -39,8 +39,11 @@ void add_correspondence_options(CLI::App& command, Options& options);
 void add_curve_options(CLI::App& command, Options& options);
 /// adds what is written of curves.
 void add_curve_output_options(CLI::App& command, Options& options);
-/// adds all that commands take that solve something on the triangulation: its refinement, where results are written.
-void add_application_options(CLI::App& command, Options& options);
+/// adds all that commands take that solve something on the triangulation: its refinement, where results are written, and points from which
+/// they start, if they do.
+void add_application_options(CLI::App& command, Options& options, bool has_sources = false);
+/// adds how long heat flows.
+void add_time_option(CLI::App& command, Options& options);
 /// refuses criteria of refinement without an option.
 void make_refinement_options_need(CLI::Option& refine, CLI::App& command);
 

@@ -78,7 +78,8 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   if (viewed.field != nullptr) view.field = *viewed.field;
   view.isolines = viewed.isolines;
   view.texture = viewed.texture;
-  view.has_edges = viewed.has_edges;
+  view.has_edges = view.has_face_colors = !viewed.is_plain;
+  view.curve_width = viewed.curve_width;
   IT::write_html_view(out, s, points, view);
 }
 

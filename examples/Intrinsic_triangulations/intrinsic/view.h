@@ -24,7 +24,9 @@ struct Viewed {
   const IT::Vertex_field* field = nullptr;          ///< shown as colours; null: none
   unsigned isolines = 0;                            ///< steps between lines of equal values of it
   std::span<const std::array<double, 2>> texture{}; ///< places in the plane, or none
-  bool has_edges = true;                            ///< whether edges show at first
+  bool is_plain =
+      false; ///< whether edges are hidden at first, and faces without a field have no colours
+  double curve_width = 3.5; ///< in pixels
 };
 
 /*!

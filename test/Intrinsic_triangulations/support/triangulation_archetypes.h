@@ -195,6 +195,22 @@ private:
 };
 using Numbered_triangulation = Numbered<Values>;
 
+/// A model of `MeasuredTriangulation` and `NumberedTriangulation`, and no more.
+class Measured_and_numbered_triangulation : public Numbered<Measured_triangulation::Metric> {
+public:
+  class Const_session {
+  public:
+    explicit Const_session(const Measured_and_numbered_triangulation& t) : session_(t.t_) {}
+    double cotangent_weight(edge_descriptor e) const { return session_.cotangent_weight(e); }
+
+  private:
+    Wrapped::Const_session session_;
+  };
+
+  using Numbered::Numbered;
+  double squared_length(edge_descriptor e) const { return t_.squared_length(e); }
+};
+
 class Metric_of_corresponding : public Values {
 public:
   using Scope = Wrapped::Metric::Scope;

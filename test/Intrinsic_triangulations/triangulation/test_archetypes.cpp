@@ -4,6 +4,11 @@
 #include "triangulation_archetypes.h"
 
 #include <CGAL/Integer_only_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/direction_field.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/field_singularities.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/karcher_mean.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/voronoi_centres.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
@@ -25,6 +30,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_vector_transfer.h>
+#include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
@@ -186,6 +192,28 @@ TEST(Archetypes, measured_triangulation_is_enough_for_shapes_and_operators) {
             IT::residual_indicators(all, equation, u, f, IT::Error_norm::energy));
   EXPECT_EQ(IT::harmonic_green_function(t, 0), IT::harmonic_green_function(all, 0));
   EXPECT_EQ(IT::short_time_heat_kernel(t, 0, 0.1), IT::short_time_heat_kernel(all, 0, 0.1));
+}
+
+TEST(Archetypes, measured_and_numbered_triangulation_is_enough_for_vectors) {
+  archetypes::Wrapped all = refined(icosahedron());
+  const archetypes::Measured_and_numbered_triangulation t(all);
+  EXPECT_EQ(IT::transport_along_halfedges(t), IT::transport_along_halfedges(all));
+  EXPECT_EQ((IT::connection_laplacian(t, 4) - IT::connection_laplacian(all, 4)).norm(), 0);
+  const auto centre = [](const auto& x) {
+    const IT::Vector_heat_method heat(x);
+    const auto v = x.numbers().vertex_at(0);
+    IT::Tangent_field result = heat.transport(v, {1, 2});
+    for (const auto& z : heat.logarithmic_map(v)) result.push_back(z);
+    const IT::Surface_point p{0, {0.5, 0.25, 0.25}}, q{8, {0.2, 0.4, 0.4}};
+    result.push_back(IT::karcher_mean(heat, {{p, 1}, {q, 1}}).residual);
+    result.push_back(IT::voronoi_centres(heat, {p, q}, 3).largest_move);
+    return result;
+  };
+  EXPECT_EQ(centre(t), centre(all));
+  const IT::Direction_field field = IT::smoothest_direction_field(t, 4);
+  EXPECT_EQ(field.powers, IT::smoothest_direction_field(all, 4).powers);
+  EXPECT_EQ(IT::singularities(t, field).index, IT::singularities(all, field).index);
+  EXPECT_EQ(IT::directions_along_path(t, {*halfedges(t.mesh()).begin()}).size(), 2U);
 }
 
 TEST(Archetypes, refinable_triangulation_is_enough_for_what_moves_vertices) {

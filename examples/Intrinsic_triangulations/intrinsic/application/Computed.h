@@ -34,7 +34,7 @@ struct Computed {
   std::string command; ///< key of `json` among the statistics
   Json json;
   std::vector<Function> functions;
-  std::size_t shown = 0; ///< which of the functions a page shows
+  std::size_t shown = 0; ///< which of the functions a page shows, if there is one
   unsigned isolines = 0; ///< number of steps between lines of equal values of it
   /// Whether the first two functions are places in the plane, shown by a checkerboard.
   bool is_map = false;

@@ -88,12 +88,13 @@ void write_results_view(std::ostream& out, const Drawn_results& results, const C
   Viewed viewed;
   viewed.curves = lines;
   viewed.isolines = computed.isolines;
-  viewed.has_edges = computed.isolines == 0 && !computed.is_map && !computed.directions;
+  viewed.is_plain = computed.isolines > 0 || computed.is_map || computed.directions;
+  if (computed.directions) viewed.curve_width = 1.5;
   std::vector<std::array<double, 2>> texture;
   if (computed.is_map)
     for (std::size_t v = 0; v < results.drawn.points.size(); ++v)
       texture.push_back({results.fields[0].values[v], results.fields[1].values[v]});
-  else if (!results.fields.empty())
+  else if (computed.shown < results.fields.size())
     viewed.field = &results.fields.at(computed.shown);
   viewed.texture = texture;
   write_view(out, results.drawn.s, results.drawn.points, options, json, viewed);
@@ -143,16 +144,28 @@ void write_results(const Loaded<Triangulation>& loaded, std::optional<Drawn_subd
     });
 }
 
+// Adaptive refinement is about the first vertex from which something is computed.
+Options about_source(Options options, const std::vector<Asked_curve>& asked) {
+  if (!options.adaptive.is_asked_for || asked.empty()) return options;
+  const Asked_point& first = asked.front().points.front();
+  if (!first.is_vertex)
+    throw std::runtime_error(
+        asked.front().source +
+        ": --adaptive refines about a vertex; give one first, or another criterion");
+  options.adaptive.source = first.element;
+  return options;
+}
+
 template <class Traits>
 void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
          const Solver<Traits>& solve, Progress& progress) {
   std::optional<Drawn_subdivision> input = drawn_input(loaded, options);
   Asked_vertices find(loaded, options);
+  const std::vector<Asked_curve> asked =
+      asked_points(options, loaded.triangulation.input().number_of_rows(), loaded.facts.polygons);
   Sources sources;
-  for (const Asked_curve& points :
-       asked_points(options, loaded.triangulation.input().number_of_rows(), loaded.facts.polygons))
-    sources.push_back(find(points));
-  Json json = improve_and_measure(loaded, options, progress);
+  for (const Asked_curve& points : asked) sources.push_back(find(points));
+  Json json = improve_and_measure(loaded, about_source(options, asked), progress);
   Stopwatch watch;
   progress.show("solving");
   const Computed computed = solve(loaded.triangulation, sources);

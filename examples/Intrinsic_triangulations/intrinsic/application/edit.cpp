@@ -7,7 +7,6 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/editing/Surface_deformation.h>
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -28,11 +27,7 @@ Handles read_handles(const Options& options, std::size_t vertices) {
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (table.columns != 4) table.refuse(i, "give the number of a vertex and three coordinates");
     const double* const words = &table.values[4 * i];
-    if (!(words[0] >= 0) || words[0] >= static_cast<double>(vertices) ||
-        words[0] != std::floor(words[0]))
-      table.refuse(i, "there is no such vertex; give a number from 0 to " +
-                          std::to_string(vertices - 1));
-    handles.rows.push_back(static_cast<std::uint32_t>(words[0]));
+    handles.rows.push_back(vertex_number(table, i, words[0], vertices));
     for (Eigen::Index c = 0; c < 3; ++c)
       handles.displacements(static_cast<Eigen::Index>(i), c) = words[c + 1];
   }

@@ -91,4 +91,12 @@ Number_table read_numbers(const std::string& path) {
   return table;
 }
 
+std::uint32_t vertex_number(const Number_table& table, std::size_t row, double number,
+                            std::size_t vertices) {
+  if (!(number >= 0) || number >= static_cast<double>(vertices) || number != std::floor(number))
+    table.refuse(row, "there is no such vertex; give a number from 0 to " +
+                          std::to_string(vertices - 1));
+  return static_cast<std::uint32_t>(number);
+}
+
 } // namespace program

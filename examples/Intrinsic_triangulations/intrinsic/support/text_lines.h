@@ -61,6 +61,10 @@ struct Number_table {
   [[noreturn]] void refuse(std::size_t row, const std::string& what) const;
 };
 
+/// returns a number of a table that is the number of a vertex. \throws std::runtime_error naming the line where it is not
+std::uint32_t vertex_number(const Number_table& table, std::size_t row, double number,
+                            std::size_t vertices);
+
 /*!
 \brief reads a file of numbers, as many on each line as on the first.
 \throws std::runtime_error naming file and line

@@ -46,8 +46,10 @@ struct Html_view {
   unsigned isolines = 0;
   /// A place in the plane for each vertex, to be shown by a checkerboard; or none.
   std::span<const std::array<double, 2>> texture{};
-  /// Whether edges show at first.
-  bool has_edges = true;
+  /// Whether edges show at first, and faces without a field have colours.
+  bool has_edges = true, has_face_colors = true;
+  /// Width of curves in pixels.
+  double curve_width = 3.5;
   /// Curves on the surface, to be drawn in colours that their labels choose.
   std::span<const Polyline> curves{};
   /// What the curves were before, to be drawn thin and grey.
@@ -172,11 +174,7 @@ private:
         polygon.push_back(f);
       }
     tuples("triangles", triangles);
-    const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
-    data("colors", [&](Base64_writer& out) {
-      for (const std::size_t f : polygon)
-        for (const std::uint8_t c : colors[s_.intrinsic_face[f]]) out.put(c);
-    });
+    write_colors(polygon);
     data("sheets", [&](Base64_writer& out) {
       if (!s_.sheet.empty())
         for (const std::size_t f : polygon) out.put(s_.sheet[f]);
@@ -184,6 +182,18 @@ private:
     data("sources", [&](Base64_writer& out) {
       for (const std::size_t f : polygon)
         for (const std::uint32_t source : {s_.intrinsic_face[f], s_.input_face[f]}) out.put(source);
+    });
+  }
+
+  // The colour of each triangle, of a polygon each.
+  void write_colors(const std::vector<std::size_t>& polygon) {
+    const std::vector<Rgb_color> colors =
+        view_.has_face_colors ? intrinsic_face_colors(s_) : std::vector<Rgb_color>();
+    const Rgb_color light{226, 229, 234};
+    data("colors", [&](Base64_writer& out) {
+      for (const std::size_t f : polygon)
+        for (const std::uint8_t c : colors.empty() ? light : colors[s_.intrinsic_face[f]])
+          out.put(c);
     });
   }
 
@@ -227,7 +237,8 @@ private:
     out_.text(" data-name=\"");
     escaped(view_.field.name);
     out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\" data-isolines=\"",
-              view_.isolines, "\" data-edges=\"", view_.has_edges ? "shown" : "hidden", "\">");
+              view_.isolines, "\" data-edges=\"", view_.has_edges ? "shown" : "hidden",
+              "\" data-curve-width=\"", view_.curve_width, "\">");
     close_data([&](Base64_writer& out) {
       for (const double x : view_.field.values)
         out.put(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()

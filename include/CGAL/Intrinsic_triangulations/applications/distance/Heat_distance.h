@@ -112,11 +112,6 @@ private:
   internal::Heat_solver solver_;
 };
 
-/// \cond
-template <class Triangulation, class NP>
-Heat_distance(const Triangulation&, const NP&) -> Heat_distance<Triangulation>;
-/// \endcond
-
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_HEAT_DISTANCE_H

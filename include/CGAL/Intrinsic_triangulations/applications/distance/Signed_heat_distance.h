@@ -88,11 +88,6 @@ private:
   internal::Signed_heat_solver solver_;
 };
 
-/// \cond
-template <class Triangulation, class NP>
-Signed_heat_distance(const Triangulation&, const NP&) -> Signed_heat_distance<Triangulation>;
-/// \endcond
-
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_SIGNED_HEAT_DISTANCE_H

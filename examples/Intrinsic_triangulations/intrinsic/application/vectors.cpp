@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../commands.h"
+#include "../support/text_lines.h"
+#include "application.h"
+
+#include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/direction_field.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/field_singularities.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+namespace {
+
+/// A vertex of the mesh file, and a vector in its polar coordinates.
+struct Asked_vector {
+  std::uint32_t row;
+  std::complex<double> z;
+};
+
+// On each line the number of a vertex, an angle in degrees and, unless it is 1, a length.
+std::vector<Asked_vector> read_vectors(const Options& options, std::size_t vertices) {
+  const Number_table table = read_numbers(options.application.vectors);
+  std::vector<Asked_vector> vectors;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (table.columns != 2 && table.columns != 3)
+      table.refuse(i, "give the number of a vertex, an angle in degrees, and a length or none");
+    const double* const words = &table.values[table.columns * i];
+    const double length = table.columns == 3 ? words[2] : 1;
+    vectors.push_back({vertex_number(table, i, words[0], vertices),
+                       std::polar(1., words[1] * std::numbers::pi / 180) * length});
+  }
+  return vectors;
+}
+
+// a value per row, that of the first copy of a vertex
+template <class Triangulation, class Values, class Part>
+Eigen::VectorXd by_rows(const Triangulation& t, const Values& values, const Part& part) {
+  const IT::internal::Vertex_copies copies(t);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(t.number_of_vertices());
+  for (const auto v : vertices(t.mesh())) result[t.input_vertex(v)] = part(values[copies(v)]);
+  return result;
+}
+
+template <class Triangulation>
+Computed transport(const Triangulation& t, const Options& options) {
+  std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> sources;
+  for (const Asked_vector& v : read_vectors(options, t.input().number_of_rows()))
+    sources.push_back({t.numbers().vertex_at(t.input().names().vertex(v.row)), v.z});
+  const IT::Vector_heat_method<Triangulation> heat(t, options.application.time_factor);
+  Computed computed{"transport", {}, {}};
+  computed.directions = {heat.transport(sources), 1};
+  computed.functions.push_back(
+      {"length", by_rows(t, computed.directions->vectors,
+                         [](const std::complex<double>& z) { return std::abs(z); })});
+  computed.shown = computed.functions.size(); // none: arrows
+  computed.json = {{"sources", sources.size()},
+                   {"longest", computed.functions[0].values.maxCoeff()}};
+  return computed;
+}
+
+template <class Triangulation>
+Computed logarithmic_map(const Triangulation& t, const Sources& sources, const Options& options) {
+  if (sources.size() != 1 || sources[0].size() != 1)
+    throw std::runtime_error("logarithmic maps have one source; give one point with --source");
+  const IT::Vector_heat_method<Triangulation> heat(t, options.application.time_factor);
+  const auto log =
+      heat.logarithmic_map(sources[0][0], options.method == "polar" ? IT::Logarithm_method::polar
+                                                                    : IT::Logarithm_method::affine);
+  using Complex = std::complex<double>;
+  Computed computed{"logmap", {}, {}};
+  computed.functions = {{"u", by_rows(t, log, [](const Complex& z) { return z.real(); })},
+                        {"v", by_rows(t, log, [](const Complex& z) { return z.imag(); })}};
+  computed.is_map = true;
+  const double radius = by_rows(t, log, [](const Complex& z) { return std::abs(z); }).maxCoeff();
+  computed.json = {{"method", options.method == "polar" ? "polar" : "affine"}, {"radius", radius}};
+  return computed;
+}
+
+template <class Triangulation>
+Computed direction_field(const Triangulation& t, const Options& options) {
+  std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> fixed;
+  if (!options.application.vectors.empty())
+    for (const Asked_vector& v : read_vectors(options, t.input().number_of_rows()))
+      fixed.push_back({t.numbers().vertex_at(t.input().names().vertex(v.row)), v.z});
+  const int degree = static_cast<int>(options.application.degree);
+  const IT::Direction_field field = IT::smoothest_direction_field(t, degree, fixed);
+  const auto singular = IT::singularities(t, field);
+  int turns = 0;
+  for (const auto& [h, n] : singular.turns) turns += n;
+  Computed computed{"field", {}, {}};
+  computed.directions = {field.directions(), options.application.degree};
+  computed.json = {{"degree", degree},
+                   {"fixed", fixed.size()},
+                   {"singular_faces",
+                    singular.index.size() - static_cast<std::size_t>(std::count(
+                                                singular.index.begin(), singular.index.end(), 0))},
+                   {"index_sum", singular.sum()},
+                   {"border_turns", turns}};
+  return computed;
+}
+
+} // namespace
+
+void run_transport(const Options& options) {
+  run_application(options, [&](const auto& t, const Sources&) { return transport(t, options); });
+}
+void run_logmap(const Options& options) {
+  run_application(options, [&](const auto& t, const Sources& sources) {
+    return logarithmic_map(t, sources, options);
+  });
+}
+void run_field(const Options& options) {
+  run_application(options,
+                  [&](const auto& t, const Sources&) { return direction_field(t, options); });
+}
+
+} // namespace program

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_HEAT_TRANSPORT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_HEAT_TRANSPORT_H
+
+#include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Vectors that start at vertices, or at a point between some: with what is to be diffused of their lengths.
+struct Vector_sources {
+  explicit Vector_sources(std::size_t size)
+      : vectors(Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(size))),
+        lengths(Eigen::VectorXd::Zero(vectors.size())),
+        weights(Eigen::VectorXd::Zero(vectors.size())) {}
+
+  Eigen::VectorXcd vectors;
+  Eigen::VectorXd lengths; // or values, of functions
+  Eigen::VectorXd weights;
+};
+
+// A corner of the face of a source, or the vertex where it is.
+struct Source_corner {
+  int vertex;                  // the number of the copy
+  double weight;               // of the source; they sum to 1
+  std::complex<double> offset; // from the source to here, in the frame of the source
+  std::complex<double> frame;  // what vectors there are multiplied by in the frame here
+};
+
+// Functions and tangent vectors that are diffused for a short time, by the numbers of a graph and in scaled units. Matrices are
+// factored when they are first needed, and once.
+class Heat_transport {
+public:
+  // \param time_scale the time, in squares of the mean length of edges
+  Heat_transport(Connection_graph graph, double time_scale);
+
+  const Connection_graph& graph() const { return graph_; }
+
+  // the heat that comes from a source
+  Eigen::VectorXd heat(const std::vector<Source_corner>& source) const;
+  // the mean of the values at sources, by the heat that comes from each
+  Eigen::VectorXd extended(const Vector_sources& sources) const;
+  // the vectors from sources, with the mean of their lengths
+  Eigen::VectorXcd transported(const Vector_sources& sources) const;
+  // positions in the frame of the source, by heat whose vectors know where it is
+  Eigen::VectorXcd affine_logarithm(const std::vector<Source_corner>& source) const;
+  // angles between two fields, one of them radial, and distances of which that is the gradient
+  Eigen::VectorXcd polar_logarithm(const std::vector<Source_corner>& source) const;
+
+private:
+  Eigen::MatrixXd diffused(const Eigen::MatrixXd& b) const;
+  Eigen::MatrixXcd diffused(const Eigen::MatrixXcd& b) const;
+  Eigen::VectorXcd parallel_frames(const std::vector<Source_corner>& source) const;
+  Eigen::VectorXcd outward_vectors(const std::vector<Source_corner>& source) const;
+  Eigen::VectorXd distances(const std::vector<Source_corner>& source,
+                            const Eigen::VectorXcd& radial) const;
+  std::vector<double> pins() const;
+
+  Connection_graph graph_;
+  double time_;
+  std::vector<std::complex<double>> at_source_, at_target_; // directions of edges
+  std::vector<double> masses_;                              // areas, ones at isolated vertices
+  mutable std::optional<Cholesky_factorization<double>> functions_, poisson_;
+  mutable std::optional<Cholesky_factorization<std::complex<double>>> vectors_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_HEAT_TRANSPORT_H

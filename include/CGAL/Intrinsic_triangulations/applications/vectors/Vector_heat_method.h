@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_VECTOR_HEAT_METHOD_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_VECTOR_HEAT_METHOD_H
+
+#include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/Point_frames.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// How a logarithmic map is found.
+enum class Logarithm_method {
+  affine, ///< by heat whose vectors know where the source is: exact on flat surfaces (Soliman and Sharp 2025)
+  polar ///< by the angle between a radial and a parallel field, and the distance of which that is the gradient (Sharp et al. 2019)
+};
+
+/*!
+\brief transports tangent vectors over a surface by short-time heat flow (the vector heat method; N. Sharp, Y. Soliman, K. Crane,
+*The Vector Heat Method*, 2019), and finds logarithmic maps.
+
+    (M + t L_1) z = vectors,  (M + t L_0) u = lengths,  (M + t L_0) p = 1 at sources;    result  (z / |z|) (u / p)
+
+with the connection Laplacian L_1, the Laplacian L_0 and the lumped mass matrix M: at each vertex, the vector that arrives along
+the shortest path from the nearest source, with its length. On flat surfaces transport is exact. Matrices are factored when
+they are first needed, and once: all further sources cost triangular solves. They have nonnegative weights in Delaunay
+triangulations, which other ones should be made first.
+
+Vectors at vertices are those of a `Tangent_field`; at border vertices, whose angles are not scaled inside, a vector that points
+out of the surface is kept in the half of the circle beyond the border. Points are places on the triangulation with vectors in the
+frame of their halfedge, as `Tangent_vector`; `surface_point(t, face_location)` makes one. Components without a source have zeros,
+as have vertices so far from it that no heat arrives in doubles: about 700 edges with the default time.
+
+Functions that are const factor matrices at first: threads must not call them at once before.
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
+*/
+template <internal::Connected_triangulation Triangulation_>
+class Vector_heat_method {
+public:
+  /// the triangulation
+  using Triangulation = Triangulation_;
+  using vertex_descriptor = typename Triangulation::vertex_descriptor; ///< a vertex of it
+  using Complex = std::complex<double>; ///< a vector in the coordinates of a vertex
+
+  /*!
+  \brief reads angles, weights and areas of a triangulation.
+  \param t the triangulation, which must outlive this and not change
+  \param time_scale the time of diffusion, in squares of the mean length of the edges of `t`
+  \throws Invalid_input if a face has no area
+  \throws std::invalid_argument if the time is not positive
+  \complexity linear; the first question factors matrices
+  */
+  explicit Vector_heat_method(const Triangulation_& t, double time_scale = 1)
+      : frames_(t), heat_(internal::connection_graph(t, frames_.angles()), checked(time_scale)) {}
+
+  /// returns the triangulation.
+  const Triangulation& triangulation() const { return frames_.triangulation(); }
+
+  /// returns the mean length of the edges of the triangulation, in the units of the input.
+  double mean_edge_length() const {
+    return std::ldexp(std::sqrt(heat_.graph().squared_mean_length),
+                      -triangulation().metric().scale_exponent());
+  }
+
+  /*!
+  \brief returns the heat at all vertices that comes from a point: most of it comes from the nearest of several points.
+  \param p the point
+  \return positive numbers, by the numbers of a `Tangent_field`; zero where none arrives
+  \complexity that of solving with one factored real matrix
+  */
+  Eigen::VectorXd heat(const Surface_point& p) const { return heat_.heat(frames_.corners(p)); }
+
+  /// returns a third of the area of the faces at each vertex, by the numbers of a `Tangent_field`, up to a factor.
+  const std::vector<double>& relative_areas() const { return heat_.graph().areas; }
+
+  /*!
+  \brief extends values at vertices to all: each takes that of the nearest source, smoothly.
+  \param sources vertices and their values
+  \return values by the numbers of a `Tangent_field`, between the least and the greatest value of sources
+  \throws std::invalid_argument if there is no source, one is an isolated vertex, or a value is not finite
+  \complexity that of solving with one factored real matrix
+  */
+  Eigen::VectorXd
+  extend_scalars(const std::vector<std::pair<vertex_descriptor, double>>& sources) const {
+    internal::Vector_sources s(heat_.graph().size);
+    for (const auto& [v, value] : sources) {
+      const auto i = static_cast<Eigen::Index>(number(v));
+      add(s, i, 1, value);
+    }
+    expect_some(s);
+    return heat_.extended(s);
+  }
+
+  /// extends values at points; see above.
+  Eigen::VectorXd
+  extend_scalars(const std::vector<std::pair<Surface_point, double>>& sources) const {
+    internal::Vector_sources s(heat_.graph().size);
+    for (const auto& [p, value] : sources)
+      for (const internal::Source_corner& c : frames_.corners(p)) add(s, c.vertex, c.weight, value);
+    expect_some(s);
+    return heat_.extended(s);
+  }
+
+  /*!
+  \brief transports vectors from vertices to all vertices.
+  \param sources vertices, and vectors in their coordinates
+  \return the vectors
+  \throws std::invalid_argument as `extend_scalars()`
+  \complexity that of solving with one factored real and one factored complex matrix
+  */
+  Tangent_field transport(const std::vector<std::pair<vertex_descriptor, Complex>>& sources) const {
+    internal::Vector_sources s(heat_.graph().size);
+    for (const auto& [v, z] : sources) {
+      const std::uint32_t i = number(v);
+      add(s, i, 1, std::abs(z));
+      s.vectors[i] += frames_.from_field(i, z);
+    }
+    return transported(s);
+  }
+
+  /// transports the vector `z` from vertex `v` to all vertices; see above.
+  Tangent_field transport(vertex_descriptor v, const Complex& z) const {
+    return transport(std::vector<std::pair<vertex_descriptor, Complex>>{{v, z}});
+  }
+
+  /// transports vectors from points; see above. In a face, a vector is taken to its corners, by their weights.
+  Tangent_field transport(const std::vector<Tangent_vector>& sources) const {
+    internal::Vector_sources s(heat_.graph().size);
+    for (const Tangent_vector& v : sources) {
+      const Complex z(v.vector[0], v.vector[1]);
+      const bool is_at_corner = internal::corner_of(v.point) < 3;
+      for (const internal::Source_corner& c : frames_.corners(v.point)) {
+        add(s, c.vertex, c.weight, std::abs(z));
+        s.vectors[c.vertex] +=
+            is_at_corner ? frames_.at_corner(v.point, v.vector) : c.weight * c.frame * z;
+      }
+    }
+    return transported(s);
+  }
+
+  /// transports a vector from a point; see above.
+  Tangent_field transport(const Tangent_vector& v) const {
+    return transport(std::vector<Tangent_vector>{v});
+  }
+
+  /*!
+  \brief finds the logarithmic map of a vertex: for each vertex, the vector at `v` of which the exponential map is there, along
+  the shortest path (see `exponential_map()`). Where several paths are shortest, affine heat averages their vectors, which makes them too short.
+  \param v the vertex, not an isolated one
+  \param method how to find it
+  \return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; zero where nothing arrives
+  \throws std::invalid_argument if the vertex is isolated
+  \complexity that of solving with one factored real and twice with one factored complex matrix
+  */
+  std::vector<Complex> logarithmic_map(vertex_descriptor v,
+                                       Logarithm_method method = Logarithm_method::affine) const {
+    const std::uint32_t i = number(v);
+    std::vector<Complex> result = logarithm({{static_cast<int>(i), 1, 0, 1}}, method);
+    for (Complex& z : result) z = frames_.to_field(i, z);
+    return result;
+  }
+
+  /*!
+  \brief finds the logarithmic map of a point; see above.
+  \return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are those on the surface
+  */
+  std::vector<Complex> logarithmic_map(const Surface_point& p,
+                                       Logarithm_method method = Logarithm_method::affine) const {
+    std::vector<internal::Source_corner> corners = frames_.corners(p);
+    if (corners.size() > 1) return logarithm(corners, method);
+    corners[0].frame = 1;
+    std::vector<Complex> result = logarithm(corners, method);
+    for (Complex& z : result) z = frames_.from_corner(p, z);
+    return result;
+  }
+
+  /*!
+  \brief finds a logarithmic map between two points: interpolates one in the face of `q`.
+  \param log what `logarithmic_map(p)` has returned
+  \param p a point
+  \param q another point; in the same face, the result is exact
+  \return the vector to `q`, in the frame of `p.halfedge`
+  */
+  Complex logarithm_at(const std::vector<Complex>& log, const Surface_point& p,
+                       const Surface_point& q) const {
+    return frames_.interpolated(log, p, q);
+  }
+
+private:
+  static double checked(double time_scale) {
+    if (!(time_scale > 0) || !std::isfinite(time_scale))
+      throw std::invalid_argument("the time of diffusion must be positive, not " +
+                                  std::to_string(time_scale));
+    return time_scale;
+  }
+
+  std::uint32_t number(vertex_descriptor v) const {
+    if (frames_.is_isolated(v))
+      throw std::invalid_argument("vertex " + std::to_string(frames_.number(v)) +
+                                  " has no face, so that there are no vectors at it");
+    return frames_.number(v);
+  }
+
+  static void add(internal::Vector_sources& s, Eigen::Index i, double weight, double value) {
+    if (!std::isfinite(value))
+      throw std::invalid_argument("the values and vectors of sources must be finite");
+    s.weights[i] += weight;
+    s.lengths[i] += weight * value;
+  }
+
+  static void expect_some(const internal::Vector_sources& s) {
+    if (!(s.weights.maxCoeff() > 0))
+      throw std::invalid_argument("there must be a source; none is given");
+  }
+
+  Tangent_field transported(const internal::Vector_sources& s) const {
+    expect_some(s);
+    const Eigen::VectorXcd z = heat_.transported(s);
+    Tangent_field result(heat_.graph().size);
+    for (std::uint32_t i = 0; i < result.size(); ++i) result[i] = frames_.to_field(i, z[i]);
+    return result;
+  }
+
+  std::vector<Complex> logarithm(const std::vector<internal::Source_corner>& source,
+                                 Logarithm_method method) const {
+    const Eigen::VectorXcd z = method == Logarithm_method::affine ? heat_.affine_logarithm(source)
+                                                                  : heat_.polar_logarithm(source);
+    const double unit = std::ldexp(1., -triangulation().metric().scale_exponent());
+    std::vector<Complex> result(heat_.graph().size);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = unit * z[static_cast<Eigen::Index>(i)];
+    return result;
+  }
+
+  internal::Point_frames<Triangulation> frames_;
+  internal::Heat_transport heat_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_VECTOR_HEAT_METHOD_H

@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/exponential_map.h>
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
+
+#include "meshes.h"
+#include "operator_test_meshes.h"
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+// Logarithmic maps against closed forms, and against the exponential map.
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Complex = std::complex<double>;
+using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                          IT::Integer_coordinates>;
+using Heat = IT::Vector_heat_method<Exact>;
+using Point = std::array<double, 3>;
+constexpr double pi = std::numbers::pi;
+
+double log_test_distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+Point point_of(const Exact& t, const IT::Surface_point& p, const std::vector<Point>& points) {
+  return IT::point_in_space(t, *IT::locate_on_input(t, p), points);
+}
+
+/// The greatest distance in space between a vertex and the end of the exponential map of its logarithm, for vertices near the source.
+template <class Source>
+double worst_round_trip(const Exact& t, const Source& source, const std::vector<Complex>& log,
+                        const std::vector<Point>& points, double radius) {
+  double worst = 0;
+  for (const auto v : vertices(t.mesh())) {
+    if (t.is_inserted(v)) continue;
+    const Complex z = log[t.input_vertex(v)];
+    const IT::Geodesic g = IT::exponential_map(t, source, z);
+    const Point start = point_of(t, g.points.front(), points);
+    if (log_test_distance(start, points[t.input_vertex(v)]) > radius) continue;
+    worst = std::max(
+        worst, log_test_distance(point_of(t, g.points.back(), points), points[t.input_vertex(v)]));
+  }
+  return worst;
+}
+
+/// From every corner of every face, border vertices included: the coordinates in the plane, from there and in the frame of the side.
+TEST(Logarithmic_map, in_the_plane_is_exact_by_affine_heat_from_all_vertices) {
+  const meshes::Mesh shape = meshes::scaled(meshes::random_planar(50, 1000, 3), 0.01);
+  Exact t(shape.input());
+  IT::delaunay_refine(t, IT::parameters::minimum_angle(25));
+  const Heat heat(t);
+  std::vector<Complex> places(t.number_of_vertices());
+  const auto in_plane = [&](const IT::Surface_point& p) {
+    const Point x = point_of(t, p, shape.points);
+    return Complex(x[0], x[1]);
+  };
+  const auto corner = [&](auto h) { return IT::Surface_point{t.numbers().halfedge(h), {1, 0, 0}}; };
+  for (const auto f : faces(t.mesh()))
+    for (auto h : CGAL::halfedges_around_face(halfedge(f, t.mesh()), t.mesh()))
+      places[t.input_vertex(source(h, t.mesh()))] = in_plane(corner(h));
+  for (const auto f : faces(t.mesh()))
+    for (auto h : CGAL::halfedges_around_face(halfedge(f, t.mesh()), t.mesh())) {
+      const std::vector<Complex> log = heat.logarithmic_map(corner(h));
+      const std::uint32_t i = t.input_vertex(source(h, t.mesh())),
+                          j = t.input_vertex(target(h, t.mesh()));
+      Complex side = places[j] - places[i];
+      side /= std::abs(side);
+      double worst = 0;
+      for (std::size_t k = 0; k < log.size(); ++k)
+        worst = std::max(worst, std::abs(log[k] * side - (places[k] - places[i])));
+      EXPECT_LE(worst, 1e-7) << i;
+      EXPECT_EQ(log[i], 0.);
+    }
+}
+
+/// In polar coordinates of vertices, by the exponential map.
+TEST(Logarithmic_map, in_the_plane_is_undone_by_the_exponential_map) {
+  const meshes::Mesh shape = meshes::scaled(meshes::random_planar(50, 1000, 3), 0.01);
+  Exact t(shape.input());
+  IT::delaunay_refine(t, IT::parameters::minimum_angle(25));
+  const Heat heat(t);
+  for (const auto v : vertices(t.mesh())) {
+    if (face(halfedge(v, t.mesh()), t.mesh()) == IT::Gluing_map::Face{IT::Gluing::none})
+      continue; // from the border, lines to others there are cut by rounding
+    EXPECT_LE(worst_round_trip(t, v, heat.logarithmic_map(v), shape.points, 1e300), 1e-6);
+  }
+}
+
+TEST(Logarithmic_map, in_the_plane_is_exact_by_affine_heat_from_points_in_faces) {
+  const meshes::Mesh shape = meshes::scaled(meshes::random_planar(50, 1000, 3), 0.01);
+  Exact t(shape.input());
+  IT::flip_to_delaunay(t);
+  const Heat heat(t);
+  for (const auto f : faces(t.mesh()))
+    for (const std::array<double, 3>& w :
+         {std::array{0.2, 0.3, 0.5}, std::array{0.5, 0.5, 0.}, std::array{0.98, 0.01, 0.01}}) {
+      const IT::Surface_point p{t.numbers().halfedge(halfedge(f, t.mesh())), w};
+      EXPECT_LE(worst_round_trip(t, p, heat.logarithmic_map(p), shape.points, 1e300), 1e-6);
+    }
+}
+
+TEST(Logarithmic_map, at_a_vertex_given_as_a_point_is_that_of_the_vertex) {
+  const meshes::Mesh shape = meshes::potato(2, 5);
+  Exact t(shape.input());
+  IT::flip_to_delaunay(t);
+  const Heat heat(t);
+  for (const auto h : halfedges(t.mesh())) {
+    if (t.numbers().halfedge(h) % 17 != 0) continue;
+    const IT::Surface_point p{t.numbers().halfedge(h), {0, 1, 0}};
+    const auto v = target(h, t.mesh());
+    if (IT::gaussian_curvature(t, v) < 0) continue; // has more directions than the plane of a face
+    for (const auto method : {IT::Logarithm_method::affine, IT::Logarithm_method::polar}) {
+      const std::vector<Complex> by_point = heat.logarithmic_map(p, method),
+                                 by_vertex = heat.logarithmic_map(v, method);
+      for (std::size_t i = 0; i < by_point.size(); ++i) {
+        if (std::abs(by_vertex[i]) == 0) continue;
+        const auto a = IT::exponential_map(t, p, by_point[i] / std::abs(by_point[i]) * 0.01),
+                   b = IT::exponential_map(t, v, by_vertex[i] / std::abs(by_vertex[i]) * 0.01);
+        EXPECT_LE(log_test_distance(point_of(t, a.points.back(), shape.points),
+                                    point_of(t, b.points.back(), shape.points)),
+                  1e-7);
+        EXPECT_NEAR(std::abs(by_point[i]), std::abs(by_vertex[i]), 1e-9);
+      }
+    }
+  }
+}
+
+/// Displacements modulo the lattice, where one image of the source is much nearer than the others.
+TEST(Logarithmic_map, on_a_flat_torus_is_the_displacement) {
+  const std::uint32_t n = 24;
+  const double shear = 0.3;
+  Exact t(operator_test::torus(n, shear));
+  IT::flip_to_delaunay(t);
+  const Heat heat(t);
+  for (const auto method : {IT::Logarithm_method::affine, IT::Logarithm_method::polar}) {
+    const std::vector<Complex> log = heat.logarithmic_map(t.numbers().vertex_at(0), method);
+    const double bound = method == IT::Logarithm_method::affine ? 5e-3 : 0.15;
+    const Complex turn = log[1] / std::abs(log[1]); // to (1, 0)
+    for (int y = -3; y <= 3; ++y)
+      for (int x = -3; x <= 3; ++x) {
+        const auto i = static_cast<std::uint32_t>((y + 24) % 24 * 24 + (x + 24) % 24);
+        EXPECT_LE(std::abs(log[i] / turn - Complex(x + shear * y, y)), bound) << x << ' ' << y;
+      }
+  }
+}
+
+/// Rings of points on a surface of revolution, closed by rings of triangles: z and radius of each ring.
+meshes::Mesh revolved(std::uint32_t n, const std::vector<std::array<double, 2>>& rings) {
+  meshes::Mesh m;
+  for (std::size_t r = 0; r < rings.size(); ++r)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double a = 2 * pi * (i + 0.5 * static_cast<double>(r % 2)) / n;
+      m.points.push_back({rings[r][1] * std::cos(a), rings[r][1] * std::sin(a), rings[r][0]});
+    }
+  for (std::uint32_t r = 0; r + 1 < rings.size(); ++r)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = n * r + i, b = n * r + (i + 1) % n, c = a + n, d = b + n;
+      if (r % 2 == 0) {
+        m.triangles.push_back({a, b, c});
+        m.triangles.push_back({b, d, c});
+      } else {
+        m.triangles.push_back({a, b, d});
+        m.triangles.push_back({a, d, c});
+      }
+    }
+  return m;
+}
+
+TEST(Logarithmic_map, undoes_the_exponential_map_on_a_cylinder_and_a_cone) {
+  std::vector<std::array<double, 2>> cylinder, cone;
+  for (unsigned r = 0; r <= 24; ++r) {
+    cylinder.push_back({0.25 * r, 1});
+    cone.push_back({0.2 * r, 2 - 0.06 * r});
+  }
+  for (const meshes::Mesh& shape : {revolved(24, cylinder), revolved(24, cone)}) {
+    Exact t(shape.input());
+    IT::flip_to_delaunay(t);
+    const Heat heat(t);
+    const auto v = t.numbers().vertex_at(24 * 12);
+    // where one path is the shortest by far
+    EXPECT_LE(worst_round_trip(t, v, heat.logarithmic_map(v), shape.points, 1.5), 1e-2);
+    EXPECT_LE(worst_round_trip(t, v, heat.logarithmic_map(v, IT::Logarithm_method::polar),
+                               shape.points, 1.5),
+              0.1);
+  }
+}
+
+TEST(Logarithmic_map, converges_on_the_sphere) {
+  for (const auto method : {IT::Logarithm_method::affine, IT::Logarithm_method::polar}) {
+    std::vector<double> errors, lengths;
+    for (const unsigned levels : {3U, 4U, 5U}) {
+      const meshes::Mesh shape = meshes::sphere(levels);
+      Exact t(shape.input());
+      IT::flip_to_delaunay(t);
+      const Heat heat(t);
+      const auto v = t.numbers().vertex_at(0);
+      const std::vector<Complex> log = heat.logarithmic_map(v, method);
+      errors.push_back(worst_round_trip(t, v, log, shape.points, 1.4));
+      double worst = 0;
+      for (std::size_t i = 0; i < log.size(); ++i) {
+        const double c = shape.points[0][0] * shape.points[i][0] +
+                         shape.points[0][1] * shape.points[i][1] +
+                         shape.points[0][2] * shape.points[i][2];
+        const double r = std::acos(std::clamp(c, -1., 1.));
+        if (r < 2) worst = std::max(worst, std::abs(std::abs(log[i]) - r));
+      }
+      lengths.push_back(worst);
+    }
+    EXPECT_LT(errors[2], 0.05);
+    EXPECT_LT(lengths[2], 0.05);
+    EXPECT_LT(errors[2], 0.8 * errors[1]);
+    EXPECT_LT(lengths[2], 0.8 * lengths[1]);
+  }
+}
+
+/// Points of the sphere, not only vertices.
+TEST(Logarithmic_map, of_points_on_the_sphere_undoes_the_exponential_map) {
+  const meshes::Mesh shape = meshes::sphere(4);
+  Exact t(shape.input());
+  IT::flip_to_delaunay(t);
+  const Heat heat(t);
+  for (const std::uint32_t f : {0U, 77U, 500U})
+    for (const auto method : {IT::Logarithm_method::affine, IT::Logarithm_method::polar}) {
+      const IT::Surface_point p{t.numbers().halfedge(halfedge(t.numbers().face_at(f), t.mesh())),
+                                {0.3, 0.3, 0.4}};
+      const double e = worst_round_trip(t, p, heat.logarithmic_map(p, method), shape.points, 1.5);
+      EXPECT_LE(e, method == IT::Logarithm_method::affine ? 0.05 : 0.15); // edges have 0.1
+    }
+}
+
+} // namespace
