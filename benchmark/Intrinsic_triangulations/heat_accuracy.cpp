@@ -65,7 +65,7 @@ nlohmann::json measure(const Surface_mesh& mesh) {
   result["delaunay"] = errors(t, exact);
   IT::delaunay_refine(t, parameters::minimum_angle(25));
   result["by_angle"] = errors(t, exact);
-  IT::delaunay_refine(t, parameters::minimum_angle(25).maximum_edge_length(farthest / 200));
+  IT::delaunay_refine(t, parameters::minimum_angle(25).maximum_edge_length(farthest / 150));
   result["by_size"] = errors(t, exact);
   return result;
 }
