@@ -16,6 +16,9 @@ includes what most programs need. \ref page_reference lists all names by topic.
 \dir CGAL/Intrinsic_triangulations/operators
 \brief Matrices of finite elements, solutions, estimates of their errors and their transfer. Needs Eigen.
 
+\dir CGAL/Intrinsic_triangulations/applications
+\brief Distances, vectors, maps to the plane, editing: what is solved with operators. Needs Eigen.
+
 \dir CGAL/Intrinsic_triangulations/geodesics
 \brief Curves along edges that flips make geodesic, geodesics between points, Bezier curves, exact distances.
 

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_HEAT_SOLVER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_HEAT_SOLVER_H
+
+#include <CGAL/Intrinsic_triangulations/applications/distance/Chord_bound.h>
+#include <CGAL/Intrinsic_triangulations/applications/distance/Diffusion.h>
+#include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// How heat behaves at the border, for `Heat_distance`.
+enum class Heat_border {
+  insulated, ///< no flux: the gradient runs along the border (Neumann)
+  average    ///< the mean of that and of a border that is kept cold (Dirichlet)
+};
+
+namespace internal {
+
+// What `Heat_distance` may be asked for.
+struct Heat_options {
+  double time_factor = 1;
+  Heat_border border = Heat_border::average;
+};
+
+// The heat method on a table of faces, in scaled units.
+class Heat_solver {
+public:
+  Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
+              const Heat_options& options, std::uint32_t sheets);
+
+  const Face_table& table() const { return table_; }
+  double time() const { return table_.unscaled(table_.unscaled(time_)); }
+
+  // \return by rows, in the units of the input
+  Eigen::VectorXd distances(const Source_places& sources, const Chord_bound& chord,
+                            const std::vector<std::array<double, 3>>& positions);
+
+private:
+  static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
+
+  void make_cold_border(const Eigen::SparseMatrix<double>& flow);
+
+  Heat<double> heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const;
+
+  // Curves count by their length in mean edges, points once.
+  Eigen::VectorXd initial_heat(const Source_places& sources) const;
+
+  // of the field of unit vectors along which heat decreases
+  Eigen::VectorXd divergence(const Heat<double>& heat) const;
+
+  // the unit vector against the gradient of a function, zero if that is constant
+  static std::complex<double> descent(const std::array<std::complex<double>, 3>& corners,
+                                      const std::array<double, 3>& u);
+
+  Face_table table_;
+  double mean_edge_;
+  double time_;
+  std::vector<int> component_;
+  Pinned_laplacian poisson_;
+  std::optional<Diffusion<double>> insulated_, cold_;
+  std::vector<int> inside_; // the rows that are not on the border
+  std::uint32_t sheets_;
+};
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/applications/distance/Heat_solver_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_HEAT_SOLVER_H

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_HEAT_SOLVER_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_HEAT_SOLVER_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/applications/distance/Heat_solver.h>
+#include <CGAL/Intrinsic_triangulations/applications/distance/divergence_at_corners.h>
+#include <CGAL/Intrinsic_triangulations/applications/distance/near_distances.h>
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The lumped mass matrix, as a diagonal.
+inline Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) {
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_rows));
+  for (const Table_face& f : table.faces)
+    for (const int row : f.rows) areas[row] += f.area() / 3 / sheets;
+  return areas;
+}
+
+// Adds to a diagonal, in which zeros become ones: rows of isolated vertices.
+inline Eigen::SparseMatrix<double> plus_diagonal(Eigen::SparseMatrix<double> m,
+                                                 const Eigen::VectorXd& diagonal) {
+  for (int r = 0; r < m.cols(); ++r) {
+    double& d = m.coeffRef(r, r);
+    d += diagonal[r];
+    if (d == 0) d = 1;
+  }
+  return m;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Heat_solver::Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
+                         const Heat_options& options, std::uint32_t sheets)
+    : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
+      time_(options.time_factor * mean_edge_ * mean_edge_), component_(table_.components()),
+      poisson_(laplacian, component_), sheets_(sheets) {
+  if (!(options.time_factor > 0) || !std::isfinite(time_))
+    throw std::invalid_argument("the time factor must be positive and finite");
+  const Eigen::SparseMatrix<double> flow =
+      plus_diagonal(time_ * laplacian, row_areas(table_, sheets));
+  insulated_.emplace(flow);
+  if (options.border == Heat_border::average) make_cold_border(flow);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
+Heat_solver::distances(const Source_places& sources, const Chord_bound& chord,
+                       const std::vector<std::array<double, 3>>& positions) {
+  const Pinned_laplacian::Pins pins = distances_near_sources(table_, sources);
+  Eigen::VectorXd d = poisson_.solve(divergence(heat(sources, pins)), pins);
+  for (Eigen::Index r = 0; r < d.size(); ++r) {
+    if (pins.count(static_cast<int>(r)) == 0) {
+      double bound = 0;
+      if (const auto i = static_cast<std::size_t>(r);
+          i < positions.size() && std::isfinite(positions[i][0]))
+        bound = std::max(0.0, chord.nearest(positions[i]));
+      d[r] = std::max(d[r], bound);
+    }
+    d[r] = table_.unscaled(d[r]);
+  }
+  return d;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow) {
+  std::vector<char> is_inside(table_.number_of_rows, 1);
+  table_.for_each_border_side([&](const Table_face& f, std::size_t k) {
+    is_inside[number(f.rows[k])] = is_inside[number(f.rows[(k + 1) % 3])] = 0;
+  });
+  for (std::size_t r = 0; r < is_inside.size(); ++r)
+    if (is_inside[r] != 0) inside_.push_back(static_cast<int>(r));
+  if (inside_.size() < is_inside.size() && !inside_.empty())
+    cold_.emplace(principal_submatrix(flow, inside_));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Heat<double>
+Heat_solver::heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const {
+  std::vector<char> is_reached(table_.number_of_rows, 0);
+  for (const auto& [row, value] : pins) is_reached[number(component_[number(row)])] = 1;
+  for (std::size_t r = 0; r < is_reached.size(); ++r)
+    is_reached[r] = is_reached[number(component_[r])];
+  const Eigen::VectorXd start = initial_heat(sources);
+  Heat<double> all = (*insulated_)(start, is_reached);
+  if (cold_) {
+    std::vector<char> reached_inside;
+    for (const int r : inside_) reached_inside.push_back(is_reached[number(r)]);
+    const Heat<double> inside = (*cold_)(start(inside_), reached_inside);
+    for (std::size_t i = 0; i < inside_.size(); ++i)
+      all.value[inside_[i]] +=
+          inside.at(static_cast<Eigen::Index>(i), all.level[number(inside_[i])]);
+  }
+  return all;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
+Heat_solver::initial_heat(const Source_places& sources) const {
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table_.number_of_rows));
+  for (const int row : sources.rows) start[row] += 1;
+  for (const Source_side& s : sources.sides) {
+    const Table_face& f = table_.faces[s.face];
+    for (const std::size_t k : {s.side, (s.side + 1) % 3})
+      start[f.rows[k]] += f.length(s.side) / (2 * mean_edge_);
+  }
+  for (const Source_segment& s : sources.segments) {
+    const Table_face& f = table_.faces[s.face];
+    const auto corners = f.layout();
+    const double length =
+        std::abs(place_in_layout(corners, s.to) - place_in_layout(corners, s.from));
+    const double strength = s.from == s.to ? 1 : length / mean_edge_;
+    for (std::size_t k = 0; k < 3; ++k) start[f.rows[k]] += strength * (s.from[k] + s.to[k]) / 2;
+  }
+  return start;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
+Heat_solver::divergence(const Heat<double>& heat) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(heat.value.size());
+  for (const Table_face& f : table_.faces) {
+    int level = heat.level[number(f.rows[0])];
+    for (const int row : f.rows) level = std::min(level, heat.level[number(row)]);
+    const auto corners = f.layout();
+    const auto at_corners = divergence_at_corners(
+        corners, descent(corners, {heat.at(f.rows[0], level), heat.at(f.rows[1], level),
+                                   heat.at(f.rows[2], level)}));
+    for (std::size_t k = 0; k < 3; ++k) result[f.rows[k]] += at_corners[k] / sheets_;
+  }
+  return result;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::complex<double>
+Heat_solver::descent(const std::array<std::complex<double>, 3>& corners,
+                     const std::array<double, 3>& u) {
+  const double first = u[1] - u[0], second = u[2] - u[0];
+  const double greatest = std::max(std::abs(first), std::abs(second));
+  if (!(greatest > 0)) return 0;
+  // up to a positive factor: sides by values, a quarter turn to the left; sides sum to zero
+  std::complex<double> gradient =
+      first / greatest * (corners[0] - corners[2]) + second / greatest * (corners[1] - corners[0]);
+  gradient = {-gradient.imag(), gradient.real()};
+  const double norm = std::abs(gradient);
+  return norm > 0 ? -gradient / norm : 0;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_HEAT_SOLVER_IMPL_H

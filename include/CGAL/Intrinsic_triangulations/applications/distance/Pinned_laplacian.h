@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_H
+
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/*!
+Solves L x = b with given values in some rows, the *pins*, as for distances, the Laplacian of which is always the same and the
+pins are not: where a component has no pin, x is infinite.
+
+Of a component with one pin, x follows from any solution by adding a constant. For few pins, there are few numbers more, by
+Lagrange: L x = b + sum over pins of l_s e_s, where values are right and all l sum to zero; the factorization of L is the
+same for all of them. For more pins than that is worth, their rows are eliminated and what is left is factored, and kept
+for the next right side with pins in the same rows.
+*/
+class Pinned_laplacian {
+public:
+  using Pins = std::map<int, double>; // by rows
+
+  // \param component of each row, as the least of its rows
+  Pinned_laplacian(const Eigen::SparseMatrix<double>& laplacian, std::vector<int> component)
+      : laplacian_(laplacian), component_(std::move(component)) {}
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b, const Pins& pins);
+
+private:
+  using Factorization = Cholesky_factorization<double>;
+
+  static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
+  const Factorization& factorization();
+  Eigen::VectorXd solve_for_few(const Eigen::VectorXd& b, const Pins& pins);
+  Eigen::VectorXd solve_by_elimination(const Eigen::VectorXd& b, const Pins& pins,
+                                       const std::vector<char>& is_reached);
+  void eliminate(const std::vector<int>& rows, const Pins& pins,
+                 const std::vector<char>& is_reached);
+
+  Eigen::SparseMatrix<double> laplacian_;
+  std::vector<int> component_;
+  std::unique_ptr<Factorization> factored_;
+  std::vector<int> eliminated_rows_, free_rows_;
+  std::unique_ptr<Factorization> eliminated_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_H

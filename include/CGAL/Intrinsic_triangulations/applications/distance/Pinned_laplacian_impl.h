@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
+
+#include <Eigen/LU>
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// a factorization takes the time of about so many solutions
+inline constexpr std::size_t few_pins = 8;
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
+Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pins) {
+  std::vector<char> is_reached(component_.size(), 0); // of the least rows
+  for (const auto& [row, value] : pins) is_reached[number(component_[number(row)])] = 1;
+  Eigen::VectorXd x =
+      pins.size() <= few_pins ? solve_for_few(b, pins) : solve_by_elimination(b, pins, is_reached);
+  for (Eigen::Index r = 0; r < x.size(); ++r)
+    if (is_reached[number(component_[number(r)])] == 0)
+      x[r] = std::numeric_limits<double>::infinity();
+  for (const auto& [row, value] : pins) x[row] = value;
+  return x;
+}
+
+// To one diagonal entry per component something is added: for right sides that sum to zero, this fixes a value, zero. Isolated
+// vertices have a row of zeros.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE const Pinned_laplacian::Factorization&
+Pinned_laplacian::factorization() {
+  if (!factored_) {
+    Eigen::SparseMatrix<double> regular = laplacian_;
+    for (int r = 0; r < regular.cols(); ++r)
+      if (component_[number(r)] == r) {
+        double& diagonal = regular.coeffRef(r, r);
+        diagonal = diagonal > 0 ? 2 * diagonal : 1;
+      }
+    factored_ = std::make_unique<Factorization>(regular);
+  }
+  return *factored_;
+}
+
+// What pins of a component add to the solution in column 0; the solutions for their own strengths are from `column` on.
+inline Eigen::VectorXd correction_by_strengths(const Eigen::MatrixXd& solved, Eigen::Index column,
+                                               const std::vector<int>& rows,
+                                               const Pinned_laplacian::Pins& pins) {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(n + 1);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int row = rows[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j < n; ++j) a(i, j) = solved(row, column + j);
+    a(i, n) = a(n, i) = 1;
+    b[i] = pins.at(row) - solved(row, 0);
+  }
+  const Eigen::VectorXd l = a.fullPivLu().solve(b);
+  Eigen::VectorXd result = solved.middleCols(column, n) * l.head(n);
+  result.array() += l[n];
+  return result;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
+Pinned_laplacian::solve_for_few(const Eigen::VectorXd& b, const Pins& pins) {
+  std::map<int, std::vector<int>> rows; // the pins of each component
+  for (const auto& [row, value] : pins) rows[component_[number(row)]].push_back(row);
+  std::vector<int> sources; // rows with an unknown strength: not of single pins
+  for (const auto& [root, of_component] : rows)
+    if (of_component.size() > 1)
+      sources.insert(sources.end(), of_component.begin(), of_component.end());
+  Eigen::MatrixXd right =
+      Eigen::MatrixXd::Zero(b.size(), static_cast<Eigen::Index>(sources.size()) + 1);
+  right.col(0) = b;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    right(sources[i], static_cast<Eigen::Index>(i) + 1) = 1;
+  const Eigen::MatrixXd solved = factorization().solve(right);
+  Eigen::VectorXd x = solved.col(0);
+  Eigen::Index column = 1;
+  for (const auto& [root, of_component] : rows) {
+    Eigen::VectorXd correction;
+    if (of_component.size() == 1) {
+      correction.setConstant(x.size(), pins.at(of_component[0]) - x[of_component[0]]);
+    } else {
+      correction = correction_by_strengths(solved, column, of_component, pins);
+      column += static_cast<Eigen::Index>(of_component.size());
+    }
+    for (Eigen::Index r = 0; r < x.size(); ++r)
+      if (component_[number(r)] == root) x[r] += correction[r];
+  }
+  return x;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Pinned_laplacian::eliminate(const std::vector<int>& rows, const Pins& pins,
+                            const std::vector<char>& is_reached) {
+  free_rows_.clear();
+  for (int r = 0; r < laplacian_.cols(); ++r)
+    if (is_reached[number(component_[number(r)])] != 0 && pins.count(r) == 0)
+      free_rows_.push_back(r);
+  eliminated_rows_ = rows;
+  eliminated_.reset();
+  if (!free_rows_.empty())
+    eliminated_ = std::make_unique<Factorization>(principal_submatrix(laplacian_, free_rows_));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
+Pinned_laplacian::solve_by_elimination(const Eigen::VectorXd& b, const Pins& pins,
+                                       const std::vector<char>& is_reached) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
+  std::vector<int> rows;
+  for (const auto& [row, value] : pins) {
+    rows.push_back(row);
+    x[row] = value;
+  }
+  if (rows != eliminated_rows_) eliminate(rows, pins, is_reached);
+  if (free_rows_.empty()) return x;
+  const Eigen::VectorXd rest = b - laplacian_ * x;
+  const Eigen::VectorXd solved = eliminated_->solve(Eigen::VectorXd(rest(free_rows_)));
+  x(free_rows_) = solved;
+  return x;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_IMPL_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_SIGNED_HEAT_SOLVER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_SIGNED_HEAT_SOLVER_H
+
+#include <CGAL/Intrinsic_triangulations/applications/distance/Diffusion.h>
+#include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The signed heat method on a table of faces, in scaled units.
+class Signed_heat_solver {
+  using Complex = std::complex<double>;
+
+public:
+  Signed_heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
+                     double time_factor)
+      : table_(std::move(table)), time_(time_factor * std::pow(table_.mean_edge_length(), 2)),
+        component_(table_.components()), poisson_(laplacian, component_),
+        flow_(flow_matrix(time_factor)) {}
+
+  const Face_table& table() const { return table_; }
+  double time() const { return table_.unscaled(table_.unscaled(time_)); }
+
+  // \return by rows, in the units of the input
+  Eigen::VectorXd distances(const Source_places& curves);
+
+private:
+  static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
+
+  Eigen::SparseMatrix<Complex> flow_matrix(double time_factor) const;
+
+  // The normals on the right of the curves, diffused.
+  Heat<Complex> normals(const Source_places& curves, const Pinned_laplacian::Pins& pins) const;
+
+  // of the field of unit vectors that have the directions of the diffused normals in the middle of the faces
+  Eigen::VectorXd divergence(const Heat<Complex>& field) const;
+
+  // Zero at vertices of the curves. At the corners of a face that a curve goes through, the distance from its line there, which is
+  // linear in the face: it is zero where the curve is.
+  Pinned_laplacian::Pins signed_distances_near(const Source_places& curves) const;
+
+  Face_table table_;
+  double time_;
+  std::vector<int> component_;
+  Pinned_laplacian poisson_;
+  Diffusion<Complex> flow_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/applications/distance/Signed_heat_solver_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_SIGNED_HEAT_SOLVER_H

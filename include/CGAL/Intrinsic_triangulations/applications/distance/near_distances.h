@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_NEAR_DISTANCES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_NEAR_DISTANCES_H
+
+#include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The place of a point in the layout of its face.
+inline std::complex<double> place_in_layout(const std::array<std::complex<double>, 3>& corners,
+                                            const std::array<double, 3>& weights) {
+  return weights[1] * corners[1] + weights[2] * corners[2]; // the first corner is at 0
+}
+
+inline double distance_to_segment(std::complex<double> p, std::complex<double> a,
+                                  std::complex<double> b) {
+  const std::complex<double> along = b - a;
+  const double squared = std::norm(along);
+  const double x =
+      squared > 0 ? std::clamp(std::real(std::conj(along) * (p - a)) / squared, 0.0, 1.0) : 0;
+  return std::abs(p - a - x * along);
+}
+
+// Lowers values of rows to what they are along edges from each other, as far as the greatest goes.
+inline void lower_along_edges(const Face_table& table, std::map<int, double>& values) {
+  double farthest = 0;
+  for (const auto& [row, value] : values) farthest = std::max(farthest, value);
+  std::multimap<int, std::pair<int, double>> neighbours;
+  std::vector<char> is_near(table.number_of_rows, 0);
+  table.for_each_edge([&](const Table_face& f, std::size_t k) {
+    const double length = f.length(k);
+    if (length >= farthest) return;
+    neighbours.insert({f.rows[k], {f.rows[(k + 1) % 3], length}});
+    neighbours.insert({f.rows[(k + 1) % 3], {f.rows[k], length}});
+  });
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::map<int, double> best = values;
+  for (const auto& [row, value] : values) queue.push({value, row});
+  while (!queue.empty()) {
+    const auto [distance, row] = queue.top();
+    queue.pop();
+    if (distance > best.at(row)) continue;
+    const auto [begin, end] = neighbours.equal_range(row);
+    for (auto i = begin; i != end; ++i) {
+      const double there = distance + i->second.second;
+      const auto [place, is_new] = best.insert({i->second.first, there});
+      if (there >= farthest || (!is_new && there >= place->second)) continue;
+      place->second = there;
+      queue.push({there, i->second.first});
+    }
+  }
+  for (auto& [row, value] : values) value = best.at(row);
+}
+
+// The distances that are known beforehand: zero at vertices that are sources, and at the corners of faces with sources inside,
+// which are straight in the face, those distances, unless there is a shorter way along edges from other sources.
+inline std::map<int, double> distances_near_sources(const Face_table& table,
+                                                    const Source_places& sources) {
+  std::map<int, double> values;
+  for (const Source_segment& s : sources.segments) {
+    const Table_face& f = table.faces[s.face];
+    const auto corners = f.layout();
+    const auto a = place_in_layout(corners, s.from), b = place_in_layout(corners, s.to);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double d = distance_to_segment(corners[k], a, b);
+      double& value = values.insert({f.rows[k], d}).first->second;
+      value = std::min(value, d);
+    }
+  }
+  const bool may_be_shorter = !values.empty();
+  for (const int row : sources.rows) values[row] = 0;
+  for (const Source_side& s : sources.sides)
+    for (const std::size_t k : {s.side, (s.side + 1) % 3}) values[table.faces[s.face].rows[k]] = 0;
+  if (may_be_shorter) lower_along_edges(table, values);
+  return values;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_NEAR_DISTANCES_H

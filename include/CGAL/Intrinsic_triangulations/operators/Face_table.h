@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_FACE_TABLE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_FACE_TABLE_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A face as what is solved on it sees it: corner k is the source of side k, sides are counterclockwise from
+// halfedge(f). Lengths and areas are in scaled units.
+struct Table_face {
+  std::array<int, 3> rows;                // of the corners
+  std::array<std::uint32_t, 3> halfedges; // numbers of the sides
+  std::array<double, 3> squared_lengths;  // of the sides
+  double quadruple_area;
+
+  double area() const { return quadruple_area / 4; }
+  double length(std::size_t side) const { return std::sqrt(squared_lengths[side]); }
+  // half the cotangent at the corner opposite a side: what the face adds to the weight of the side
+  double half_cotangent(std::size_t side) const {
+    const auto& l = squared_lengths;
+    return (l[(side + 1) % 3] + l[(side + 2) % 3] - l[side]) / (2 * quadruple_area);
+  }
+  // Where the corners are in the frame of side 0, as complex numbers.
+  std::array<std::complex<double>, 3> layout() const {
+    const auto& l = squared_lengths;
+    const double base = length(0), two_l = 2 * base;
+    return {0, base, {(l[0] + l[2] - l[1]) / two_l, quadruple_area / two_l}};
+  }
+};
+
+// A triangulation as one flat array of faces, for what is solved on it: nothing else asks it for numbers.
+struct Face_table {
+  std::vector<Table_face> faces;
+  std::vector<std::uint32_t> slot; // of a face by its number
+  std::size_t number_of_rows = 0;
+  std::size_t number_of_edges = 0; // numbers of removed ones included
+  int scale_exponent = 0;
+
+  // a length or distance in the units of the input
+  double unscaled(double length) const { return std::ldexp(length, -scale_exponent); }
+
+  // calls a function with the face and side of each edge, once
+  template <class Function>
+  void for_each_edge(const Function& function) const {
+    std::vector<char> seen(number_of_edges, 0);
+    for (const Table_face& f : faces)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (char& s = seen[f.halfedges[k] / 2]; s == 0) {
+          s = 1;
+          function(f, k);
+        }
+  }
+
+  double mean_edge_length() const {
+    double sum = 0;
+    std::size_t edges = 0;
+    for_each_edge([&](const Table_face& f, std::size_t k) {
+      sum += f.length(k);
+      ++edges;
+    });
+    return edges == 0 ? 1 : sum / static_cast<double>(edges);
+  }
+
+  // Sides that have no face on their other side: the face and the side.
+  template <class Function>
+  void for_each_border_side(const Function& function) const {
+    std::vector<char> sides(number_of_edges, 0);
+    for (const Table_face& f : faces)
+      for (const std::uint32_t h : f.halfedges) ++sides[h / 2];
+    for (const Table_face& f : faces)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (sides[f.halfedges[k] / 2] == 1) function(f, k);
+  }
+
+  // the least row of the component of each row; isolated vertices are their own
+  std::vector<int> components() const {
+    std::vector<int> root(number_of_rows);
+    std::iota(root.begin(), root.end(), 0);
+    const auto find = [&root](int r) {
+      const auto at = [&root](int i) -> int& { return root[static_cast<std::size_t>(i)]; };
+      while (at(r) != r) r = at(r) = at(at(r));
+      return r;
+    };
+    for (const Table_face& f : faces)
+      for (const std::size_t k : {1U, 2U}) {
+        const int a = find(f.rows[0]), b = find(f.rows[k]);
+        root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      }
+    for (std::size_t r = 0; r < root.size(); ++r) root[r] = find(static_cast<int>(r));
+    return root;
+  }
+};
+
+// Reads a triangulation; with exact traits, values are made narrow first.
+template <NumberedTriangulation Triangulation>
+Face_table face_table(const Triangulation& t) {
+  const auto& mesh = t.mesh();
+  Face_table table;
+  table.number_of_rows = t.number_of_vertices();
+  table.number_of_edges = t.numbers().edge_capacity(mesh);
+  table.scale_exponent = t.metric().scale_exponent();
+  table.slot.assign(t.numbers().face_capacity(mesh), Gluing::none);
+  table.faces.reserve(num_faces(mesh));
+  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
+    const Face_values<double> values = accurate_values(t, f);
+    Table_face face{{}, {}, values.squared_lengths, values.quadruple_area};
+    typename Triangulation::halfedge_descriptor h = halfedge(f, mesh);
+    for (std::size_t k = 0; k < 3; ++k, h = next(h, mesh)) {
+      face.rows[k] = static_cast<int>(t.input_vertex(source(h, mesh)));
+      face.halfedges[k] = t.numbers().halfedge(h);
+    }
+    table.slot[t.index(f)] = static_cast<std::uint32_t>(table.faces.size());
+    table.faces.push_back(face);
+  }
+  return table;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_FACE_TABLE_H
