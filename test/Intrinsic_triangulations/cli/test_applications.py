@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Commands that solve something on the triangulation: eigen, edit."""
+"""Commands that solve something on the triangulation."""
 
 import math
 import os
@@ -101,6 +101,98 @@ class Edit(Applications):
             run = self.run_program("edit", self.sphere, "--handles", self.handles(rows))
             self.assertEqual(run.code, 1, rows)
             self.assertIn(what, run.err)
+
+
+class Distance(Applications):
+    def distances(self, *options):
+        stats = self.stats("distance", self.sphere, "-o", "d.txt", *options)
+        return stats["distance"], [row[0] for row in self.values("d.txt")]
+
+    def test_on_a_sphere_is_near_the_angle_and_never_below_the_chord(self):
+        for options in ((), ("--refine",), ("--arithmetic", "double")):
+            stats, d = self.distances("--source", "0,50", *options)
+            self.assertEqual((d[0], d[50]), (0, 0))
+            self.assertEqual(stats["unreached_vertices"], 0)
+            for p, x in zip(self.points, d):
+                chord = min(math.dist(p, self.points[i]) for i in (0, 50))
+                angle = 2 * math.asin(min(1, chord / 2))
+                self.assertGreaterEqual(x, chord * (1 - 1e-12))
+                # of first order in edges of 0.16; those between both sources are the worst
+                self.assertLess(abs(x - angle), 0.16)
+
+    def test_from_a_point_in_a_face_refined_about_it(self):
+        stats, d = self.distances("--source", "7:0.2:0.3:0.5", "--refine")
+        self.assertGreater(min(d[:len(self.points)]), 0)
+        self.assertGreater(stats["max"], 2)
+        run = self.run_program("distance", self.sphere, "--source", "7:0.2:0.3:0.5", "--refine",
+                               "--adaptive")
+        self.assertEqual(run.code, 1)
+        self.assertIn("about a vertex", run.err)
+        self.distances("--source", "3", "--refine", "--adaptive", "--tolerance", "0.02")
+
+    def test_has_the_sign_of_the_side_of_a_curve(self):
+        points, faces = jittered_grid(8)  # rows of nine vertices
+        self.sphere = self.write_off("g.off", points, faces)
+        _, d = self.distances("--curve", "4,76", "--signed")
+        left, right = d[0], d[8]
+        self.assertLess(left * right, 0)
+        _, whole = self.distances("--curve", "4,76")
+        self.assertGreaterEqual(min(whole), 0)
+
+    def test_says_what_is_missing(self):
+        for options in ((), ("--signed",), ("--source", "1", "--signed"), ("--curve", "1"),
+                        ("--source", "1", "--time", "0")):
+            self.assertEqual(self.run_program("distance", self.sphere, *options).code, 2, options)
+        run = self.run_program("distance", self.sphere, "--source", "9999")
+        self.assertEqual(run.code, 1)
+        self.assertIn("9999", run.err)
+
+
+class Vectors(Applications):
+    def test_transport_keeps_lengths(self):
+        file = self.write("v.txt", "0 90 2\n")
+        self.stats("transport", self.sphere, "--vectors", file, "-o", "t.txt")
+        for length, x, y in self.values("t.txt"):
+            self.assertLess(abs(length - 2), 1e-9)
+            self.assertLess(abs(math.hypot(x, y) - 2), 1e-9)
+
+    def test_logarithms_are_as_long_as_geodesics(self):
+        for method in ("affine", "polar"):
+            self.stats("logmap", self.sphere, "--source", "0", "--method", method, "-o", "l.txt")
+            for p, (x, y) in zip(self.points, self.values("l.txt")):
+                angle = 2 * math.asin(min(1, math.dist(p, self.points[0]) / 2))
+                if angle < 1.5:
+                    self.assertLess(abs(math.hypot(x, y) - angle), 0.1)
+        self.assertEqual(self.run_program("logmap", self.sphere, "--source", "0,1").code, 1)
+
+    def test_indices_of_fields_sum_to_the_euler_characteristic(self):
+        for degree in (1, 2, 4, 6):
+            stats = self.stats("field", self.sphere, "--degree", degree)["field"]
+            self.assertEqual(stats["index_sum"], 2 * degree)
+        points, faces = jittered_grid(5)
+        mesh = self.write_off("g.off", points, faces)
+        stats = self.stats("field", mesh, "--degree", "4")["field"]
+        self.assertEqual(stats["index_sum"], 4 + stats["border_turns"])
+
+
+class Parametrize(Applications):
+    def test_flat_disks_keep_their_angles(self):
+        points, faces = jittered_grid(6)
+        mesh = self.write_off("g.off", points, faces)
+        for method in ("harmonic", "spectral", "lscm"):
+            stats = self.stats("parametrize", mesh, "--method", method, "-o", "p.txt")["parametrize"]
+            self.assertTrue(stats["injective"])
+            if method != "harmonic":
+                self.assertLess(stats["max_quasi_conformal"], 1 + 1e-6)
+        self.stats("parametrize", mesh, "-o", "p.obj", "--on", "input")
+        with open(self.path("p.obj"), encoding="ascii") as file:
+            lines = file.read().split("\n")
+        self.assertEqual(sum(line.startswith("vt ") for line in lines), len(points))
+
+    def test_refuses_what_is_no_disk(self):
+        run = self.run_program("parametrize", self.sphere)
+        self.assertEqual(run.code, 1)
+        self.assertIn("disk", run.err)
 
 
 if __name__ == "__main__":
