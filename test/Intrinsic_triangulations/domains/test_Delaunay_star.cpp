@@ -67,6 +67,24 @@ TEST(Delaunay_star, is_that_of_the_triangulation) {
   }
 }
 
+TEST(Delaunay_star, tells_directions_apart_that_rounding_does_not) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> x(-1, 1);
+  for (int run = 0; run < 300; ++run) {
+    // on a few lines through the origin but for the last digits, and scaled so far down that squares underflow
+    Points points;
+    const double scale = run % 2 == 0 ? 1 : 1e-170;
+    for (int line = 0; line < 6; ++line) {
+      const double along = x(random), across = line == 0 ? 0 : x(random);
+      for (int i = 0; i < 5; ++i) {
+        const double t = x(random) * scale;
+        points.push_back({t * along, t * across + x(random) * 1e-16 * scale});
+      }
+    }
+    EXPECT_EQ(star(points), star_of_triangulation(points)) << run;
+  }
+}
+
 TEST(Delaunay_star, has_no_triangles_on_a_line) {
   EXPECT_EQ(star({{1, 1}, {2, 2}, {-3, -3}}), Pairs{});
   EXPECT_EQ(star({{1, 0}}), Pairs{});

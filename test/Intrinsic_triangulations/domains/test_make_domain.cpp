@@ -273,6 +273,25 @@ TEST(Make_domain, covers_meshes_of_cgal) {
   EXPECT_EQ(IT::make_domain(IT::Intrinsic_input(mesh)).report.kind, Domain_kind::manifold);
 }
 
+TEST(Make_domain, glues_faces_that_are_repeated_to_others) {
+  Mesh m;
+  m.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  m.triangles = {{0, 1, 2}, {1, 0, 3}, {2, 0, 1}, {0, 1, 2}, {1, 0, 3}, {0, 3, 1}};
+  const IT::Domain d = domain(m);
+  expect_cover(d, m, "each three times");
+  const IT::Gluing_map& mesh = d.input.mesh;
+  const auto row = [&](IT::Gluing_map::Vertex v) { return d.input.names.row(v.index); };
+  const auto apex = [&](IT::Gluing_map::Halfedge h) { return row(mesh.target(mesh.next(h))); };
+  unsigned glued = 0;
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const IT::Gluing_map::Halfedge h{2 * e}, o{2 * e + 1};
+    if (row(mesh.source(h)) + row(mesh.target(h)) != 1) continue;
+    EXPECT_NE(apex(h), apex(o)) << "a face folded on its copy";
+    ++glued;
+  }
+  EXPECT_EQ(glued, 6U);
+}
+
 TEST(Make_domain, covers_a_cover) {
   const Mesh m = meshes::grid(2, 2);
   const IT::Domain d =

@@ -404,6 +404,39 @@ TEST(Planar_polygons, polygons_that_cannot_become_planar_are_kept) {
   EXPECT_EQ(IT::triangle_soup(line, Faces{{0, 1, 2, 3}}, planar).planar_polygons.report.planar, 1U);
 }
 
+// The corner at vertex 1 is nearly straight: convex in space, reflex in the plane, where the diagonal from 0 to 2 is outside. All
+// triangulations without it have edges of other faces.
+TEST(Planar_polygons, without_a_free_diagonal_in_the_plane_they_are_cut_in_space) {
+  const Points points{{0, 0, 0},  {1, -0.01, 0}, {2, 0, 0},  {2, 1, 1.2},
+                      {0, 1, -1}, {1, -3, 2},    {1, -3, -2}};
+  const Faces pentagon{{0, 1, 2, 3, 4}};
+  const IT::Triangle_soup alone = IT::triangle_soup(points, pentagon, planar);
+  ASSERT_EQ(alone.planar_polygons.report.flattened, 1U);
+  const auto has_edge = [](const IT::Triangle_soup& s, std::uint32_t a, std::uint32_t b) {
+    return std::any_of(s.triangles.begin(), s.triangles.end(), [&](const auto& t) {
+      return std::count(t.begin(), t.end(), a) == 1 && std::count(t.begin(), t.end(), b) == 1;
+    });
+  };
+  ASSERT_FALSE(has_edge(alone, 0, 2)) << "outside";
+  const Faces faces{{0, 1, 2, 3, 4}, {1, 3, 5}, {4, 1, 6}};
+  const IT::Triangle_soup s = IT::triangle_soup(points, faces, planar);
+  EXPECT_EQ(s.planar_polygons.report.kept, 1U);
+  EXPECT_TRUE(has_edge(s, 0, 2));
+  EXPECT_EQ(IT::make_domain(s).report.nonmanifold_edges, 0U);
+}
+
+TEST(Planar_polygons, find_the_corner_at_a_vertex) {
+  IT::Planar_polygons all;
+  const std::vector<std::uint32_t> first{7, 2, 9, 4}, second{3, 1, 8};
+  all.add(0, first, std::vector<IT::Planar_polygons::Point>(4));
+  all.add(5, second, std::vector<IT::Planar_polygons::Point>(3));
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(all(0).corner(first[k]), k);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(all(5).corner(second[k]), k);
+  EXPECT_EQ(all(0).corner(3), 4U);
+  EXPECT_EQ(all(5).corner(9), 3U);
+  EXPECT_TRUE(all(1).points.empty());
+}
+
 // Tangles: whatever becomes of them, lengths are those of triangles, and those that are kept are triangulated as ever.
 TEST(Planar_polygons, tangles_become_planar_or_are_kept) {
   std::mt19937 random(9);

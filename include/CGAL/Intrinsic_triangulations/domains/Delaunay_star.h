@@ -18,6 +18,7 @@ public:
   struct Neighbour {
     std::array<double, 2> at;
     std::uint32_t number;
+    double direction = 0; // set here: grows with the angle, from 0 to 4, half a turn is 2; rounded
   };
 
   // \param center the number of the point at the origin

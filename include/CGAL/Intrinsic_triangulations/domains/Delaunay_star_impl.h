@@ -11,13 +11,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Predicates about neighbours of the origin.
+// Predicates about neighbours of the origin. Where rounded values differ by more than their errors, they decide.
 class Star_predicates {
 public:
   using Neighbour = Delaunay_star::Neighbour;
@@ -25,22 +26,36 @@ public:
 
   explicit Star_predicates(std::uint32_t center) : center_(center) {}
 
+  // where the direction of a point meets the square of the points with |x| + |y| = 1, along it; with a relative error of 1e-15
+  static double direction(const std::array<double, 2>& at) {
+    const auto [x, y] = at;
+    if (y > 0 || (y == 0 && x > 0)) return x >= 0 ? y / (x + y) : 1 + x / (x - y);
+    return x <= 0 ? 2 + y / (x + y) : 3 + x / (x - y);
+  }
   // whether `b` is to the left of the line from the origin to `a`: positive
   static CGAL::Orientation turn(const Neighbour& a, const Neighbour& b) {
+    double angle = b.direction - a.direction;
+    if (angle < -2) angle += 4;
+    if (angle > 2) angle -= 4;
+    if (std::abs(angle) > margin && std::abs(angle) < 2 - margin)
+      return angle > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
     return CGAL::orientation(Point(0, 0), point(a), point(b));
   }
   static bool is_nearer(const Neighbour& a, const Neighbour& b) {
+    const double d = squared_distance(a), e = squared_distance(b);
+    constexpr double least = 1e-280; // above, products do not underflow
+    if (e > least && d < (1 - margin) * e) return true;
+    if (d > least && e < (1 - margin) * d) return false;
     return CGAL::compare_distance_to_point(Point(0, 0), point(a), point(b)) == CGAL::SMALLER;
   }
   // by direction, then by distance
   static bool is_before(const Neighbour& a, const Neighbour& b) {
-    const bool above_a = is_above(a), above_b = is_above(b);
-    if (above_a != above_b) return above_a;
+    if (std::abs(a.direction - b.direction) > margin) return a.direction < b.direction;
     const CGAL::Orientation o = turn(a, b);
     return o == CGAL::COLLINEAR ? is_nearer(a, b) : o == CGAL::POSITIVE;
   }
   static bool is_same_direction(const Neighbour& a, const Neighbour& b) {
-    return is_above(a) == is_above(b) && turn(a, b) == CGAL::COLLINEAR;
+    return std::abs(a.direction - b.direction) <= margin && turn(a, b) == CGAL::COLLINEAR;
   }
   // whether the edge to `b` is Delaunay between those to `a` and `c`
   bool is_kept(const Neighbour& a, const Neighbour& b, const Neighbour& c) const {
@@ -51,8 +66,12 @@ public:
   }
 
 private:
+  static constexpr double margin = 1e-13;
+
   static Point point(const Neighbour& a) { return Point(a.at[0], a.at[1]); }
-  static bool is_above(const Neighbour& a) { return a.at[1] > 0 || (a.at[1] == 0 && a.at[0] > 0); }
+  static double squared_distance(const Neighbour& a) {
+    return a.at[0] * a.at[0] + a.at[1] * a.at[1];
+  }
 
   std::uint32_t center_;
 };
@@ -62,6 +81,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Delaunay_star::find(std::uint32_t cent
   using P = Star_predicates;
   const P predicates(center);
   std::erase_if(neighbours, [](const Neighbour& a) { return a.at[0] == 0 && a.at[1] == 0; });
+  for (Neighbour& a : neighbours) a.direction = P::direction(a.at);
   std::sort(neighbours.begin(), neighbours.end(), P::is_before);
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end(), P::is_same_direction),
                    neighbours.end()); // those behind another

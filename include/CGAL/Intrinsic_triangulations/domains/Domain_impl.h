@@ -155,6 +155,27 @@ private:
   std::vector<std::uint32_t> edge_;
 };
 
+// Whether there are at most two different apices: then the faces at them take turns, and no angle is asked, as two go around in
+// one order only. So it is at nearly all edges of a point cloud, where each triangle is there three times.
+inline bool take_turns(const std::vector<std::uint32_t>& apices,
+                       std::vector<std::uint32_t>& order) {
+  const auto count = static_cast<std::uint32_t>(apices.size());
+  std::array<std::uint32_t, 2> next{0, 0}; // face of each apex
+  while (next[1] < count && apices[next[1]] == apices[0]) ++next[1];
+  if (next[1] == count) next[1] = 0;
+  const std::array<std::uint32_t, 2> apex{apices[0], apices[next[1]]};
+  for (const std::uint32_t v : apices)
+    if (v != apex[0] && v != apex[1]) return false;
+  order.clear();
+  while (order.size() < apices.size())
+    for (unsigned k = 0; k < 2; ++k) {
+      while (next[k] < count && apices[next[k]] != apex[k]) ++next[k];
+      if (next[k] < count) order.push_back(next[k]++);
+      if (apex[0] == apex[1]) break;
+    }
+  return true;
+}
+
 // Orders the faces at an edge by their angles, and lets those that are repeated go around once more: each is then glued to other
 // faces, as if none were repeated, and not to a copy of itself.
 inline std::vector<std::uint32_t>
@@ -177,7 +198,7 @@ inline Double_cover tufted_cover(const Gluing& faces, Halfedges_by_edge& sides,
                                  const std::vector<std::array<double, 3>>& points) {
   Double_cover cover(faces);
   std::vector<Double_cover::Side> fan, sorted;
-  std::vector<std::uint32_t> apices;
+  std::vector<std::uint32_t> apices, order;
   sides.for_each_edge([&](auto first, auto last) {
     fan.clear();
     for (auto i = first; i != last; ++i) {
@@ -189,10 +210,10 @@ inline Double_cover tufted_cover(const Gluing& faces, Halfedges_by_edge& sides,
       for (const Double_cover::Side& s : fan)
         apices.push_back(faces.origin[Gluing::next(Gluing::next(s.halfedge))]);
       const std::uint32_t h = fan[0].halfedge;
+      if (!take_turns(apices, order))
+        order = order_around_edge(points, faces.origin[h], faces.origin[Gluing::next(h)], apices);
       sorted.clear();
-      for (const std::uint32_t i :
-           order_around_edge(points, faces.origin[h], faces.origin[Gluing::next(h)], apices))
-        sorted.push_back(fan[i]);
+      for (const std::uint32_t i : order) sorted.push_back(fan[i]);
       fan.swap(sorted);
     }
     cover.glue(fan);

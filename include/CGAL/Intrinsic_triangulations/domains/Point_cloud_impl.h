@@ -15,9 +15,9 @@
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
+#include <CGAL/property_map.h>
 
 #include <boost/iterator/counting_iterator.hpp>
-#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -36,12 +36,13 @@ namespace internal {
 // Finds the triangles at points of a cloud, one point at a time.
 class Local_triangulator {
 public:
-  using Point = std::array<double, 3>;
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Point = Kernel::Point_3;
 
   // \param points no two of which are at one place, near ones near each other in memory
   Local_triangulator(const std::vector<Point>& points, std::size_t neighbours)
       : points_(points), wanted_(static_cast<unsigned>(neighbours) + 1),
-        traits_(Point_map(Point_of{&points})),
+        traits_(Point_map(points.data())),
         tree_(boost::counting_iterator<std::uint32_t>(0),
               boost::counting_iterator<std::uint32_t>(static_cast<std::uint32_t>(points.size())),
               Tree::Splitter(), traits_) {
@@ -54,7 +55,8 @@ public:
     const bool is_closed = Delaunay_star::find(center, star_);
     const auto add = [&](std::uint32_t a,
                          std::uint32_t b) { // rounding may make a triangle of a line
-      if (!CGAL::collinear(point(center), point(a), point(b))) triangles.push_back({center, a, b});
+      if (!CGAL::collinear(points_[center], points_[a], points_[b]))
+        triangles.push_back({center, a, b});
     };
     for (std::size_t i = 0; i + 1 < star_.size(); ++i) add(star_[i].number, star_[i + 1].number);
     if (is_closed) add(star_.back().number, star_.front().number);
@@ -62,35 +64,27 @@ public:
   }
 
 private:
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  struct Point_of {
-    const std::vector<Point>* points;
-    Kernel::Point_3 operator()(std::uint32_t v) const {
-      const Point& p = (*points)[v];
-      return Kernel::Point_3(p[0], p[1], p[2]);
-    }
-  };
-  using Point_map = boost::function_property_map<Point_of, std::uint32_t, Kernel::Point_3>;
+  using Vector = std::array<double, 3>;
+  // a reference to what is stored: of a map to copies, CGAL's search allocates one a query
+  using Point_map = CGAL::Pointer_property_map<Point>::const_type;
   using Traits =
       CGAL::Search_traits_adapter<std::uint32_t, Point_map, CGAL::Search_traits_3<Kernel>>;
   using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
   using Tree = Search::Tree;
 
-  Kernel::Point_3 point(std::uint32_t v) const { return Point_of{&points_}(v); }
-
   // projected to the plane that fits them best, with the center at the origin
   void find_neighbours(std::uint32_t center) {
-    const Search search(tree_, point(center), wanted_, 0, true,
-                        typename Search::Distance(traits_.point_property_map()));
+    const Search search(tree_, points_[center], wanted_, 0, true,
+                        typename Search::Distance(traits_.point_property_map()), false);
     star_.clear();
     vectors_.clear();
-    Point mean{};
+    Vector mean{};
     for (const auto& found : search) {
       if (found.first == center) continue;
-      Point& v = vectors_.emplace_back();
-      for (unsigned k = 0; k < 3; ++k) {
-        v[k] = points_[found.first][k] - points_[center][k];
-        mean[k] += v[k];
+      Vector& v = vectors_.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        v[unsigned(k)] = points_[found.first][k] - points_[center][k];
+        mean[unsigned(k)] += v[unsigned(k)];
       }
       star_.push_back({{}, found.first});
     }
@@ -102,21 +96,24 @@ private:
   }
 
   // of the neighbours and the center, in units in which it neither overflows nor underflows
-  Symmetric_matrix_3 covariance(Point mean) const {
+  Symmetric_matrix_3 covariance(Vector mean) const {
     const double n = static_cast<double>(vectors_.size()) + 1;
     double largest = 0;
-    for (const Point& v : vectors_)
+    for (const Vector& v : vectors_)
       largest = std::max({largest, std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     Symmetric_matrix_3 m{};
     if (largest == 0) return m;
     for (double& x : mean) x /= n * largest;
-    const auto add = [&](const Point& v) {
+    const auto add = [&](const Vector& v) {
+      Vector d{};
+      for (unsigned i = 0; i < 3; ++i) d[i] = v[i] / largest - mean[i];
       for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = 0; j < 3; ++j)
-          m[i][j] += (v[i] / largest - mean[i]) * (v[j] / largest - mean[j]);
+        for (unsigned j = i; j < 3; ++j) m[i][j] += d[i] * d[j];
     };
     add({0, 0, 0});
-    for (const Point& v : vectors_) add(v);
+    for (const Vector& v : vectors_) add(v);
+    for (unsigned i = 1; i < 3; ++i)
+      for (unsigned j = 0; j < i; ++j) m[i][j] = m[j][i];
     return m;
   }
 
@@ -125,7 +122,7 @@ private:
   Traits traits_;
   Tree tree_;
   std::vector<Delaunay_star::Neighbour> star_;
-  std::vector<Point> vectors_;
+  std::vector<Vector> vectors_;
 };
 
 // The first of the points at each place, near ones near each other.
@@ -146,7 +143,7 @@ distinct_points(const std::vector<std::array<double, 3>>& points) {
 }
 
 // Some of the points, in units in which squares neither overflow nor vanish: coordinates times a power of two.
-inline std::vector<std::array<double, 3>>
+inline std::vector<Local_triangulator::Point>
 points_to_triangulate(const std::vector<std::array<double, 3>>& points,
                       const std::vector<std::uint32_t>& members) {
   constexpr int most = 300; // up to there they are left as they are
@@ -154,12 +151,13 @@ points_to_triangulate(const std::vector<std::array<double, 3>>& points,
   for (const std::uint32_t v : members)
     for (const double x : points[v]) largest = std::max(largest, std::abs(x));
   const int exponent = largest > 0 ? std::ilogb(largest) : 0;
-  std::vector<std::array<double, 3>> result;
+  std::vector<Local_triangulator::Point> result;
   result.reserve(members.size());
   for (const std::uint32_t v : members) {
-    std::array<double, 3>& p = result.emplace_back(points[v]);
+    std::array<double, 3> p = points[v];
     if (std::abs(exponent) > most)
       for (double& x : p) x = std::ldexp(x, -exponent);
+    result.emplace_back(p[0], p[1], p[2]);
   }
   return result;
 }
@@ -185,7 +183,8 @@ make_point_cloud(const std::vector<std::array<double, 3>>& points, std::size_t n
   if (members.size() < 3) internal::fail_without_triangles(points.size());
   Triangle_soup soup;
   soup.points = points;
-  const std::vector<std::array<double, 3>> ordered =
+  soup.triangles.reserve(6 * points.size() + 6); // so many there are as a rule
+  const std::vector<internal::Local_triangulator::Point> ordered =
       internal::points_to_triangulate(points, members);
   internal::Local_triangulator triangulator(ordered, report.neighbours);
   for (std::uint32_t i = 0; i < members.size(); ++i) {

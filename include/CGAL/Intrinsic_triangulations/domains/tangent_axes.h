@@ -14,9 +14,10 @@ using Symmetric_matrix_3 = std::array<std::array<double, 3>, 3>;
 
 // Turns axes p and q so that the entry (p, q) becomes zero.
 inline void rotate(Symmetric_matrix_3& m, Symmetric_matrix_3& axes, unsigned p, unsigned q) {
-  if (m[p][q] == 0) return;
-  const double angle = std::atan2(2 * m[p][q], m[q][q] - m[p][p]) / 2;
-  const double c = std::cos(angle), s = std::sin(angle);
+  const double half = (m[q][q] - m[p][p]) / 2, entry = m[p][q];
+  if (entry == 0 || std::abs(entry) <= 1e-20 * (m[p][p] + m[q][q])) return; // far below rounding
+  const double tangent = entry / (half + std::copysign(std::hypot(half, entry), half));
+  const double c = 1 / std::sqrt(1 + tangent * tangent), s = c * tangent;
   const auto turn = [c, s](double& x, double& y) {
     const double old = x;
     x = c * old - s * y;

@@ -205,7 +205,12 @@ private:
       const auto is_free = [&](std::size_t j, std::size_t k) {
         return taken.count(key(polygons_.corner(i, j), polygons_.corner(i, k))) == 0;
       };
-      if (!shaper_.triangulate_with(is_free, triangles_)) {
+      bool is_found = shaper_.triangulate_with(is_free, triangles_);
+      if (!is_found && shaper_.is_flattened()) { // in space other diagonals may be inside
+        shaper_.keep();
+        is_found = shaper_.triangulate_with(is_free, triangles_);
+      }
+      if (!is_found) {
         all = false;
         continue;
       }

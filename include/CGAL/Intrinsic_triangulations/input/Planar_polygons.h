@@ -55,10 +55,14 @@ public:
   struct Polygon {
     std::span<const std::uint32_t> vertices; ///< numbers of the user's vertices
     std::span<const Point> points; ///< their places in the plane; empty: there is no such polygon
-    /// returns the number of the corner at a vertex. \pre there is one
+    std::span<const std::uint32_t>
+        sorted; ///< numbers of the corners, in the order of their vertices
+    /// returns the number of the corner at a vertex; the number of corners if there is none. \complexity logarithmic
     std::size_t corner(std::uint32_t vertex) const {
-      return static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), vertex) -
-                                      vertices.begin());
+      const auto found =
+          std::lower_bound(sorted.begin(), sorted.end(), vertex,
+                           [this](std::uint32_t c, std::uint32_t v) { return vertices[c] < v; });
+      return found != sorted.end() && vertices[*found] == vertex ? *found : sorted.size();
     }
     /// tells whether two corners are the ends of a side
     bool is_side(std::size_t i, std::size_t j) const {
@@ -67,13 +71,17 @@ public:
     }
   };
 
-  /// appends a polygon. \pre `face` is above those before
+  /// appends a polygon. \pre `face` is above those before, and no vertex is there twice \complexity n log n
   void add(std::uint32_t face, std::span<const std::uint32_t> vertices,
            std::span<const Point> points) {
     face_.push_back(face);
     first_.push_back(vertices_.size());
     vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
     points_.insert(points_.end(), points.begin(), points.end());
+    const std::size_t first = sorted_.size();
+    for (std::uint32_t c = 0; c < vertices.size(); ++c) sorted_.push_back(c);
+    std::sort(sorted_.begin() + static_cast<std::ptrdiff_t>(first), sorted_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return vertices[a] < vertices[b]; });
   }
   /// tells whether there are none.
   bool empty() const { return face_.empty(); }
@@ -87,7 +95,9 @@ public:
     if (found == face_.end() || *found != face) return {};
     const auto i = static_cast<std::size_t>(found - face_.begin());
     const std::size_t count = (i + 1 < size() ? first_[i + 1] : vertices_.size()) - first_[i];
-    return {{vertices_.data() + first_[i], count}, {points_.data() + first_[i], count}};
+    return {{vertices_.data() + first_[i], count},
+            {points_.data() + first_[i], count},
+            {sorted_.data() + first_[i], count}};
   }
 
   /// What became of all polygons.
@@ -98,6 +108,7 @@ private:
   std::vector<std::size_t> first_;
   std::vector<std::uint32_t> vertices_;
   std::vector<Point> points_;
+  std::vector<std::uint32_t> sorted_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -63,8 +63,10 @@ TEST(Restore_input_edge, straightens_zigzags) {
     const std::uint32_t x = first_edge(t);
     EXPECT_EQ(edges_along(t, x), 0) << n;
     Exact::Session session(t);
-    EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x)) << n;
+    std::uint64_t flips = 0;
+    EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x, flips)) << n;
     EXPECT_EQ(edges_along(t, x), 1) << n;
+    EXPECT_GT(flips, 0U) << n;
   }
 }
 
@@ -72,8 +74,12 @@ TEST(Restore_input_edge, leaves_an_edge_alone_that_is_there) {
   Exact t(soups::soup(edge_in_zigzag(5)));
   const std::uint32_t x = first_edge(t);
   Exact::Session session(t);
-  EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x ^ 1U));
+  std::uint64_t flips = 0;
+  EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x ^ 1U, flips));
   EXPECT_EQ(edges_along(t, x), 1);
+  const std::uint64_t once = flips;
+  EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x ^ 1U, flips));
+  EXPECT_EQ(flips, once) << "it is there";
 }
 
 TEST(Restore_input_edge, restores_the_parts_of_an_edge_that_was_split) {
@@ -83,7 +89,8 @@ TEST(Restore_input_edge, restores_the_parts_of_an_edge_that_was_split) {
   IT::flip_to_delaunay(t);
   EXPECT_LT(edges_along(t, x), 2);
   Exact::Session session(t);
-  EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x));
+  std::uint64_t flips = 0;
+  EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x, flips));
   EXPECT_EQ(edges_along(t, x), 2);
 }
 
@@ -111,8 +118,9 @@ TEST(Restore_input_edge, ends_where_an_edge_crosses_faces_more_than_once) {
     for (int flips = 0; flips < 180; ++flips)
       t.flip_edge(t.numbers().halfedge_at(below(2 * num_edges(t.mesh()))));
     Exact::Session session(t);
+    std::uint64_t flips = 0;
     for (std::uint32_t x = 0; x < t.input().number_of_halfedges(); x += 2)
-      if (IT::internal::restore_input_edge(t, session, t.correspondence(), x)) {
+      if (IT::internal::restore_input_edge(t, session, t.correspondence(), x, flips)) {
         EXPECT_EQ(edges_along(t, x), 1) << seed << ' ' << x;
       }
   }

@@ -279,6 +279,9 @@ TEST(Refinement_of_covers, is_adaptive) {
   };
   const auto r = IT::adaptive_refine(t, largest, parameters::maximum_vertices(300));
   EXPECT_EQ(r.status, IT::Status::cap);
+  EXPECT_EQ(t.number_of_vertices(), 300U) << "copies are counted once";
+  EXPECT_EQ(r.rounds.back().vertices, 300U);
+  EXPECT_GT(num_vertices(t.mesh()), 300U);
   EXPECT_LT(r.rounds.back().estimated_error, r.rounds.front().estimated_error / 3);
   expect_rows_are_places(t, m, Domain_kind::tufted_cover, "book");
 }

@@ -9,12 +9,14 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Wedge_flipper.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/single_source/Geodesic_tree.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/single_source/Shortcut_finder.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 
 #include <CGAL/enum.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -40,6 +42,11 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // way of u, where it was attained. There are finitely many geodesic edges below a length, so that the sum of all d decreases
 // finitely often. This holds as far as sums of lengths in doubles tell apart what differs: a vertex of the tree is taken out only
 // if it becomes nearer by `least_gain`, so that rounding does not take one out again and again.
+//
+// So far a path is compared with those that are longer by an edge before they are straightened, and is often not the shortest: that passes
+// a vertex of small curvature on the other side. Then straight ways from the vertices of the tree are looked for by windows, see
+// `Shortcut_finder.h`. Edges are flipped until the shorter way is one; no edge of the tree is among them, so that again no d
+// increases.
 template <class Triangulation>
 class Geodesic_tree_builder {
   using Mesh = typename Triangulation::Mesh;
@@ -64,14 +71,12 @@ public:
     cap_ = cap;
     accept(t_.index(source), 0, none);
     do {
-      while (!queue_.empty() && result_.status == Status::done) {
-        const Candidate c = queue_.top();
-        queue_.pop();
-        if (is_current(c)) take(c);
-        if ((++steps_ & 0xfffU) == 0 && !session_.suspended([&] { return go_on(result_); }))
-          result_.status = Status::cancelled;
-      }
-    } while (result_.status == Status::done && finds_more());
+      do drain(go_on);
+      while (result_.status == Status::done && finds_more());
+      find_ways_to_all();
+      drain(go_on);
+      find_shortcuts(go_on);
+    } while (result_.status == Status::done && !(queue_.empty() && changed_.empty()));
     return result_;
   }
 
@@ -96,12 +101,23 @@ private:
     bool operator<(const Candidate& c) const { return distance > c.distance; }
   };
 
+  // as the finder of shortcuts sees it
+  struct Known {
+    const Geodesic_tree_builder* builder;
+
+    double distance(std::uint32_t v) const { return builder->labels_[v].distance; }
+    bool is_barrier(std::uint32_t h) const { return builder->is_in_tree(h); }
+  };
+
   Halfedge halfedge_at(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
   std::uint32_t source_of(std::uint32_t h) const {
     return t_.index(source(halfedge_at(h), t_.mesh()));
   }
   std::uint32_t target_of(std::uint32_t h) const {
     return t_.index(target(halfedge_at(h), t_.mesh()));
+  }
+  bool is_in_tree(std::uint32_t h) const {
+    return labels_[target_of(h)].halfedge == h || labels_[source_of(h)].halfedge == (h ^ 1U);
   }
   double distance_along(std::uint32_t h) const {
     return labels_[source_of(h)].distance +
@@ -113,11 +129,22 @@ private:
                       [&](Halfedge h) { f(t_.numbers().halfedge(h)); });
   }
 
-  // the edge may have been flipped, or its source taken out, since
+  template <class Go_on>
+  void drain(const Go_on& go_on) {
+    while (!queue_.empty() && result_.status == Status::done) {
+      const Candidate c = queue_.top();
+      queue_.pop();
+      if (is_current(c)) take(c);
+      if ((++steps_ & 0xfffU) == 0 && !session_.suspended([&] { return go_on(result_); }))
+        result_.status = Status::cancelled;
+    }
+  }
+
+  // the edge may have been flipped, its source taken out, or this way taken, since
   bool is_current(const Candidate& c) const {
     const std::uint32_t u = source_of(c.halfedge), v = target_of(c.halfedge);
     return labels_[u].is_in_tree && labels_[v].bound == c.distance &&
-           distance_along(c.halfedge) == c.distance;
+           labels_[v].distance != c.distance && distance_along(c.halfedge) == c.distance;
   }
 
   // takes note of a way along a halfedge
@@ -182,6 +209,7 @@ private:
     if (labels_[v].is_in_tree) take_out(v);
     labels_[v] = {distance, distance, h, true};
     ++accepted_;
+    changed_.push_back(v);
     if (!is_isolated(t_.numbers().vertex_at(v)))
       for_each_out(v, [this](std::uint32_t g) { relax(g); });
   }
@@ -201,7 +229,8 @@ private:
     }
     out.insert(out.end(), near.begin(), near.end());
     for (const std::uint32_t v : out)
-      if (v != root) search(v);
+      if (v != root && (!labels_[v].is_in_tree || labels_[v].bound != labels_[v].distance))
+        search(v); // the way that was best led by here
   }
 
   // Looks again for ways to vertices that should have one: those to which all known ways have been lost by rounding.
@@ -214,6 +243,56 @@ private:
     progress_before_ = progress;
     return result_.status == Status::done;
   }
+  // Ways that were bent when they were looked at, and others by then, may have become better.
+  void find_ways_to_all() {
+    for (const Vertex v : vertices(t_.mesh()))
+      if (!is_isolated(v)) search(t_.index(v));
+  }
+
+  // Looks for shorter ways straight on from all vertices that have been reached anew, near ones first.
+  template <class Go_on>
+  void find_shortcuts(const Go_on& go_on) {
+    const Known known{this};
+    Shortcut_finder<Triangulation, Known> finder(t_, known);
+    std::vector<std::uint32_t> order;
+    order.swap(changed_);
+    std::sort(order.begin(), order.end());
+    order.erase(std::unique(order.begin(), order.end()), order.end());
+    std::sort(order.begin(), order.end(), [this](std::uint32_t v, std::uint32_t w) {
+      return std::pair(labels_[v].distance, v) < std::pair(labels_[w].distance, w);
+    });
+    for (const std::uint32_t v : order)
+      while (result_.status == Status::done && labels_[v].is_in_tree && finds_shortcut(finder, v))
+        drain(go_on);
+  }
+  template <class Finder>
+  bool finds_shortcut(Finder& finder, std::uint32_t v) {
+    const std::uint32_t in = labels_[v].halfedge;
+    const auto null = boost::graph_traits<Mesh>::null_halfedge();
+    const Vertex from = t_.numbers().vertex_at(v);
+    return !is_isolated(from) &&
+           finder.find(from, in == none ? null : halfedge_at(in), 2 * least_gain) &&
+           insert(finder.crossed()) && !queue_.empty();
+  }
+  // Flips edges that a segment crosses until the segment is one, unless that does not end.
+  bool insert(Crossed_edges crossed) {
+    const auto& edges = crossed.halfedges;
+    std::size_t futile = 0;
+    for (std::size_t i = 0; futile <= 4 * edges.size() && result_.flips < cap_; ++futile) {
+      if (i >= edges.size()) i = 0;
+      const std::uint32_t h = edges[i++];
+      if (flip_wedge_.flip(halfedge_at(h)) != Move_status::done) continue;
+      ++result_.flips;
+      relax(h);
+      relax(h ^ 1U);
+      if (!crossed.flip(i - 1)) continue;
+      if (edges.empty()) return true;
+      futile = 0;
+      i = i < 2 ? 0 : i - 2;
+    }
+    if (result_.flips >= cap_) result_.status = Status::cap;
+    return false;
+  }
   bool is_isolated(Vertex v) const {
     return halfedge(v, t_.mesh()) == boost::graph_traits<Mesh>::null_halfedge();
   }
@@ -224,6 +303,7 @@ private:
   std::vector<Label> labels_;
   std::vector<std::uint64_t> flips_when_bent_; // per halfedge
   std::priority_queue<Candidate> queue_;
+  std::vector<std::uint32_t> changed_; // vertices from which shortcuts have not been looked for
   Shortening_result result_;
   std::uint64_t cap_ = 0, steps_ = 0, accepted_ = 0, progress_before_ = 0;
 };

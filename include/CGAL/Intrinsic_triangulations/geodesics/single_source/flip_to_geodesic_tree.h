@@ -15,8 +15,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief flips edges until a geodesic from a source to every vertex is among them (§5.5 of the course).
 
 Dijkstra's algorithm, where a path that is bent is replaced by shorter ones, see `shorten_curves()`, before it is accepted. Every path of the
-tree has an angle of at least pi on both sides of all its vertices, or the border there. Lengths are nearly those of shortest paths, but
-not always the same: a shortest path may pass a vertex on the side where all ways along edges are longer.
+tree has an angle of at least pi on both sides of all its vertices, or the border there. Beyond the course, straight ways on from vertices of
+the tree are then looked for by windows, in doubles, and made edges where they are shorter. Nearly all paths are shortest ones, but this is
+not certified; see `Polyhedral_distance`.
 
 \tparam Triangulation a model of `GeodesicTriangulation`
 \tparam NP a chain of named parameters

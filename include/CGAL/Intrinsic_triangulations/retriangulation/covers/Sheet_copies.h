@@ -41,7 +41,9 @@ public:
   static void join(const std::vector<std::uint32_t>&) {}
   static std::vector<std::uint32_t> take(std::uint32_t vertex) { return {vertex}; }
   template <class Session>
-  static void restore_seams(Session&) {}
+  static std::uint64_t restore_seams(Session&) {
+    return 0;
+  }
 };
 
 // Neither are there any on surfaces that are no covers.
@@ -52,23 +54,24 @@ class Sheet_copies<Triangulation> {
 public:
   explicit Sheet_copies(const Triangulation& t) : t_(t) {
     if (t.input().names().sheets < 2 || t.places() == nullptr) return;
-    places_ = t.places();
-    const Sheets sheets(places_->input());
+    const Sheets sheets(t.input());
     if (!sheets.is_cover()) return;
     sheets_.emplace(sheets);
-    for (std::uint32_t e = 0; e < places_->input().number_of_edges(); ++e)
+    for (std::uint32_t e = 0; e < t.input().number_of_edges(); ++e)
       is_seam_.push_back(sheets_->is_seam(e) ? 1 : 0);
     find_copies();
   }
 
-  // whether vertices have copies
-  bool exist() const { return sheets_.has_value(); }
+  // whether vertices have copies, and their places are known: a flip of an edge that would be crossed too often ends that
+  bool exist() const { return sheets_.has_value() && places() != nullptr; }
 
-  // flips away the edges that cross a seam, as a rule all of them
+  // Flips away the edges that cross a seam, as a rule all of them. \return how many flips that took
   template <class Session>
-  void restore_seams(Session& session) {
-    for (std::uint32_t e = 0; e < is_seam_.size(); ++e)
-      if (is_seam_[e] != 0) restore_input_edge(t_, session, *places_, 2 * e);
+  std::uint64_t restore_seams(Session& session) {
+    std::uint64_t flips = 0;
+    for (std::uint32_t e = 0; e < is_seam_.size() && exist(); ++e)
+      if (is_seam_[e] != 0) restore_input_edge(t_, session, *places(), 2 * e, flips);
+    return flips;
   }
 
   // whether an intrinsic edge runs along a seam
@@ -80,13 +83,14 @@ public:
 
   // the places of the copies of a vertex that are still to be inserted
   std::vector<Surface_point> missing(std::uint32_t vertex) const {
-    return exist() ? sheets_->others(places_->location(vertex)) : std::vector<Surface_point>();
+    return exist() ? sheets_->others(places()->location(vertex)) : std::vector<Surface_point>();
   }
 
   // Where a place of the input is now: on the side of the halfedge, if that runs along the edge on which the place is.
   std::optional<Surface_point> locate(const Surface_point& place) const {
+    if (!exist()) return std::nullopt;
     const auto p =
-        Intrinsic_locator<Triangulation, Integer_coordinates>(t_, *places_).locate(place);
+        Intrinsic_locator<Triangulation, Integer_coordinates>(t_, *places()).locate(place);
     if (!p) return std::nullopt;
     Surface_point q = p->point;
     if (place.weights[2] == 0)
@@ -124,6 +128,9 @@ public:
 private:
   static constexpr double nearness = 0x1p-20;
 
+  // asked each time, as they may be given up
+  const Integer_coordinates* places() const { return t_.places(); }
+
   // those of an earlier refinement
   void find_copies() {
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> by_row;
@@ -133,8 +140,8 @@ private:
   }
 
   std::uint32_t along(std::uint32_t h) const {
-    if (places_->normal_coordinate(h / 2) >= 0) return Gluing::none;
-    return places_->fans().halfedge(places_->roundabout(h));
+    const Integer_coordinates& c = *places();
+    return c.normal_coordinate(h / 2) >= 0 ? Gluing::none : c.fans().halfedge(c.roundabout(h));
   }
 
   Surface_point turned(const Surface_point& p) const {
@@ -148,7 +155,6 @@ private:
   }
 
   const Triangulation& t_;
-  const Integer_coordinates* places_ = nullptr;
   std::optional<Sheets> sheets_;
   std::vector<char> is_seam_; // of each edge of the input
   // one list for all of them

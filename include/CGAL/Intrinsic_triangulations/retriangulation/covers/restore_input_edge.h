@@ -59,12 +59,13 @@ bool flip_off_curve(const Triangulation& t, Session& session, const Curve_strip&
 Flips edges until an input edge is an edge of the triangulation, or a chain of edges if vertices were inserted on it.
 \param coordinates where the input edges are
 \param x a halfedge of the input edge
+\param flips is increased by the number of flips
 \return whether it is one, which it may fail to become where it crosses a face more than once
 \complexity quadratic in the number of edges that cross it
 */
 template <class Triangulation, class Session, class Coordinates>
 bool restore_input_edge(const Triangulation& t, Session& session, const Coordinates& coordinates,
-                        std::uint32_t x) {
+                        std::uint32_t x, std::uint64_t& flips) {
   const Intrinsic_view<Triangulation> view(t);
   std::uint32_t vertex = coordinates.input().source(x);
   constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
@@ -88,6 +89,7 @@ bool restore_input_edge(const Triangulation& t, Session& session, const Coordina
     if (!flip_off_curve(t, session, strip, false, size > least ? detours : 0) &&
         !flip_off_curve(t, session, strip, true, detours))
       return false;
+    ++flips;
   }
 }
 

@@ -51,7 +51,7 @@ protected:
   // \param constrained tells which edges are kept
   template <class Constrained>
   void find_segments(const Constrained& constrained) {
-    copies_.restore_seams(session_);
+    result_.counts.flips += copies_.restore_seams(session_);
     for (const auto e : edges(mesh_)) {
       const Halfedge h = halfedge(e, mesh_);
       const bool is_constrained = get(constrained, e);
@@ -118,10 +118,16 @@ protected:
     copies_.take(all.front());
     for (const std::uint32_t v : all) {
       if (!flip()) return false; // before: edges that wait may be removed
-      remove(t_.numbers().vertex_at(v));
+      if (!is_on_segment(t_.numbers().vertex_at(v))) remove(t_.numbers().vertex_at(v));
     }
     flip();
     return false;
+  }
+  // such a copy stays: without it the parts of the segment would be no edges
+  bool is_on_segment(Vertex v) const {
+    bool is_on_one = false;
+    for_each_outgoing(v, mesh_, [&](Halfedge h) { is_on_one = is_on_one || is_segment(h); });
+    return is_on_one;
   }
 
   void start_from(Vertex circumcenter) {

@@ -26,7 +26,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief describes a triangulation on which the error was estimated.
 */
 struct Adaptive_refinement_round {
-  /// Vertices of the triangulation.
+  /// Vertices of the triangulation, copies on the sheets of a cover counted once.
   std::size_t vertices = 0;
   /// Root of the sum of the squares of the indicators.
   double estimated_error = 0;
@@ -87,6 +87,15 @@ struct Adaptive_limits {
   }
 };
 
+// the vertices, copies on a cover counted once where the triangulation knows them
+template <class Triangulation>
+std::size_t number_of_rows(const Triangulation& t) {
+  if constexpr (requires { t.number_of_vertices(); })
+    return t.number_of_vertices();
+  else
+    return num_vertices(t.mesh());
+}
+
 inline double root_of_squares(const std::vector<double>& values) {
   double sum = 0;
   for (const double x : values) sum += x * x;
@@ -117,7 +126,8 @@ the user's: `residual_indicators()` has some.
     (Dörfler 1996): the larger, the fewer rounds; the smaller, the fewer vertices. Above 0, at most 1.
     Default: 0.5.
   - `minimum_angle(x)`: least angle of faces, in degrees; see `delaunay_refine()`. Default: 25.
-  - `maximum_vertices(n)`: cap on the number of vertices, those of the input included. Default: 100000.
+  - `maximum_vertices(n)`: cap on the number of vertices, those of the input included, copies on a cover counted once.
+    Default: 100000.
   - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 100.
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
   - `visitor(v)`: see `Adaptive_refinement_visitor`
@@ -144,9 +154,9 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
     result.status = status;
     return result;
   };
-  // with no more insertions than the cap on vertices allows; tells how to go on
+  // with no more insertions, those of copies included, than the cap on vertices allows; tells how to go on
   const auto refine = [&](auto marks) {
-    const std::size_t n = num_vertices(t.mesh());
+    const std::size_t n = internal::number_of_rows(t);
     const std::uint64_t left = n < limit.vertices ? limit.vertices - n : 0;
     const auto done = delaunay_refine(t, parameters::minimum_angle(limit.angle)
                                              .maximum_insertions(left)
@@ -162,10 +172,10 @@ Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
     const std::vector<double> indicators = internal::checked_indicators(t, estimate(t));
     const std::vector<std::size_t> marked = mark_bulk(indicators, limit.share);
     const double error = internal::root_of_squares(indicators);
-    result.rounds.push_back({num_vertices(t.mesh()), error, marked.size()});
+    result.rounds.push_back({internal::number_of_rows(t), error, marked.size()});
     if (!observed.progress(result.rounds.back())) return end(Status::cancelled);
     if (error <= limit.error) return end(Status::done);
-    if (num_vertices(t.mesh()) >= limit.vertices || result.rounds.size() > limit.rounds)
+    if (internal::number_of_rows(t) >= limit.vertices || result.rounds.size() > limit.rounds)
       return end(Status::cap);
     Marked_faces<Triangulation> faces(t, marked);
     if (const Status s = refine(std::ref(faces)); s != Status::done) return end(s);

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SINGLE_SOURCE_SHORTCUT_FINDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SINGLE_SOURCE_SHORTCUT_FINDER_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The edges that a segment between two vertices crosses, in order: the halfedges on the side of the first of them; and whether two that follow
+// each other share the end on the left.
+class Crossed_edges {
+public:
+  std::vector<std::uint32_t> halfedges;
+  std::vector<char> shares_left; // one fewer
+
+  // Takes note of the flip of edge i. \return whether it is not crossed any more
+  bool flip(std::size_t i) {
+    const bool is_at_end = i == 0 || i + 1 == halfedges.size();
+    if (!is_at_end && shares_left[i - 1] != shares_left[i]) {
+      std::swap(shares_left[i - 1], shares_left[i]);
+      return false;
+    }
+    halfedges.erase(halfedges.begin() + static_cast<std::ptrdiff_t>(i));
+    if (!shares_left.empty())
+      shares_left.erase(shares_left.begin() + static_cast<std::ptrdiff_t>(i == 0 ? 0 : i - 1));
+    return true;
+  }
+};
+
+// Looks for straight ways from a vertex to others that are shorter than what is known: windows are followed through faces, in doubles,
+// until a way by a vertex at their edge is shorter to all that is behind (Xin and Wang 2009). Where most edges are parts of shortest
+// paths, as in a geodesic tree, that is after a face or two.
+// \tparam Known tells `distance(v)` of vertices by number, and `is_barrier(h)` of halfedges: ways across those are not looked at
+template <class Triangulation, class Known>
+class Shortcut_finder {
+  using Mesh = typename Triangulation::Mesh;
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Vector = std::array<double, 2>;
+
+public:
+  Shortcut_finder(const Triangulation& t, const Known& known) : t_(t), known_(known) {}
+
+  // Looks at the vertices to which a path goes straight on from v.
+  // \param in the last halfedge of the path to v, which may be bent only beyond pi; a null halfedge if it begins there
+  // \param gain how much nearer a vertex must be, relatively
+  // \return whether there is one; then `crossed()` are the edges on the way to it
+  bool find(Vertex v, Halfedge in, double gain) {
+    find_faces(v, in);
+    for (const Halfedge h : faces_)
+      if (find(h, gain)) return true;
+    return false;
+  }
+
+  Crossed_edges crossed() const {
+    Crossed_edges result;
+    for (std::size_t i = found_;; i = windows_[i].before) {
+      result.halfedges.push_back(t_.numbers().halfedge(windows_[i].halfedge));
+      if (i == 0) break;
+      result.shares_left.push_back(windows_[i].shares_left ? 1 : 0);
+    }
+    std::reverse(result.halfedges.begin(), result.halfedges.end());
+    std::reverse(result.shares_left.begin(), result.shares_left.end());
+    return result;
+  }
+
+private:
+  // What is seen of an edge, with the vertex at the origin: between directions `right` and `left`. The halfedge is on the near side, from
+  // a to b.
+  struct Window {
+    Halfedge halfedge;
+    Vector a, b, right, left;
+    std::size_t before; // the window that it is seen through
+    bool shares_left;   // with that one
+  };
+
+  static constexpr std::size_t most_windows = 1000;
+
+  // The halfedges from v with a face on the left into which a path can go straight on: the angles between it and the last halfedge are
+  // beyond pi, on both sides.
+  void find_faces(Vertex v, Halfedge in) {
+    const auto& mesh = t_.mesh();
+    const bool is_source = in == boost::graph_traits<Mesh>::null_halfedge();
+    bool is_closed = true;
+    double sum = 0, at_in = 0;
+    faces_.clear();
+    angles_.clear();
+    for_each_outgoing(v, mesh, [&](Halfedge h) {
+      if (!is_source && h == opposite(in, mesh)) at_in = sum;
+      is_closed = face(h, mesh) != boost::graph_traits<Mesh>::null_face();
+      if (!is_closed) return;
+      faces_.push_back(h);
+      angles_.push_back(sum);
+      if (!is_source) sum += angle(h);
+    });
+    angles_.push_back(sum);
+    if (is_source) return;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const bool is_before = angles_[i] < at_in; // clockwise from the last halfedge
+      const double left = angles_[i + 1] - at_in, right = at_in - angles_[i];
+      if ((is_before ? !is_closed || left + sum > std::numbers::pi : left > std::numbers::pi) &&
+          (is_before ? right > std::numbers::pi : !is_closed || right + sum > std::numbers::pi))
+        faces_[count++] = faces_[i];
+    }
+    faces_.resize(count);
+  }
+  // at the source of h, in the face on the left
+  double angle(Halfedge h) const {
+    const auto& mesh = t_.mesh();
+    const Halfedge far = next(h, mesh);
+    return std::atan2(quadruple_area(h),
+                      squared_length(h) + squared_length(next(far, mesh)) - squared_length(far));
+  }
+
+  // Looks at the vertices that are seen from the source of `h` through the face on the left of `h`.
+  bool find(Halfedge h, double gain) {
+    const auto& mesh = t_.mesh();
+    apex_distance_ = known_.distance(t_.index(source(h, mesh)));
+    const Halfedge far = next(h, mesh), back = next(far, mesh);
+    const Vector a{std::sqrt(squared_length(h)), 0};
+    const double x = (squared_length(h) + squared_length(back) - squared_length(far)) / (2 * a[0]);
+    const Vector b{x, quadruple_area(h) / (2 * a[0])};
+    windows_.clear();
+    push(far, a, b, a, b, 0);
+    for (std::size_t i = 0; i < windows_.size(); ++i)
+      if (look_through(i, gain)) return true;
+    return false;
+  }
+
+  double squared_length(Halfedge h) const {
+    return t_.metric().approximate_squared_length(t_.numbers().halfedge(h) / 2);
+  }
+  double quadruple_area(Halfedge h) const {
+    return t_.metric().approximate_quadruple_area(t_.numbers().face(face(h, t_.mesh())));
+  }
+  static double cross(const Vector& a, const Vector& b) { return a[0] * b[1] - a[1] * b[0]; }
+  static double distance(const Vector& a, const Vector& b) {
+    return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
+  }
+  // where a ray from the origin meets the line through a and b
+  static Vector meet(const Vector& ray, const Vector& a, const Vector& b) {
+    const Vector ab{b[0] - a[0], b[1] - a[1]};
+    const double s = cross(a, ab) / cross(ray, ab);
+    return {s * ray[0], s * ray[1]};
+  }
+
+  void push(Halfedge h, const Vector& a, const Vector& b, const Vector& right, const Vector& left,
+            std::size_t before, bool shares_left = false) {
+    const auto& mesh = t_.mesh();
+    if (windows_.size() == most_windows || known_.is_barrier(t_.numbers().halfedge(h)) ||
+        face(opposite(h, mesh), mesh) == boost::graph_traits<Mesh>::null_face())
+      return;
+    const Vector r = meet(right, a, b), l = meet(left, a, b);
+    const double to_r = apex_distance_ + distance(r, {0, 0}),
+                 to_l = apex_distance_ + distance(l, {0, 0});
+    if (known_.distance(t_.index(source(h, mesh))) + distance(a, l) < to_l ||
+        known_.distance(t_.index(target(h, mesh))) + distance(b, r) < to_r)
+      return;
+    windows_.push_back({h, a, b, right, left, before, shares_left});
+  }
+
+  // whether the vertex behind a window is nearer than known; else it divides what is seen
+  bool look_through(std::size_t i, double gain) {
+    const Window w = windows_[i];
+    const auto& mesh = t_.mesh();
+    const Halfedge o = opposite(w.halfedge, mesh), av = next(o, mesh), vb = next(av, mesh);
+    const double e = squared_length(o);
+    const double s = (squared_length(av) + e - squared_length(vb)) / (2 * e);
+    const double q = quadruple_area(o) / (2 * e);
+    const Vector ab{w.b[0] - w.a[0], w.b[1] - w.a[1]};
+    const Vector v{w.a[0] + s * ab[0] + q * ab[1], w.a[1] + s * ab[1] - q * ab[0]};
+    const bool is_left_of_right = cross(w.right, v) > 0, is_right_of_left = cross(v, w.left) > 0;
+    if (is_left_of_right && is_right_of_left) {
+      found_ = i;
+      const double known = known_.distance(t_.index(target(av, mesh)));
+      if (apex_distance_ + distance(v, {0, 0}) < known * (1 - gain)) return true;
+    }
+    if (is_left_of_right) push(av, w.a, v, w.right, is_right_of_left ? v : w.left, i, false);
+    if (is_right_of_left) push(vb, v, w.b, is_left_of_right ? v : w.right, w.left, i, true);
+    return false;
+  }
+
+  const Triangulation& t_;
+  const Known& known_;
+  std::vector<Halfedge> faces_;
+  std::vector<double>
+      angles_; // from the first of the halfedges to each, counterclockwise, and in all
+  double apex_distance_ = 0;
+  std::vector<Window> windows_;
+  std::size_t found_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SINGLE_SOURCE_SHORTCUT_FINDER_H
