@@ -17,7 +17,7 @@ import tempfile
 from PIL import Image
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-PANEL = 352  # pixels on the left of each page
+PANEL = 360  # pixels on the left of each page
 SIZE = (360, 300)
 
 # name of the picture: command, mesh, options

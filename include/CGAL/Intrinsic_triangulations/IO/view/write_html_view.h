@@ -46,8 +46,8 @@ struct Html_view {
   unsigned isolines = 0;
   /// A place in the plane for each vertex, to be shown by a checkerboard; or none.
   std::span<const std::array<double, 2>> texture{};
-  /// Whether edges show at first, and faces without a field have colours.
-  bool has_edges = true, has_face_colors = true;
+  bool has_edges = true;       ///< whether edges show at first
+  bool has_face_colors = true; ///< whether faces without a field have colours
   /// Width of curves in pixels.
   double curve_width = 3.5;
   /// Curves on the surface, to be drawn in colours that their labels choose.
