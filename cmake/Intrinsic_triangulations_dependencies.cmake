@@ -2,7 +2,8 @@
 # configuration file, so that both find the same things in the same way.
 #
 # Required: CGAL (which brings GMP, MPFR, Boost headers and -frounding-math), MPFI.
-# Optional: Eigen3 (headers in operators/), OpenMesh (connectivity/adaptors/OpenMesh_adaptor.h).
+# Optional: Eigen3 (headers in operators/ and applications/), CHOLMOD (faster solution of large systems), Spectra
+# (operators/solvers/eigenpairs.h), OpenMesh (connectivity/adaptors/OpenMesh_adaptor.h).
 #
 # Defines the target Intrinsic_triangulations::OpenMesh_support if OpenMesh is found; programs that
 # use OpenMesh meshes link to it beside the library.
@@ -14,6 +15,11 @@ if(CGAL_VERSION VERSION_LESS 5.5)
 endif()
 find_package(MPFI QUIET REQUIRED)
 find_package(Eigen3 3.3 QUIET NO_MODULE) # after CGAL, whose own find module knows no target
+if(TARGET Eigen3::Eigen)
+  find_package(CHOLMOD QUIET)
+  find_path(SPECTRA_INCLUDE_DIR NAMES Spectra/SymGEigsShiftSolver.h)
+  mark_as_advanced(SPECTRA_INCLUDE_DIR)
+endif()
 find_package(OpenMesh QUIET NO_MODULE)
 
 if(TARGET OpenMeshCore AND NOT TARGET Intrinsic_triangulations::OpenMesh_support)

@@ -70,6 +70,7 @@ BEGIN {
   group["metric/Enclosed_values.h"]                          = "ref_exact"
   group["operators/"]                                        = "ref_operators"
   group["operators/symmetric_assembly.h"]                    = "ref_inside"
+  group["applications/"]                                     = "ref_applications"
   group["retriangulation/covers/"]                          = "ref_inside"
   group["retriangulation/delaunay/"]                         = "ref_delaunay"
   group["retriangulation/delaunay/Delaunay_flipper.h"]       = "ref_inside"

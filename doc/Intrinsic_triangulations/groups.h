@@ -107,6 +107,12 @@ Begin with \itc{Intrinsic_triangulation}, or with \itc{Corresponding_triangulati
 */
 
 /*!
+\defgroup ref_applications Applications
+\ingroup page_reference
+\brief Distances, vectors, maps to the plane, editing: what is solved with the operators. Headers in `applications/`; they need Eigen.
+*/
+
+/*!
 \defgroup ref_io Files
 \ingroup page_reference
 \brief Meshes in; triangulations, subdivisions and pages out.

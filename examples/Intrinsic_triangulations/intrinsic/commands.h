@@ -14,6 +14,10 @@ void run_delaunay(const Options& options);
 void run_transfer(const Options& options);
 /// makes curves geodesic, refines with them as constraints if that is asked for, and writes what is asked for.
 void run_geodesic(const Options& options);
+/// computes eigenvalues and eigenfunctions of the Laplacian.
+void run_eigen(const Options& options);
+/// deforms the surface by moving some of its vertices.
+void run_edit(const Options& options);
 /// describes a mesh or an intrinsic triangulation, as it is.
 void run_info(const Options& options);
 /// becomes the program `intrinsic-study`. \throws std::runtime_error if that is not found

@@ -105,7 +105,9 @@ void constrain_listed_edges(const Mesh_file& file, const Options& options, Const
 
 Constraints constraints_of(const Mesh_file& file, const Options& options) {
   Constraints c;
-  if (!options.geodesic.paths.empty() || !options.geodesic.loops.empty()) c.mesh = file.input.mesh;
+  if (!options.geodesic.paths.empty() || !options.geodesic.loops.empty() ||
+      !options.application.sources.empty())
+    c.mesh = file.input.mesh;
   if (!has_constraints(options)) return c;
   c.is_constrained.assign(file.input.mesh.number_of_edges(), 0);
   if (options.sharp_angle) constrain_sharp_edges(file, *options.sharp_angle, c);

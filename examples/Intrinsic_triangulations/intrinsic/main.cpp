@@ -108,6 +108,30 @@ void add_geodesic(CLI::App& app, Options& options, Command& chosen) {
   command.callback([&chosen] { chosen = program::run_geodesic; });
 }
 
+void add_eigen(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "eigen", "compute the smallest eigenvalues of the Laplacian, and their eigenfunctions");
+  program::add_application_options(command, options);
+  command.add_option("--count", options.application.count, "how many (default 10)")
+      ->check(CLI::PositiveNumber);
+  command.callback([&chosen] { chosen = program::run_eigen; });
+}
+
+void add_edit(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command =
+      *app.add_subcommand("edit", "deform the surface: move some vertices, others follow smoothly");
+  program::add_application_options(command, options);
+  command
+      .add_option("--handles", options.application.handles,
+                  "text file: on each line the number of a vertex and its displacement")
+      ->required();
+  command
+      .add_option("--energy", options.application.energy,
+                  "what is made least: biharmonic (default) or harmonic")
+      ->check(CLI::IsMember({"biharmonic", "harmonic"}));
+  command.callback([&chosen] { chosen = program::run_edit; });
+}
+
 void add_info(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
       "info", "describe a mesh or an intrinsic triangulation as it is, and tell "
@@ -142,16 +166,18 @@ int run(int argc, char** argv) {
   add_laplacian(app, options, chosen);
   add_transfer(app, options, chosen);
   add_geodesic(app, options, chosen);
+  add_eigen(app, options, chosen);
+  add_edit(app, options, chosen);
   add_info(app, options, chosen);
   add_study(app, options, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
-      std::cerr
-          << "intrinsic: there is no command \""
-          << program::legible(argv[1], program::longest_argument)
-          << "\"; use delaunay, refine, laplacian, transfer, geodesic, info or study, or --help\n";
+      std::cerr << "intrinsic: there is no command \""
+                << program::legible(argv[1], program::longest_argument)
+                << "\"; use delaunay, refine, laplacian, transfer, geodesic, eigen, edit, info or "
+                   "study, or --help\n";
       return program::misused;
     }
     return app.exit(e) == 0 ? 0 : program::misused;

@@ -104,6 +104,18 @@ CLI::Validator text_or_mesh() {
       "FILE");
 }
 
+CLI::Validator text_or_surface() {
+  return CLI::Validator(
+      [](std::string& path) {
+        const std::string extension = std::filesystem::path(path).extension().string();
+        return extension == ".txt" ||
+                       CGAL::Intrinsic_triangulations::is_common_subdivision_extension(extension)
+                   ? std::string()
+                   : path + ": write values to .txt, or the surface to .ply .obj .off .stl .vtp";
+      },
+      "FILE");
+}
+
 void add_common_options(CLI::App& command, Options& options) {
   command
       .add_option("IN", options.input,
@@ -321,6 +333,28 @@ void add_curve_output_options(CLI::App& command, Options& options) {
                    "(.ply .obj .off .stl .vtp)");
   command.add_option("--view", options.view, "write a page that shows the curves")
       ->type_name("FILE");
+}
+
+void add_application_options(CLI::App& command, Options& options) {
+  add_common_options(command, options);
+  command
+      .add_option("-o", options.output,
+                  "write values (.txt), or the surface with them (.ply .obj .off .stl .vtp)")
+      ->check(text_or_surface());
+  command
+      .add_option("--on", options.application.on,
+                  "where they are written: on the common subdivision (default), the input, or the "
+                  "intrinsic triangulation (values only)")
+      ->check(CLI::IsMember({"subdivision", "input", "intrinsic"}));
+  command.add_option("--view", options.view, "write a page that shows the result")
+      ->type_name("FILE");
+  CLI::Option* const refine = command.add_flag(
+      "--refine", options.refines, "refine the triangulation, as the command refine does");
+  add_constraint_options(command, options);
+  add_metric_option(command, options);
+  add_refinement_options(command, options);
+  add_adaptive_options(command, options);
+  make_refinement_options_need(*refine, command);
 }
 
 void make_refinement_options_need(CLI::Option& refine, CLI::App& command) {

@@ -18,6 +18,9 @@ CLI::Validator matrix_file();
 /// returns a check that a file is one of values, or of the common subdivision with values.
 CLI::Validator text_or_mesh();
 
+/// returns a check that a file is one of values, or of a surface.
+CLI::Validator text_or_surface();
+
 /// adds the input, and what all commands take.
 void add_common_options(CLI::App& command, Options& options);
 /// adds edges that are kept.
@@ -36,6 +39,8 @@ void add_correspondence_options(CLI::App& command, Options& options);
 void add_curve_options(CLI::App& command, Options& options);
 /// adds what is written of curves.
 void add_curve_output_options(CLI::App& command, Options& options);
+/// adds all that commands take that solve something on the triangulation: its refinement, where results are written.
+void add_application_options(CLI::App& command, Options& options);
 /// refuses criteria of refinement without an option.
 void make_refinement_options_need(CLI::Option& refine, CLI::App& command);
 

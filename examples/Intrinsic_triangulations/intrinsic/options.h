@@ -49,6 +49,19 @@ struct Geodesic_options {
   bool writes_subdivision = false;
 };
 
+/// What is solved on the triangulation, and where results are written.
+struct Application_options {
+  std::vector<std::string> sources;  ///< points, separated by commas
+  std::string on = "subdivision";    ///< `input`, `intrinsic` or `subdivision`
+  double time_factor = 1;            ///< of the time step that a method chooses
+  std::size_t count = 10;            ///< of eigenpairs
+  unsigned degree = 1;               ///< of direction fields
+  std::string map = "harmonic";      ///< `harmonic`, `spectral` or `lscm`
+  std::string vectors;               ///< file of vectors at vertices
+  std::string handles;               ///< file of vertices and their displacements; empty: none
+  std::string energy = "biharmonic"; ///< of a deformation
+};
+
 /// What the command line asks for.
 struct Options {
   std::string input;
@@ -78,6 +91,7 @@ struct Options {
   Refinement_criteria refinement;
   Adaptive_criteria adaptive;
   Geodesic_options geodesic;
+  Application_options application;
   std::string sizes;              ///< file of wanted lengths of edges, one per vertex; empty: none
   std::string metric;             ///< file of factors or tensors; empty: lengths are those in space
   std::string field;              ///< file of values at vertices that are transferred

@@ -61,7 +61,7 @@ std::string description(const Json& json) {
 
 void write_view(std::ostream& out, const IT::Common_subdivision& s,
                 const std::vector<Point>& points, const Options& options, const Json& json,
-                const Viewed_curves& curves) {
+                const Viewed& viewed) {
   if (three_js().empty())
     throw std::runtime_error(options.view +
                              ": the program was built without three.js, which the page needs; "
@@ -73,8 +73,12 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   view.description = text;
   view.three = three_js();
   view.trackball_controls = trackball_controls_js();
-  view.curves = curves.curves;
-  view.initial_curves = curves.initial_curves;
+  view.curves = viewed.curves;
+  view.initial_curves = viewed.initial_curves;
+  if (viewed.field != nullptr) view.field = *viewed.field;
+  view.isolines = viewed.isolines;
+  view.texture = viewed.texture;
+  view.has_edges = viewed.has_edges;
   IT::write_html_view(out, s, points, view);
 }
 

@@ -11,15 +11,20 @@
 #include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
+#include <array>
 #include <ostream>
 #include <span>
 #include <vector>
 
 namespace program {
 
-/// Curves that a page shows.
-struct Viewed_curves {
-  std::span<const IT::Polyline> curves, initial_curves;
+/// What a page shows besides the triangulation.
+struct Viewed {
+  std::span<const IT::Polyline> curves{}, initial_curves{};
+  const IT::Vertex_field* field = nullptr;          ///< shown as colours; null: none
+  unsigned isolines = 0;                            ///< steps between lines of equal values of it
+  std::span<const std::array<double, 2>> texture{}; ///< places in the plane, or none
+  bool has_edges = true;                            ///< whether edges show at first
 };
 
 /*!
@@ -29,11 +34,11 @@ struct Viewed_curves {
 \param points the position of each vertex of it
 \param options the options
 \param json the statistics
-\param curves curves on the surface
+\param viewed what else is shown
 */
 void write_view(std::ostream& out, const IT::Common_subdivision& s,
                 const std::vector<Point>& points, const Options& options, const Json& json,
-                const Viewed_curves& curves);
+                const Viewed& viewed);
 
 } // namespace program
 

@@ -7,14 +7,13 @@
 #include "../constraints.h"
 #include "../load.h"
 #include "../options.h"
+#include "Asked_vertices.h"
 #include "asked_curves.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/bezier/make_bezier_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/add_marked_edges.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/single_source/flip_to_geodesic_tree.h>
 
 #include <algorithm>
@@ -41,14 +40,15 @@ public:
   /// prepares the curves of `options` on what was loaded.
   Curve_builder(Loaded<Triangulation>& loaded, const Options& options,
                 IT::Curve_network<Triangulation>& network)
-      : loaded_(loaded), t_(loaded.triangulation), options_(options), network_(network) {}
+      : loaded_(loaded), t_(loaded.triangulation), options_(options), network_(network),
+        points_(loaded, options) {}
 
   /// adds the curves. \throws std::runtime_error naming what cannot be added, and the remedy
   void run() {
     const std::vector<Asked_curve> curves =
         asked_curves(options_, t_.input().number_of_rows(), loaded_.facts.polygons);
     std::vector<Vertices> vertices;
-    for (const Asked_curve& curve : curves) vertices.push_back(vertices_of(curve));
+    for (const Asked_curve& curve : curves) vertices.push_back(points_(curve));
     fix_vertices(curves, vertices);
     if (has_constraints(options_))
       named(options_.input,
@@ -100,67 +100,13 @@ private:
       function();
     } catch (const IT::Invalid_input& e) {
       if (e.kind() != IT::Element_kind::vertex) throw;
-      throw std::runtime_error(source + ": the curve crosses another or itself at " +
-                               name(t_.numbers().vertex_at(static_cast<std::uint32_t>(e.index()))) +
-                               ", where none may pass another; let curves end there, give it as a "
-                               "point of this one with "
-                               "--waypoints, or make each geodesic in a run of its own");
+      throw std::runtime_error(
+          source + ": the curve crosses another or itself at " +
+          points_.name(t_.numbers().vertex_at(static_cast<std::uint32_t>(e.index()))) +
+          ", where none may pass another; let curves end there, give it as a "
+          "point of this one with "
+          "--waypoints, or make each geodesic in a run of its own");
     }
-  }
-
-  std::string name(Vertex v) const {
-    return t_.is_inserted(v)
-               ? "a point inside of a face of " + options_.input
-               : "vertex " + std::to_string(t_.input_vertex(v)) + " of " + options_.input;
-  }
-
-  Vertices vertices_of(const Asked_curve& curve) {
-    Vertices result;
-    for (const Asked_point& p : curve.points) {
-      const Vertex v = p.is_vertex ? vertex_in_file(p.element, result) : vertex_in_face(p, curve);
-      if (halfedge(v, t_.mesh()).index == IT::Gluing::none)
-        throw std::runtime_error(curve.source + ": " + name(v) +
-                                 " is isolated: no face has it; choose another");
-      result.push_back(v);
-    }
-    return result;
-  }
-
-  // On a cover, that copy of a vertex to which edges lead from the point before, if there is one.
-  Vertex vertex_in_file(std::uint32_t number, const Vertices& before) const {
-    const IT::Input_names& names = t_.input().names();
-    const Vertex first = t_.numbers().vertex_at(names.vertex(number));
-    if (names.row_of_vertex.empty() || before.empty()) return first;
-    IT::Edge_path_finder<Triangulation> find(t_);
-    const auto [begin, end] =
-        std::equal_range(names.row_of_vertex.begin(), names.row_of_vertex.end(), number);
-    for (auto copy = begin; copy != end; ++copy) {
-      const Vertex v = t_.numbers().vertex_at(
-          names.vertices.here(static_cast<std::uint32_t>(copy - names.row_of_vertex.begin())));
-      if (v != before.back() && !find(before.back(), v).empty()) return v;
-    }
-    return first;
-  }
-
-  Vertex vertex_in_face(const Asked_point& p, const Asked_curve& curve) {
-    const std::string face =
-        curve.source + ": face " + std::to_string(p.element) + " of " + options_.input;
-    std::uint32_t triangle = p.element;
-    if (const std::vector<std::uint32_t>& polygon = loaded_.polygon_of_triangle; !polygon.empty()) {
-      const auto [begin, end] = std::equal_range(polygon.begin(), polygon.end(), p.element);
-      if (end == begin)
-        throw std::runtime_error(face + " has no three different vertices; choose another");
-      if (end - begin != loaded_.domain.sheets)
-        throw std::runtime_error(face + " is a polygon, in which barycentric coordinates name no "
-                                        "point; triangulate it before");
-      triangle = static_cast<std::uint32_t>(begin - polygon.begin());
-    }
-    const auto v =
-        IT::insert_point(t_, IT::surface_point(t_, {IT::Gluing_map::Face{triangle}, p.weights},
-                                               loaded_.constraints.mesh));
-    if (v.status != IT::Move_status::done)
-      throw std::runtime_error(face + " has no room for a vertex at that point; choose another");
-    return v.vertex;
   }
 
   // Ends that several curves have are junctions.
@@ -182,12 +128,12 @@ private:
     for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < n; ++i) {
       const Vertex from = vertices[i], to = vertices[(i + 1) % n];
       if (from == to)
-        throw std::runtime_error(curve.source + ": " + name(from) +
+        throw std::runtime_error(curve.source + ": " + points_.name(from) +
                                  " follows itself; give it once");
       const std::vector<Halfedge> piece = find(from, to);
       if (piece.empty())
-        throw std::runtime_error(curve.source + ": no path leads from " + name(from) + " to " +
-                                 name(to) +
+        throw std::runtime_error(curve.source + ": no path leads from " + points_.name(from) +
+                                 " to " + points_.name(to) +
                                  ", they are in different components; choose points of one");
       way.insert(way.end(), piece.begin(), piece.end());
     }
@@ -198,6 +144,7 @@ private:
   Triangulation& t_;
   const Options& options_;
   IT::Curve_network<Triangulation>& network_;
+  Asked_vertices<Triangulation> points_;
 };
 
 } // namespace program

@@ -98,6 +98,16 @@ std::string curve_points_misuse(const std::string& text, std::size_t least) {
   return {};
 }
 
+std::vector<Asked_curve> asked_points(const Options& options, std::size_t vertices,
+                                      std::size_t faces) {
+  std::vector<Asked_curve> lists;
+  for (const std::string& text : options.application.sources) {
+    lists.push_back({points_of(text), false, "--source " + text});
+    expect_elements(lists.back(), options.input, vertices, faces);
+  }
+  return lists;
+}
+
 std::vector<Asked_curve> asked_curves(const Options& options, std::size_t vertices,
                                       std::size_t faces) {
   std::vector<Asked_curve> curves;

@@ -51,6 +51,10 @@ std::string curve_points_misuse(const std::string& text, std::size_t least);
 std::vector<Asked_curve> asked_curves(const Options& options, std::size_t vertices,
                                       std::size_t faces);
 
+/// returns the lists of points of `--source` of commands that solve something. \throws std::runtime_error as `asked_curves()`
+std::vector<Asked_curve> asked_points(const Options& options, std::size_t vertices,
+                                      std::size_t faces);
+
 } // namespace program
 
 #endif // INTRINSIC_GEODESIC_ASKED_CURVES_H

@@ -418,6 +418,21 @@ TEST(Write_common_subdivision, Labels_faces_and_lines_of_OBJ_in_comments) {
   EXPECT_NE(obj.find("# intrinsic_edge 4\nl 3 5 2\n"), std::string::npos) << obj;
 }
 
+TEST(Write_common_subdivision, Gives_OBJ_the_fields_u_and_v_as_texture_coordinates) {
+  const Example e = grid(1); // five vertices
+  const auto obj = [&e](const std::vector<IT::Vertex_field>& fields) {
+    std::ostringstream out;
+    IT::write_common_subdivision(out, "obj", e.s, e.points, fields);
+    return out.str();
+  };
+  const IT::Vertex_field u{"u", std::vector<double>{0, 1, 0, 1, 0.5}},
+      v{"v", std::vector<double>{0, 0, 2, 2, 1}};
+  const std::string both = obj({u, v});
+  EXPECT_NE(both.find("\nvt 0 0\nvt 1 0\nvt 0 2\nvt 1 2\nvt 0.5 1\n"), std::string::npos) << both;
+  EXPECT_NE(both.find("\nf 2/2 4/4 5/5\nf 4/4 3/3 5/5\n"), std::string::npos) << both;
+  EXPECT_EQ(obj({u}), obj({}));
+}
+
 TEST(Write_common_subdivision, Writes_an_empty_subdivision) {
   for (const std::string_view extension : IT::common_subdivision_extensions)
     EXPECT_FALSE(written(std::string(extension), {}).empty());

@@ -300,6 +300,22 @@ TEST(Html_view, Takes_fields_that_are_constant_or_not_finite_or_huge) {
     EXPECT_TRUE(std::isnan(x));
 }
 
+TEST(Html_view, Scales_a_texture_alike_in_both_directions) {
+  const auto s = subdivisions::grid(1);
+  const std::vector<std::array<double, 2>> places{{-1, 5}, {3, 5}, {-1, 6}, {3, 7}, {1, 6}};
+  IT::Html_view view = simple_view();
+  view.texture = places;
+  view.isolines = 7;
+  view.has_edges = false;
+  const std::string html = page(s, points_of(s, 1), view);
+  EXPECT_EQ(numbers<float>(html, "texture"),
+            (std::vector<float>{0, 0, 1, 0, 0, 0.25, 1, 0.5, 0.5, 0.25}));
+  EXPECT_NE(html.find("data-isolines=\"7\" data-edges=\"hidden\""), std::string::npos);
+  EXPECT_TRUE(numbers<float>(page(s, points_of(s, 1)), "texture").empty());
+  view.texture = std::span(places).first(4);
+  EXPECT_THROW(page(s, points_of(s, 1), view), IT::Invalid_input);
+}
+
 TEST(Html_view, Refuses_what_it_cannot_show) {
   const auto s = subdivisions::grid(1);
   const Points points = points_of(s, 1);

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +19,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /*!
@@ -35,18 +37,38 @@ inline void write_OBJ_vertices(Output_buffer& out, char kind,
   out.line();
 }
 
+// A corner of a face: its vertex, and its place in the plane, which has the same number.
+inline void write_OBJ_face(Output_buffer& out, std::span<const std::uint32_t> vertices,
+                           bool has_texture) {
+  if (!has_texture) return write_OBJ_vertices(out, 'f', vertices);
+  out.words('f');
+  for (const std::uint32_t v : vertices)
+    out.text(' ', std::uint64_t{v} + 1, '/', std::uint64_t{v} + 1);
+  out.line();
+}
+
+// Fields of these names are places in the plane.
+inline const Vertex_field* find_field(const Subdivision_output& o, std::string_view name) {
+  const auto i = std::ranges::find(o.fields, name, &Vertex_field::name);
+  return i == o.fields.end() ? nullptr : &*i;
+}
+
 // Numbers of intrinsic faces, faces of the input and intrinsic edges are in comments before the elements.
 inline void write_OBJ(Output_buffer& out, const Subdivision_output& o, bool with_lines) {
   const Common_subdivision& s = o.s;
   out.text("# common subdivision of a mesh (the input) and an intrinsic triangulation of it\n"
            "# numbers in comments count from 0; input_faces: one for each face that follows\n");
   for (const std::array<double, 3>& p : o.points) out.line('v', p[0], p[1], p[2]);
+  const Vertex_field *const u = find_field(o, "u"), *const v = find_field(o, "v");
+  const bool has_texture = u != nullptr && v != nullptr;
+  for (std::size_t i = 0; has_texture && i < o.points.size(); ++i)
+    out.line("vt", u->values[i], v->values[i]);
   for (std::size_t f = 0, end = 0; f < s.number_of_faces(); f = end) {
     out.words("# intrinsic_face", s.intrinsic_face[f], "input_faces");
     for (; end < s.number_of_faces() && s.intrinsic_face[end] == s.intrinsic_face[f]; ++end)
       out.words(s.input_face[end]);
     out.line();
-    for (std::size_t g = f; g < end; ++g) write_OBJ_vertices(out, 'f', s.face(g));
+    for (std::size_t g = f; g < end; ++g) write_OBJ_face(out, s.face(g), has_texture);
   }
   if (!with_lines) return;
   const Edge_polylines lines = intrinsic_edge_polylines(s);

@@ -42,6 +42,12 @@ struct Html_view {
   std::string_view trackball_controls;
   /// A field to be shown as colours; without values the intrinsic faces have their own.
   Vertex_field field{};
+  /// How many steps of the field lines of equal value show, where there are values; 0: none.
+  unsigned isolines = 0;
+  /// A place in the plane for each vertex, to be shown by a checkerboard; or none.
+  std::span<const std::array<double, 2>> texture{};
+  /// Whether edges show at first.
+  bool has_edges = true;
   /// Curves on the surface, to be drawn in colours that their labels choose.
   std::span<const Polyline> curves{};
   /// What the curves were before, to be drawn thin and grey.
@@ -151,6 +157,7 @@ private:
     write_edges("input-edges", &Common_subdivision::Side::input_edge, s_.input_face);
     write_edges("intrinsic-edges", &Common_subdivision::Side::intrinsic_edge, s_.intrinsic_face);
     write_field();
+    write_texture();
     write_curves("curves", view_.curves);
     write_curves("initial-curves", view_.initial_curves);
   }
@@ -219,12 +226,30 @@ private:
     open_data("scalars");
     out_.text(" data-name=\"");
     escaped(view_.field.name);
-    out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\">");
+    out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\" data-isolines=\"",
+              view_.isolines, "\" data-edges=\"", view_.has_edges ? "shown" : "hidden", "\">");
     close_data([&](Base64_writer& out) {
       for (const double x : view_.field.values)
         out.put(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()
                 : range > 0       ? static_cast<float>((x / 2 - least / 2) / range)
                                   : 0.f);
+    });
+  }
+
+  // Places in the plane, of which the longer side of the bounding box becomes 1.
+  void write_texture() {
+    std::array<double, 2> least{0, 0};
+    double size = 0;
+    for (std::size_t c = 0; c < 2 && !view_.texture.empty(); ++c) {
+      const auto [low, high] = std::ranges::minmax_element(
+          view_.texture, {}, [c](const std::array<double, 2>& p) { return p[c]; });
+      least[c] = (*low)[c];
+      size = std::max(size, (*high)[c] - least[c]);
+    }
+    data("texture", [&](Base64_writer& out) {
+      for (const std::array<double, 2>& p : view_.texture)
+        for (std::size_t c = 0; c < 2; ++c)
+          out.put(size > 0 ? static_cast<float>((p[c] - least[c]) / size) : 0.f);
     });
   }
 
@@ -278,12 +303,12 @@ private:
 network.
 
 Intrinsic faces have colours that differ between neighbours, intrinsic edges are dark, input edges
-light; a field replaces the colours. Of a cover, the fronts of the user's faces are shown, or their backs. Curves lie on top. The pointer shows the numbers of the faces under it.
+light; a field replaces the colours, a texture darkens every other square of a checkerboard. Of a cover, the fronts of the user's faces are shown, or their backs. Curves lie on top. The pointer shows the numbers of the faces under it.
 \param out the stream
 \param s the common subdivision
 \param points the position of each vertex, see `positions()`
 \param view title, scripts, field
-\throws Invalid_input if `points` or the field do not have one value for each vertex, or scripts are
+\throws Invalid_input if `points`, the field or the texture do not have one value for each vertex, or scripts are
   missing
 \throws std::runtime_error if the stream fails
 \complexity linear
@@ -291,6 +316,12 @@ light; a field replaces the colours. Of a cover, the fronts of the user's faces 
 inline void write_html_view(std::ostream& out, const Common_subdivision& s,
                             std::span<const std::array<double, 3>> points, const Html_view& view) {
   internal::check_output({s, points, std::span(&view.field, view.field.values.empty() ? 0 : 1)});
+  if (!view.texture.empty() && view.texture.size() != s.number_of_vertices())
+    throw Invalid_input(Element_kind::none, 0,
+                        "the texture has " + std::to_string(view.texture.size()) +
+                            " places; give one for each of the " +
+                            std::to_string(s.number_of_vertices()) +
+                            " vertices of the common subdivision");
   if (view.three.empty() || view.trackball_controls.empty())
     throw Invalid_input(Element_kind::none, 0,
                         "the page needs three.js and its TrackballControls.js; Debian's package "

@@ -18,6 +18,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 /*!
@@ -78,6 +79,33 @@ std::array<double, 3> face_vector_in_space(const View& view, const Named& named,
           w.real() * a[2] + w.imag() * b[2]};
 }
 
+// Where points of an input are in space, of which the vertices are at given places.
+struct Placed_input {
+  const Input& input;
+  std::span<const std::array<double, 3>> points;
+
+  std::array<double, 3> point(const Surface_point& p) const {
+    return combination_of_corners(input, p, [this](std::uint32_t v) { return points[v]; });
+  }
+};
+
+// The vectors at vertices in space. `named` tells where points of the input are.
+template <class Triangulation, class Named>
+std::vector<std::array<double, 3>>
+vertex_vectors_in_space(const Triangulation& t, const Tangent_field& field, const Named& named) {
+  const Intrinsic_view<Triangulation> view(t);
+  const Vertex_frames frames = intrinsic_frames(t, view);
+  const Vertex_copies copies(t);
+  std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
+  for (const auto v : vertices(t.mesh())) {
+    const std::uint32_t i = copies(v);
+    if (is_isolated(t, v)) continue;
+    if (const auto x = tangent_to_input(t, frames.at_vertex(t.index(v), field[i])))
+      result[i] = vector_in_space(named, *x);
+  }
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -93,18 +121,23 @@ std::array<double, 3> face_vector_in_space(const View& view, const Named& named,
 template <internal::Queried_triangulation Triangulation, class Mesh>
 std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
                                                     const Tangent_field& field, const Mesh& mesh) {
-  const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
-  const Intrinsic_view<Triangulation> view(t);
-  const internal::Vertex_frames frames = internal::intrinsic_frames(t, view);
-  const internal::Vertex_copies copies(t);
-  std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
-  for (const auto v : vertices(t.mesh())) {
-    const std::uint32_t i = copies(v);
-    if (internal::is_isolated(t, v)) continue;
-    if (const auto x = tangent_to_input(t, frames.at_vertex(t.index(v), field[i])))
-      result[i] = internal::vector_in_space(named, *x);
-  }
-  return result;
+  return internal::vertex_vectors_in_space(t, field,
+                                           internal::Named_mesh_elements<Mesh>(t.input(), mesh));
+}
+
+/*!
+\brief takes a tangent vector field to space, for who has no mesh, but a soup or a gluing, and points.
+
+See the overload with a mesh.
+\param t the triangulation
+\param field the vectors
+\param points where the user's vertices are
+*/
+template <internal::Queried_triangulation Triangulation>
+std::vector<std::array<double, 3>>
+vectors_in_space(const Triangulation& t, const Tangent_field& field,
+                 const std::vector<std::array<double, 3>>& points) {
+  return internal::vertex_vectors_in_space(t, field, internal::Placed_input{t.input(), points});
 }
 
 /*!

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_APPLICATION_COMPUTED_H
+#define INTRINSIC_APPLICATION_COMPUTED_H
+
+#include "../statistics.h"
+
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace program {
+
+/// A value per vertex of the intrinsic triangulation, at its row.
+struct Function {
+  std::string name;
+  Eigen::VectorXd values;
+};
+
+/// Tangent vectors at the vertices of the intrinsic triangulation.
+struct Direction_field {
+  IT::Tangent_field vectors;
+  unsigned degree = 1; ///< vectors that differ by a turn by 2 pi / degree are alike
+};
+
+/// What a command has computed.
+struct Computed {
+  std::string command; ///< key of `json` among the statistics
+  Json json;
+  std::vector<Function> functions;
+  std::size_t shown = 0; ///< which of the functions a page shows
+  unsigned isolines = 0; ///< number of steps between lines of equal values of it
+  /// Whether the first two functions are places in the plane, shown by a checkerboard.
+  bool is_map = false;
+  std::optional<Direction_field> directions{};
+  /// Displacement of each vertex, a row each; empty: the surface stays as it is.
+  Eigen::MatrixXd displacements{};
+};
+
+} // namespace program
+
+#endif // INTRINSIC_APPLICATION_COMPUTED_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_APPLICATION_APPLICATION_H
+#define INTRINSIC_APPLICATION_APPLICATION_H
+
+#include "../options.h"
+#include "Computed.h"
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+
+#include <functional>
+#include <vector>
+
+// What all commands do that solve something on the triangulation.
+
+namespace program {
+
+/// The vertices of each list of points that was asked for.
+using Sources = std::vector<std::vector<IT::Gluing_map::Vertex>>;
+
+/// A triangulation on which something is solved.
+template <class Traits>
+using Solved_triangulation =
+    IT::Intrinsic_triangulation<IT::Gluing_map, Traits, IT::Integer_coordinates>;
+
+/// Solves something on it.
+template <class Traits>
+using Solver = std::function<Computed(const Solved_triangulation<Traits>&, const Sources&)>;
+
+/// loads a mesh, makes its triangulation Delaunay, refines it if that is asked for, solves in the arithmetic that is asked for,
+/// and writes what was computed.
+void run_application(const Options& options, const Solver<IT::Exact_euclidean_traits>& exact,
+                     const Solver<IT::Euclidean_traits<double>>& approximate);
+
+/// the same, with a generic function.
+template <class Solve>
+void run_application(const Options& options, const Solve& solve) {
+  run_application(options, Solver<IT::Exact_euclidean_traits>(solve),
+                  Solver<IT::Euclidean_traits<double>>(solve));
+}
+
+} // namespace program
+
+#endif // INTRINSIC_APPLICATION_APPLICATION_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_EDITING_SURFACE_DEFORMATION_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_EDITING_SURFACE_DEFORMATION_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/applications/editing/Surface_deformation.h>
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// L M^-1 L; isolated vertices, which have no mass, are fixed
+inline Eigen::SparseMatrix<double> bilaplacian(const Eigen::SparseMatrix<double>& l,
+                                               const Eigen::VectorXd& mass) {
+  Eigen::VectorXd inverse(mass.size());
+  for (Eigen::Index i = 0; i < mass.size(); ++i) inverse[i] = mass[i] > 0 ? 1 / mass[i] : 0;
+  return l * inverse.asDiagonal() * l;
+}
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& laplacian,
+                                         const Eigen::VectorXd& mass,
+                                         std::span<const std::uint32_t> handles,
+                                         Deformation_energy energy)
+    : rows_(handles.begin(), handles.end()), handles_(handles.size()), size_(laplacian.rows()) {
+  if (mass.size() != size_)
+    throw std::invalid_argument("there must be a mass per row of the Laplacian");
+  std::vector<char> is_handle(static_cast<std::size_t>(size_), 0);
+  for (const std::uint32_t r : handles) {
+    if (r >= is_handle.size())
+      throw std::invalid_argument("row " + std::to_string(r) + " is a handle, but there are " +
+                                  std::to_string(size_) + " rows");
+    is_handle[r] = 1;
+  }
+  const std::vector<std::uint32_t> component = components_of_matrix(laplacian);
+  std::vector<char> has_handle(is_handle.size(), 0);
+  for (const std::uint32_t r : handles) has_handle[component[r]] = 1;
+  for (std::uint32_t r = 0; r < is_handle.size(); ++r) // isolated ones are components
+    if (component[r] == r && has_handle[r] == 0) rows_.push_back(r);
+  solver_.emplace(energy == Deformation_energy::harmonic ? laplacian
+                                                         : internal::bilaplacian(laplacian, mass),
+                  rows_);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::MatrixXd
+Surface_deformation::displacements(const Eigen::MatrixXd& displacements) const {
+  if (displacements.rows() != static_cast<Eigen::Index>(handles_))
+    throw std::invalid_argument(
+        "there must be a displacement per handle: " + std::to_string(handles_) + ", not " +
+        std::to_string(displacements.rows()));
+  Eigen::MatrixXd values =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows_.size()), displacements.cols());
+  values.topRows(displacements.rows()) = displacements;
+  return solver_->solve(Eigen::MatrixXd::Zero(size_, displacements.cols()), values);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_EDITING_SURFACE_DEFORMATION_IMPL_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_FIXED_VALUES_SOLVER_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_FIXED_VALUES_SOLVER_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+inline bool has_finite_entries(const Eigen::SparseMatrix<double>& a) {
+  for (int c = 0; c < a.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
+      if (!std::isfinite(i.value())) return false;
+  return true;
+}
+
+inline void expect_symmetric(const Eigen::SparseMatrix<double>& a) {
+  if (a.rows() != a.cols())
+    throw std::invalid_argument("the matrix must be square, not " + std::to_string(a.rows()) +
+                                " x " + std::to_string(a.cols()));
+  if (!has_finite_entries(a)) throw std::invalid_argument("the matrix must be finite");
+  const Eigen::SparseMatrix<double> transposed = a.transpose();
+  // what rounding makes of a product of matrices is no asymmetry
+  if ((a - transposed).norm() > 0x1p-30 * a.norm())
+    throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
+}
+
+// per row: the place among the free ones, or -1
+inline std::vector<int> places_of_free_rows(Eigen::Index size,
+                                            std::span<const std::uint32_t> fixed) {
+  std::vector<int> place(static_cast<std::size_t>(size), 0);
+  for (const std::uint32_t r : fixed) {
+    if (r >= place.size())
+      throw std::invalid_argument("row " + std::to_string(r) + " is fixed, but the matrix has " +
+                                  std::to_string(size) + " rows");
+    place[r] = -1;
+  }
+  int count = 0;
+  for (int& p : place)
+    if (p == 0) p = count++;
+  return place;
+}
+
+// the matrix that makes rows of free ones
+inline Eigen::SparseMatrix<double> free_selection(const std::vector<int>& place, int count) {
+  Eigen::SparseMatrix<double> s(static_cast<int>(place.size()), count);
+  s.reserve(count);
+  for (std::size_t r = 0; r < place.size(); ++r) {
+    if (place[r] < 0) continue;
+    s.startVec(place[r]);
+    s.insertBack(static_cast<int>(r), place[r]) = 1;
+  }
+  s.finalize();
+  return s;
+}
+
+[[noreturn]] inline void throw_no_value_in_component(int row) {
+  throw std::invalid_argument("no value is fixed in the component of row " + std::to_string(row) +
+                              ", where constants may be added to any solution; fix one there");
+}
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::uint32_t>
+rows_with_constant_kernel(const Eigen::SparseMatrix<double>& a) {
+  const std::vector<std::uint32_t> component = components_of_matrix(a);
+  std::vector<char> has_kernel(component.size(), 1);
+  for (int c = 0; c < a.outerSize(); ++c) {
+    double sum = 0, absolute = 0;
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i) {
+      sum += i.value();
+      absolute += std::abs(i.value());
+    }
+    if (std::abs(sum) > 0x1p-46 * absolute) has_kernel[component[static_cast<std::size_t>(c)]] = 0;
+  }
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t r = 0; r < component.size(); ++r)
+    if (component[r] == r && has_kernel[r] != 0) rows.push_back(r);
+  return rows;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
+                                         std::span<const std::uint32_t> rows)
+    : rows_(rows.begin(), rows.end()) {
+  internal::expect_symmetric(a);
+  const std::vector<int> place = internal::places_of_free_rows(a.rows(), rows);
+  for (std::size_t r = 0; r < place.size(); ++r)
+    if (place[r] >= 0) free_.push_back(static_cast<int>(r));
+  const Eigen::SparseMatrix<double> selection =
+      internal::free_selection(place, static_cast<int>(free_.size()));
+  coupling_ = selection.transpose() * a;
+  if (free_.empty()) return;
+  Eigen::SparseMatrix<double> free_part = coupling_ * selection;
+  if (const auto kernel = rows_with_constant_kernel(free_part); !kernel.empty())
+    internal::throw_no_value_in_component(free_[kernel.front()]);
+  if (free_part.coeff(0, 0) < 0) {
+    sign_ = -1;
+    free_part = -free_part;
+  }
+  try {
+    factorization_.emplace(free_part);
+  } catch (const Indefinite_matrix& error) {
+    throw Indefinite_matrix(free_[static_cast<std::size_t>(error.row())]);
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::MatrixXd
+Fixed_values_solver::fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const {
+  if (b.rows() != coupling_.cols())
+    throw std::invalid_argument("b must have a row per row of the matrix, " +
+                                std::to_string(coupling_.cols()) + ", not " +
+                                std::to_string(b.rows()));
+  if (values.rows() != static_cast<Eigen::Index>(rows_.size()) || values.cols() != b.cols())
+    throw std::invalid_argument("there must be a value per fixed row and column of b, not " +
+                                std::to_string(values.rows()) + " x " +
+                                std::to_string(values.cols()));
+  if (!b.allFinite() || !values.allFinite())
+    throw std::invalid_argument("b and the fixed values must be finite");
+  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(b.rows(), b.cols());
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    x.row(rows_[i]) = values.row(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (x.row(rows_[i]) != values.row(static_cast<Eigen::Index>(i)))
+      throw std::invalid_argument("row " + std::to_string(rows_[i]) +
+                                  " is fixed at two different values");
+  return x;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::MatrixXd
+Fixed_values_solver::solve(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const {
+  Eigen::MatrixXd x = fixed_part(b, values);
+  if (!factorization_) return x;
+  Eigen::MatrixXd right = -(coupling_ * x);
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    right.row(static_cast<Eigen::Index>(i)) += b.row(free_[i]);
+  const Eigen::MatrixXd solution = factorization_->solve(sign_ * right);
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    x.row(free_[i]) = solution.row(static_cast<Eigen::Index>(i));
+  return x;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_FIXED_VALUES_SOLVER_IMPL_H

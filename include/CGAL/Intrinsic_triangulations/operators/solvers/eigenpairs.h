@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_EIGENPAIRS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_EIGENPAIRS_H
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// Eigenvalues, and their eigenvectors.
+struct Eigenpairs {
+  Eigen::VectorXd values; ///< the eigenvalues, in ascending order
+  Eigen::MatrixXd
+      vectors; ///< an eigenvector per column, orthonormal in the inner product of the mass matrix
+};
+
+/*!
+\brief computes the smallest eigenvalues of `a x = lambda m x`, and their eigenvectors, by the Lanczos method of Spectra, inverted near zero.
+
+With `a` the cotangent Laplacian and `m` a mass matrix they are the squared frequencies and modes of the surface: zero once for each of its
+components, with constants there.
+\param a the matrix \pre symmetric and positive semidefinite
+\param m the mass matrix \pre symmetric and positive definite; isolated vertices have no mass
+\param count how many, at most the size of the matrix
+\return the pairs; the residual of each, \f$|a x - \lambda m x|\f$, is that of rounding
+\throws std::invalid_argument if sizes do not fit
+\throws Indefinite_matrix if a matrix is not definite up to rounding
+\throws std::runtime_error if the method does not converge within its cap of restarts
+\complexity that of a factorization of `a`, and of some solutions for each pair; small matrices are solved densely
+*/
+Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
+                               const Eigen::SparseMatrix<double>& m, Eigen::Index count);
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_EIGENPAIRS_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "operator_test_meshes.h"
+
+#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs.h>
+#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+namespace eigenpairs {
+
+using namespace operator_test;
+
+// On the torus of n x n unit squares the cotangent Laplacian is the five point stencil, of which the eigenvalues are
+// 4 sin^2(pi p / n) + 4 sin^2(pi q / n), and every vertex has mass one.
+std::vector<double> eigenvalues_of_stencil(unsigned n) {
+  std::vector<double> values;
+  for (unsigned p = 0; p < n; ++p)
+    for (unsigned q = 0; q < n; ++q) {
+      const double a = std::sin(std::numbers::pi * p / n), b = std::sin(std::numbers::pi * q / n);
+      values.push_back(4 * (a * a + b * b));
+    }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+TEST(Eigenpairs, of_a_flat_torus_are_those_of_the_stencil) {
+  for (const unsigned n : {3U, 8U, 20U}) {
+    const Exact t(torus(n, 0));
+    const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);
+    const Eigen::Index count = std::min<Eigen::Index>(9, l.rows());
+    const IT::Eigenpairs pairs = IT::smallest_eigenpairs(l, m, count);
+    const std::vector<double> values = eigenvalues_of_stencil(n);
+    ASSERT_EQ(pairs.values.size(), count);
+    // inverted with a shift of about 6 / n^4, values of at most 8 keep all but this of their digits
+    const double error = 1e-13 * 8 * std::pow(n, 4);
+    for (Eigen::Index i = 0; i < count; ++i)
+      EXPECT_NEAR(pairs.values[i], values[static_cast<std::size_t>(i)], error) << n << ' ' << i;
+    const Eigen::MatrixXd products = pairs.vectors.transpose() * m * pairs.vectors;
+    EXPECT_LE((products - Eigen::MatrixXd::Identity(count, count)).norm(), 1e-10) << n;
+    const Eigen::MatrixXd residual =
+        l * pairs.vectors - m * pairs.vectors * pairs.values.asDiagonal();
+    EXPECT_LE(residual.norm(), error) << n;
+  }
+}
+
+TEST(Eigenpairs, count_components_by_zeros) {
+  Shape two = tetrahedron();
+  for (const std::array<double, 3> p : tetrahedron().points)
+    two.points.push_back({p[0] + 10, p[1], p[2]});
+  for (const auto& f : tetrahedron().triangles)
+    two.triangles.push_back({f[0] + 4, f[1] + 4, f[2] + 4});
+  const Exact t(two.input());
+  const IT::Eigenpairs pairs =
+      IT::smallest_eigenpairs(IT::cotangent_laplacian(t), IT::lumped_mass_matrix(t), 8);
+  // a regular tetrahedron: weights 1 / sqrt 3, masses A / 4 with A = 4 sqrt 3 / 4 * 8, so 4 / sqrt 3 / (2 sqrt 3) = 2 / 3
+  for (Eigen::Index i = 0; i < 8; ++i) EXPECT_NEAR(pairs.values[i], i < 2 ? 0 : 2. / 3, 1e-13) << i;
+}
+
+TEST(Eigenpairs, refuses_what_makes_no_sense) {
+  const Exact t(torus(9, 0));
+  const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);
+  EXPECT_THROW(IT::smallest_eigenpairs(l, m, 82), std::invalid_argument);
+  EXPECT_THROW(IT::smallest_eigenpairs(l, Matrix(3, 3), 1), std::invalid_argument);
+  EXPECT_THROW(IT::smallest_eigenpairs(l, Matrix(81, 81), 1), std::exception); // no mass
+}
+
+} // namespace eigenpairs
+
+} // namespace
