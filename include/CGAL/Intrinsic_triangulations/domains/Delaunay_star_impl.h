@@ -6,11 +6,11 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,16 +21,21 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Star_predicates {
 public:
   using Neighbour = Delaunay_star::Neighbour;
-  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  using Point = Point_kernel::Point_2;
 
   explicit Star_predicates(std::uint32_t center) : center_(center) {}
 
   // whether `b` is to the left of the line from the origin to `a`: positive
   static CGAL::Orientation turn(const Neighbour& a, const Neighbour& b) {
-    return CGAL::orientation(Point(0, 0), point(a), point(b));
+    const double left = a.at[0] * b.at[1], right = a.at[1] * b.at[0], area = left - right;
+    if (is_certain(area, std::abs(left) + std::abs(right)))
+      return area > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
+    return Exactly<Exact::Orientation_2, Approximate::Orientation_2>()(Point(0, 0), point(a),
+                                                                       point(b));
   }
   static bool is_nearer(const Neighbour& a, const Neighbour& b) {
-    return CGAL::compare_distance_to_point(Point(0, 0), point(a), point(b)) == CGAL::SMALLER;
+    return Exactly<Exact::Compare_distance_2, Approximate::Compare_distance_2>()(
+               Point(0, 0), point(a), point(b)) == CGAL::SMALLER;
   }
   // by direction, then by distance
   static bool is_before(const Neighbour& a, const Neighbour& b) {
@@ -45,12 +50,22 @@ public:
   // whether the edge to `b` is Delaunay between those to `a` and `c`
   bool is_kept(const Neighbour& a, const Neighbour& b, const Neighbour& c) const {
     const CGAL::Oriented_side side =
-        CGAL::side_of_oriented_circle(point(a), point(b), point(c), Point(0, 0));
+        Exactly<Exact::Side_of_oriented_circle_2, Approximate::Side_of_oriented_circle_2>()(
+            point(a), point(b), point(c), Point(0, 0));
     if (side != CGAL::ON_ORIENTED_BOUNDARY) return side == CGAL::ON_POSITIVE_SIDE;
     return std::min(center_, b.number) < std::min(a.number, c.number);
   }
 
 private:
+  using Exact = Point_kernel::Exact_kernel;
+  using Approximate = Point_kernel::Approximate_kernel;
+  template <class E, class A>
+  using Exactly = Point_kernel::Exactly<E, A>;
+
+  // whether rounding cannot have changed the sign of a difference of two products
+  static bool is_certain(double difference, double sum_of_sizes) {
+    return std::abs(difference) > 0x1p-50 * sum_of_sizes + 0x1p-1000;
+  }
   static Point point(const Neighbour& a) { return Point(a.at[0], a.at[1]); }
   static bool is_above(const Neighbour& a) { return a.at[1] > 0 || (a.at[1] == 0 && a.at[0] > 0); }
 

@@ -9,9 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/tangent_axes.h>
+#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
@@ -54,7 +54,8 @@ public:
     const bool is_closed = Delaunay_star::find(center, star_);
     const auto add = [&](std::uint32_t a,
                          std::uint32_t b) { // rounding may make a triangle of a line
-      if (!CGAL::collinear(point(center), point(a), point(b))) triangles.push_back({center, a, b});
+      if (!Point_kernel::Are_collinear()(point(center), point(a), point(b)))
+        triangles.push_back({center, a, b});
     };
     for (std::size_t i = 0; i + 1 < star_.size(); ++i) add(star_[i].number, star_[i + 1].number);
     if (is_closed) add(star_.back().number, star_.front().number);
@@ -62,7 +63,7 @@ public:
   }
 
 private:
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Kernel = CGAL::Simple_cartesian<double>;
   struct Point_of {
     const std::vector<Point>* points;
     Kernel::Point_3 operator()(std::uint32_t v) const {

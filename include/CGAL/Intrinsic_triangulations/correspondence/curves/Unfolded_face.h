@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -115,7 +116,7 @@ public:
   }
 
   /// tells whether errors of points grow so large that what is in the middle of them may be anywhere.
-  bool is_vague() const {
+  bool is_vague() const requires std::is_same_v<FT, Interval_nt<false>> {
     const auto is_vague = [](const FT& x) {
       return !(x.sup() - x.inf() <= 0x1p-26 * std::max(1., std::abs(x.sup())));
     };
