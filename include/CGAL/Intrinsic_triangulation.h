@@ -36,11 +36,6 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 template <class Triangulation>
 class Intrinsic_triangulation_writer;
-
-// what integer coordinates restore
-template <class Correspondence>
-concept Restorable = std::is_same_v<Correspondence, No_correspondence> ||
-    std::is_base_of_v<Integer_coordinates, Correspondence>;
 } // namespace internal
 
 /*!
