@@ -72,8 +72,7 @@ TEST_MESHES_INLINE Surface embedded(const std::string& name, std::vector<Point> 
 }
 
 TEST_MESHES_INLINE Surface abstract(const std::string& name, Gluing g, const Counts& expected,
-                        const std::array<double, 3>& sides, 1, 1
-}) {
+                                    const std::array<double, 3>& sides) {
   Surface s{name, std::move(g), expected, {}, {}};
   for (std::size_t h = 0; h < s.gluing.origin.size(); ++h)
     s.squared_length_of_side.push_back(sides[h % 3]);
