@@ -122,8 +122,7 @@ public:
   \param map the connectivity, with the numbers that the other parts use
   \param metric values for its edges and faces
   \param input what it was built from, with its surface
-  \param coordinates how `map` lies on `input`; they become the correspondence, or what that needs
-  \note It exists if there is no correspondence, or one that derives from `Integer_coordinates`.
+  \param coordinates how `map` lies on `input`; the correspondence, if there is one, derives from their class
   */
   Intrinsic_triangulation(
       Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
@@ -337,7 +336,8 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(
       number_(mesh_),
       metric_(std::move(metric)),
       rows_(*this) {
-  if constexpr (has_correspondence) correspondence_.restore(*this, coordinates);
+  if constexpr (std::is_base_of_v<Integer_coordinates, C>)
+    correspondence_.restore(*this, coordinates);
   places_.restore(*this, metric_, coordinates);
 }
 

@@ -21,7 +21,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -116,8 +115,9 @@ public:
   }
 
   /// tells whether errors of points grow so large that what is in the middle of them may be anywhere.
-  bool is_vague() const requires std::is_same_v<FT, Interval_nt<false>> {
-    const auto is_vague = [](const FT& x) {
+  template <class Interval = FT> // other numbers have no bounds
+  bool is_vague() const {
+    const auto is_vague = [](const Interval& x) {
       return !(x.sup() - x.inf() <= 0x1p-26 * std::max(1., std::abs(x.sup())));
     };
     return std::any_of(triangles_.begin(), triangles_.end(), [&](const Triangle& t) {
