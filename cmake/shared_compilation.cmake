@@ -16,6 +16,8 @@ if(TARGET Intrinsic_triangulations::OpenMesh_support)
 endif()
 # Tests and examples are many and compile for longer than they run.
 target_compile_options(shared_settings INTERFACE -O1)
+# CGAL's kernels take GMP's rational numbers then, which compile faster than Boost's around them.
+target_compile_definitions(shared_settings INTERFACE CGAL_DO_NOT_USE_BOOST_MP)
 
 file(CONFIGURE OUTPUT precompiled.cpp CONTENT "// Only carries the precompiled header.\n")
 add_library(shared_precompiled OBJECT EXCLUDE_FROM_ALL

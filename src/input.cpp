@@ -5,8 +5,11 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup_impl.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_impl.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map_impl.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input_impl.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing_impl.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/orientation_impl.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
@@ -19,3 +22,14 @@
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality_impl.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+template Gluing
+internal::unglued_triangles(std::uint32_t, const std::vector<std::array<std::uint32_t, 3>>&);
+
+} // namespace CGAL::Intrinsic_triangulations

@@ -36,7 +36,7 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 template <class Triangulation>
 class Intrinsic_triangulation_writer;
-}
+} // namespace internal
 
 /*!
 \brief owns an intrinsic triangulation: connectivity, metric and correspondence, and the elementary
@@ -122,11 +122,11 @@ public:
   \param map the connectivity, with the numbers that the other parts use
   \param metric values for its edges and faces
   \param input what it was built from, with its surface
-  \param coordinates how `map` lies on `input`; they become the correspondence, or what that needs
-  \pre there is no correspondence, or it derives from `Integer_coordinates`
+  \param coordinates how `map` lies on `input`; the correspondence, if there is one, derives from their class
   */
-  Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
-                          const Integer_coordinates& coordinates);
+  Intrinsic_triangulation(
+      Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
+      const Integer_coordinates& coordinates) requires internal::Restorable<Correspondence_>;
 
   /// copies everything but the input, which is shared; elements keep their numbers.
   Intrinsic_triangulation(const Intrinsic_triangulation& other)
@@ -328,12 +328,16 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric
 }
 
 template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
-Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
-                                                          std::shared_ptr<const Input> input,
-                                                          const Integer_coordinates& coordinates)
-    : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
-      metric_(std::move(metric)), rows_(*this) {
-  if constexpr (has_correspondence) correspondence_.restore(*this, coordinates);
+Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(
+    Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
+    const Integer_coordinates& coordinates) requires internal::Restorable<C>
+    : input_(std::move(input)),
+      mesh_(mesh_from_gluing_map<Mesh>(std::move(map))),
+      number_(mesh_),
+      metric_(std::move(metric)),
+      rows_(*this) {
+  if constexpr (std::is_base_of_v<Integer_coordinates, C>)
+    correspondence_.restore(*this, coordinates);
   places_.restore(*this, metric_, coordinates);
 }
 

@@ -18,6 +18,7 @@ What most programs need of the package. To be included besides: operators, which
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/compiled_models.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>

@@ -27,6 +27,11 @@ What most programs do with the usual triangulations, which the library has compi
   CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE bool is_delaunay(const __VA_ARGS__&);           \
   CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Delaunay_report<Gluing_map::Edge>               \
   check_delaunay(const __VA_ARGS__&);                                                              \
+  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE class internal::Delaunay_flipper<__VA_ARGS__>;  \
+  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE class internal::Refinement_moves<__VA_ARGS__>;  \
+  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Refinement_result<Gluing_map::Face>             \
+  internal::Delaunay_refiner<__VA_ARGS__, Refinement_visitor>::run(                                \
+      const Static_boolean_property_map<Gluing_map::Edge, false>&);                                \
   CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE class internal::Delaunay_refiner<               \
       __VA_ARGS__, Refinement_visitor>;                                                            \
   CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Refinement_result<Gluing_map::Face>             \

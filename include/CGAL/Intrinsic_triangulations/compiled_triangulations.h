@@ -28,16 +28,40 @@ The usual triangulations, which the library has compiled; see `compilation.h`.
   CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class __VA_ARGS__;                          \
   CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class Predicate_session<__VA_ARGS__>;       \
   CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class Move_session<__VA_ARGS__>;            \
-  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Mover<__VA_ARGS__>
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Mover<__VA_ARGS__>;         \
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Vertex_remover<__VA_ARGS__>
+
+/// the same for what knows where vertices are, which triangulations with exact traits have.
+#define CGAL_INTRINSIC_TRIANGULATIONS_PLACES_INSTANCES(...)                                        \
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Vertex_places<__VA_ARGS__>; \
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Triangulation_unfolder<     \
+      __VA_ARGS__, internal::Vertex_places<__VA_ARGS__>>
+
+/// the same for what unfolds input triangles, with each of the number types that do.
+#define CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(...)                                     \
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class Face_layout<__VA_ARGS__>;             \
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class Unfolded_face<__VA_ARGS__>
 
 namespace CGAL::Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_FOR_USUAL_TRIANGULATIONS(
     CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES);
-CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Vertex_places<
-    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, No_correspondence>>;
-CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Vertex_places<
-    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>>;
+CGAL_INTRINSIC_TRIANGULATIONS_PLACES_INSTANCES(
+    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, No_correspondence>);
+CGAL_INTRINSIC_TRIANGULATIONS_PLACES_INSTANCES(
+    Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>);
+CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(double);
+CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(Interval_nt<false>);
+CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(Ball<Double_double>);
+CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(Ball<Mpfr_256>);
+CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(Ball<Mpfr_1024>);
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE
+    internal::Prepared_input<Exact_euclidean_metric>
+    internal::prepare(Intrinsic_input&&, bool);
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE
+internal::Prepared_input<Euclidean_metric<double>> internal::prepare(Intrinsic_input&&, bool);
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE std::vector<std::uint32_t>
+internal::first_copies(const Integer_coordinates*, const std::vector<std::uint8_t>&);
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -3,6 +3,7 @@
 
 #include "geodesic.h"
 
+#include <CGAL/Intrinsic_triangulations/compiled_models.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 
 namespace program {

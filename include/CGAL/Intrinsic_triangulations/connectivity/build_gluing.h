@@ -12,7 +12,8 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
-#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <string>
@@ -30,23 +31,9 @@ public:
   struct Entry {
     std::uint32_t upper, halfedge;
   };
+  using Iterator = std::vector<Entry>::iterator;
 
-  explicit Halfedges_by_edge(const Gluing& g) : start_(g.number_of_vertices + 1, 0) {
-    const auto lower = [&](std::uint32_t h) {
-      return std::min(g.origin[h], g.origin[Gluing::next(h)]);
-    };
-    const auto count = static_cast<std::uint32_t>(g.origin.size());
-    for (std::uint32_t h = 0; h < count; ++h) ++start_[lower(h) + 1];
-    for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
-    entries_.resize(count);
-    std::vector<std::uint32_t> fill(start_.begin(), start_.end() - 1);
-    for (std::uint32_t h = 0; h < count; ++h)
-      entries_[fill[lower(h)]++] = {std::max(g.origin[h], g.origin[Gluing::next(h)]), h};
-    for (std::size_t v = 0; v + 1 < start_.size(); ++v)
-      std::sort(begin(v), begin(v + 1), [](const Entry& a, const Entry& b) {
-        return std::pair(a.upper, a.halfedge) < std::pair(b.upper, b.halfedge);
-      });
-  }
+  explicit Halfedges_by_edge(const Gluing& g);
 
   // calls f(first, last) for the halfedges of each edge
   template <class Function>
@@ -60,7 +47,7 @@ public:
   }
 
 private:
-  std::vector<Entry>::iterator begin(std::size_t v) { return entries_.begin() + start_[v]; }
+  Iterator begin(std::size_t v) { return entries_.begin() + start_[v]; }
   std::vector<std::uint32_t> start_;
   std::vector<Entry> entries_;
 };
@@ -90,15 +77,15 @@ Gluing unglued_triangles(std::uint32_t number_of_vertices, const TriangleRange& 
   return g;
 }
 
+// "edge (0, 1) has 3 faces (4, 5, 6)"; of several triangles that are called alike, as they are parts of a polygon, it is a diagonal.
+std::string edge_with_faces(const Gluing& g, Halfedges_by_edge::Iterator first,
+                            Halfedges_by_edge::Iterator last,
+                            const std::vector<std::uint32_t>& names);
+
 // Refuses the sides of an edge with more than two faces.
-template <class Iterator>
-[[noreturn]] void fail_nonmanifold(const Gluing& g, Iterator first, Iterator last,
-                                   const std::vector<std::uint32_t>& names) {
-  throw Invalid_input(Element_kind::edge, first->halfedge,
-                      edge_with_faces(g, first, last, names) +
-                          "; remove faces or duplicate vertices so that at most two remain, or "
-                          "take the tufted cover");
-}
+[[noreturn]] void fail_nonmanifold(const Gluing& g, Halfedges_by_edge::Iterator first,
+                                   Halfedges_by_edge::Iterator last,
+                                   const std::vector<std::uint32_t>& names);
 
 // What was found where triangles share edges.
 struct Shared_edges {
@@ -124,16 +111,8 @@ Shared_edges glue_pairs(Gluing& g, Halfedges_by_edge& sides, const Function& non
   return result;
 }
 
-// `conflict` is set to that of `Shared_edges`; `names` are those of faces in messages.
-template <class TriangleRange>
-Gluing glue_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles,
-                      std::uint32_t& conflict, const std::vector<std::uint32_t>& names) {
-  Gluing g = unglued_triangles(number_of_vertices, triangles);
-  Halfedges_by_edge sides(g);
-  const auto refuse = [&](auto first, auto last) { fail_nonmanifold(g, first, last, names); };
-  conflict = glue_pairs(g, sides, refuse).conflict;
-  return g;
-}
+// Glues triangles that nothing is glued to. `conflict` is set to that of `Shared_edges`; `names` are those of faces in messages.
+Gluing glue_triangles(Gluing g, std::uint32_t& conflict, const std::vector<std::uint32_t>& names);
 
 } // namespace internal
 
@@ -149,7 +128,8 @@ Gluing glue_triangles(std::uint32_t number_of_vertices, const TriangleRange& tri
 template <class TriangleRange>
 Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles) {
   std::uint32_t conflict = Gluing::none;
-  Gluing g = internal::glue_triangles(number_of_vertices, triangles, conflict, {});
+  Gluing g = internal::glue_triangles(internal::unglued_triangles(number_of_vertices, triangles),
+                                      conflict, {});
   if (conflict != Gluing::none) internal::fail_orientation(g, conflict, {});
   return g;
 }
@@ -168,7 +148,8 @@ Gluing oriented_gluing_from_triangles(std::uint32_t number_of_vertices,
                                       std::vector<char>& reversed_faces,
                                       const std::vector<std::uint32_t>& names = {}) {
   std::uint32_t conflict = Gluing::none;
-  Gluing g = internal::glue_triangles(number_of_vertices, triangles, conflict, names);
+  Gluing g = internal::glue_triangles(internal::unglued_triangles(number_of_vertices, triangles),
+                                      conflict, names);
   reversed_faces.assign(g.number_of_faces(), 0);
   if (conflict == Gluing::none) return g;
   Orientation_result r = orient_faces(g);
@@ -333,6 +314,15 @@ Mesh mesh_from_gluing_map(Gluing_map map) {
   }
 }
 
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+extern template Gluing
+internal::unglued_triangles(std::uint32_t, const std::vector<std::array<std::uint32_t, 3>>&);
+#endif
+
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_BUILD_GLUING_H

@@ -6,11 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -28,54 +24,13 @@ struct Orientation_result {
   std::vector<char> reversed_faces;
 };
 
-namespace internal {
-
-// turns the choice of faces to reverse around if it is more than half of a component
-inline void reverse_fewer(const std::vector<std::uint32_t>& component,
-                          std::vector<char>& reversed) {
-  const auto is_reversed = [&](std::uint32_t f) { return reversed[f] != 0; };
-  const auto count = std::count_if(component.begin(), component.end(), is_reversed);
-  if (2 * static_cast<std::size_t>(count) <= component.size()) return;
-  for (const std::uint32_t f : component) reversed[f] = static_cast<char>(1 - reversed[f]);
-}
-
-} // namespace internal
-
 /*!
 \brief finds out which faces to reverse so that all gluings respect the orientation.
 \param g the gluing
 \pre `validate(g)` does not throw
 \complexity linear
 */
-inline Orientation_result find_orientation(const Gluing& g) {
-  constexpr char unseen = 2;
-  Orientation_result r;
-  r.reversed_faces.assign(g.number_of_faces(), unseen);
-  std::vector<std::uint32_t> queue;
-  queue.reserve(g.number_of_faces());
-  for (std::uint32_t start = 0; start < g.number_of_faces(); ++start) {
-    if (r.reversed_faces[start] != unseen) continue;
-    r.reversed_faces[start] = 0;
-    queue.assign(1, start);
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const std::uint32_t f = queue[i];
-      for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
-        if (g.glue[h] == Gluing::none) continue;
-        const std::uint32_t neighbour = Gluing::partner(g.glue[h]) / 3;
-        const auto wanted = static_cast<char>(r.reversed_faces[f] ^ // 0 or 1
-                                              static_cast<char>(Gluing::is_reversed(g.glue[h])));
-        char& reversed = r.reversed_faces[neighbour];
-        if (reversed == unseen) {
-          reversed = wanted;
-          queue.push_back(neighbour);
-        } else if (reversed != wanted)
-          return {false, h, {}};
-      }
-    }
-    internal::reverse_fewer(queue, r.reversed_faces);
-  }
-  return r;
-}
+Orientation_result find_orientation(const Gluing& g);
 
 /*!
 \brief reverses faces of a gluing so that all gluings respect the orientation, if that is possible.
@@ -86,20 +41,7 @@ A reversed face keeps its corner 0; its side `k` becomes side `2 - k`. Which fac
 \pre `validate(g)` does not throw
 \complexity linear
 */
-inline Orientation_result orient_faces(Gluing& g) {
-  Orientation_result r = find_orientation(g);
-  if (!r.is_orientable) return r;
-  const auto renamed = [&r](std::uint32_t h) {
-    return r.reversed_faces[h / 3] != 0 ? h - h % 3 + (2 - h % 3) : h;
-  };
-  std::vector<std::uint32_t> glue(g.glue.size(), Gluing::none);
-  for (std::uint32_t h = 0; h < g.glue.size(); ++h) // no gluing along both sides remains
-    if (g.glue[h] != Gluing::none) glue[renamed(h)] = renamed(Gluing::partner(g.glue[h]));
-  g.glue = std::move(glue);
-  for (std::uint32_t f = 0; f < g.number_of_faces(); ++f)
-    if (r.reversed_faces[f] != 0) std::swap(g.origin[3 * f + 1], g.origin[3 * f + 2]);
-  return r;
-}
+Orientation_result orient_faces(Gluing& g);
 
 namespace internal {
 
@@ -108,42 +50,16 @@ inline std::uint32_t face_name(std::uint32_t f, const std::vector<std::uint32_t>
   return names.empty() ? f : names[f];
 }
 
-// "edge (0, 1) has 3 faces (4, 5, 6)"; of several triangles that are called alike, as they are parts of a polygon, it is a diagonal.
-// \param first, last a range of what has a member `halfedge`, ascending
-template <class Iterator>
-std::string edge_with_faces(const Gluing& g, Iterator first, Iterator last,
-                            const std::vector<std::uint32_t>& names) {
-  std::string faces, diagonal;
-  std::uint32_t before = Gluing::none;
-  for (auto i = first; i != last; ++i) {
-    const std::uint32_t name = face_name(i->halfedge / 3, names);
-    faces += (i == first ? "" : ", ") + std::to_string(name);
-    if (name == before) diagonal = ", a diagonal of face " + std::to_string(name) + ",";
-    before = name;
-  }
-  return "edge (" + std::to_string(g.origin[first->halfedge]) + ", " +
-         std::to_string(g.origin[Gluing::next(first->halfedge)]) + ")" + diagonal + " has " +
-         std::to_string(last - first) + " faces (" + faces + ")";
-}
-
 // Reports two faces that run along an edge in the same direction.
-[[noreturn]] inline void fail_orientation(const Gluing& g, std::uint32_t h,
-                                          const std::vector<std::uint32_t>& names) {
-  const std::uint32_t other = Gluing::partner(g.glue[h]);
-  throw Invalid_input(
-      Element_kind::edge, h,
-      "edge (" + std::to_string(g.origin[h]) + ", " + std::to_string(g.origin[Gluing::next(h)]) +
-          ") is traversed in the same direction by faces " +
-          std::to_string(face_name(h / 3, names)) + " and " +
-          std::to_string(face_name(other / 3, names)) +
-          (find_orientation(g).is_orientable
-               ? "; reverse one of them to orient the mesh consistently"
-               : "; the surface has only one side, as a Moebius strip has: no reversal of faces "
-                 "orients it; cut it open, or take the orientation double cover"));
-}
+[[noreturn]] void fail_orientation(const Gluing& g, std::uint32_t h,
+                                   const std::vector<std::uint32_t>& names);
 
 } // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/connectivity/orientation_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ORIENTATION_H

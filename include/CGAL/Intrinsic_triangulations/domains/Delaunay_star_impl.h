@@ -6,8 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Star_predicates {
 public:
   using Neighbour = Delaunay_star::Neighbour;
-  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  using Point = Point_kernel::Point_2;
 
   explicit Star_predicates(std::uint32_t center) : center_(center) {}
 
@@ -39,14 +38,15 @@ public:
     if (angle > 2) angle -= 4;
     if (std::abs(angle) > margin && std::abs(angle) < 2 - margin)
       return angle > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
-    return CGAL::orientation(Point(0, 0), point(a), point(b));
+    return Exactly<Exact::Orientation_2, Approximate::Orientation_2>()(Point(0, 0), point(a),
+                                                                       point(b));
   }
   static bool is_nearer(const Neighbour& a, const Neighbour& b) {
     const double d = squared_distance(a), e = squared_distance(b);
-    constexpr double least = 1e-280; // above, products do not underflow
     if (e > least && d < (1 - margin) * e) return true;
     if (d > least && e < (1 - margin) * d) return false;
-    return CGAL::compare_distance_to_point(Point(0, 0), point(a), point(b)) == CGAL::SMALLER;
+    return Exactly<Exact::Compare_distance_2, Approximate::Compare_distance_2>()(
+               Point(0, 0), point(a), point(b)) == CGAL::SMALLER;
   }
   // by direction, then by distance
   static bool is_before(const Neighbour& a, const Neighbour& b) {
@@ -59,15 +59,34 @@ public:
   }
   // whether the edge to `b` is Delaunay between those to `a` and `c`
   bool is_kept(const Neighbour& a, const Neighbour& b, const Neighbour& c) const {
-    const CGAL::Oriented_side side =
-        CGAL::side_of_oriented_circle(point(a), point(b), point(c), Point(0, 0));
+    const CGAL::Oriented_side side = side_of_circle(a, b, c);
     if (side != CGAL::ON_ORIENTED_BOUNDARY) return side == CGAL::ON_POSITIVE_SIDE;
     return std::min(center_, b.number) < std::min(a.number, c.number);
   }
 
 private:
-  static constexpr double margin = 1e-13;
+  using Exact = Point_kernel::Exact_kernel;
+  using Approximate = Point_kernel::Approximate_kernel;
+  template <class E, class A>
+  using Exactly = Point_kernel::Exactly<E, A>;
 
+  static constexpr double margin = 1e-13;
+  static constexpr double least = 1e-280; // above, products do not underflow
+
+  // On which side of the circle through three points the origin is.
+  static CGAL::Oriented_side side_of_circle(const Neighbour& a, const Neighbour& b,
+                                            const Neighbour& c) {
+    double determinant = 0, size = 0;
+    for (const auto& [p, q, r] : {std::array{&a, &b, &c}, {&b, &c, &a}, {&c, &a, &b}}) {
+      const double s = squared_distance(*p), x = q->at[0] * r->at[1], y = q->at[1] * r->at[0];
+      determinant += s * (x - y);
+      size += s * (std::abs(x) + std::abs(y));
+    }
+    if (size > least && std::abs(determinant) > margin * size)
+      return determinant > 0 ? CGAL::ON_POSITIVE_SIDE : CGAL::ON_NEGATIVE_SIDE;
+    return Exactly<Exact::Side_of_oriented_circle_2, Approximate::Side_of_oriented_circle_2>()(
+        point(a), point(b), point(c), Point(0, 0));
+  }
   static Point point(const Neighbour& a) { return Point(a.at[0], a.at[1]); }
   static double squared_distance(const Neighbour& a) {
     return a.at[0] * a.at[0] + a.at[1] * a.at[1];

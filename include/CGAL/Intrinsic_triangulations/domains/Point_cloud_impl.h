@@ -9,9 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/tangent_axes.h>
+#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
@@ -36,7 +36,7 @@ namespace internal {
 // Finds the triangles at points of a cloud, one point at a time.
 class Local_triangulator {
 public:
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Kernel = CGAL::Simple_cartesian<double>;
   using Point = Kernel::Point_3;
 
   // \param points no two of which are at one place, near ones near each other in memory
@@ -55,7 +55,7 @@ public:
     const bool is_closed = Delaunay_star::find(center, star_);
     const auto add = [&](std::uint32_t a,
                          std::uint32_t b) { // rounding may make a triangle of a line
-      if (!CGAL::collinear(points_[center], points_[a], points_[b]))
+      if (!Point_kernel::Are_collinear()(points_[center], points_[a], points_[b]))
         triangles.push_back({center, a, b});
     };
     for (std::size_t i = 0; i + 1 < star_.size(); ++i) add(star_[i].number, star_[i + 1].number);

@@ -6,8 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/domains/sort_around_edge.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,14 +20,14 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // asked, which are exact.
 class Half_planes {
 public:
-  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+  using Point = Point_kernel::Point_3;
 
   // \param numbers by which points are known to be the same without a predicate
   Half_planes(const Point& a, const Point& b, const std::vector<Point>& apices,
               const std::vector<std::uint32_t>& numbers)
       : a_(a), b_(b), apices_(apices), numbers_(numbers), sector_(apices.size(), 4) {
     std::size_t first = 0;
-    while (first < apices.size() && CGAL::collinear(a, b, apices[first])) ++first;
+    while (first < apices.size() && Point_kernel::Are_collinear()(a, b, apices[first])) ++first;
     for (std::size_t i = first; i < apices.size(); ++i)
       sector_[i] = numbers[i] == numbers[first] ? 0 : sector(apices[first], apices[i]);
   }
@@ -36,16 +35,16 @@ public:
   bool is_before(std::uint32_t i, std::uint32_t j) const {
     if (sector_[i] != sector_[j]) return sector_[i] < sector_[j];
     return sector_[i] % 2 == 1 && numbers_[i] != numbers_[j] &&
-           CGAL::orientation(a_, b_, apices_[i], apices_[j]) == CGAL::POSITIVE;
+           Point_kernel::Find_orientation()(a_, b_, apices_[i], apices_[j]) == CGAL::POSITIVE;
   }
 
 private:
   // 0: in the half plane of `first`, 1: less than half a turn from there, 2: half a turn, 3: more, 4: on the line
   int sector(const Point& first, const Point& p) const {
-    const CGAL::Orientation side = CGAL::orientation(a_, b_, first, p);
+    const CGAL::Orientation side = Point_kernel::Find_orientation()(a_, b_, first, p);
     if (side != CGAL::COPLANAR) return side == CGAL::POSITIVE ? 1 : 3;
-    if (CGAL::collinear(a_, b_, p)) return 4;
-    return CGAL::coplanar_orientation(a_, b_, first, p) == CGAL::POSITIVE ? 0 : 2;
+    if (Point_kernel::Are_collinear()(a_, b_, p)) return 4;
+    return Point_kernel::Find_orientation_in_plane()(a_, b_, first, p) == CGAL::POSITIVE ? 0 : 2;
   }
 
   const Point &a_, &b_;

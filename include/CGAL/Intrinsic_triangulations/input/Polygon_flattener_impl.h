@@ -5,9 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGON_FLATTENER_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_flattener.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <array>
@@ -172,16 +171,17 @@ inline Space_point vector_area(const std::vector<Space_point>& p) {
 }
 
 inline bool is_exactly_planar(const std::vector<Space_point>& points) {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   const auto point = [&](std::size_t i) {
-    return Kernel::Point_3(points[i][0], points[i][1], points[i][2]);
+    return Point_kernel::Point_3(points[i][0], points[i][1], points[i][2]);
   };
+  const Point_kernel::Are_collinear are_collinear;
+  const Point_kernel::Find_orientation orientation;
   std::size_t a = 1, b = 2;
   while (a < points.size() && points[a] == points[0]) ++a;
   if (a == points.size()) return true;
-  while (b < points.size() && CGAL::collinear(point(0), point(a), point(b))) ++b;
+  while (b < points.size() && are_collinear(point(0), point(a), point(b))) ++b;
   for (std::size_t i = 1; b < points.size() && i < points.size(); ++i)
-    if (!CGAL::coplanar(point(0), point(a), point(b), point(i))) return false;
+    if (orientation(point(0), point(a), point(b), point(i)) != CGAL::COPLANAR) return false;
   return true;
 }
 

@@ -5,10 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGON_TRIANGULATOR_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Projection_traits_3.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -141,8 +141,7 @@ Polygon_triangulator::collect(const std::vector<std::uint32_t>& apex,
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
 Polygon_triangulator::triangulate_delaunay(std::vector<Triangle>& result) const {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Traits = CGAL::Projection_traits_3<Kernel>;
+  using Traits = CGAL::Projection_traits_3<Point_kernel>;
   using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Traits>;
   using Info_base = CGAL::Triangulation_face_base_with_info_2<bool, Traits>;
   using Face_base = CGAL::Constrained_triangulation_face_base_2<Traits, Info_base>;
@@ -151,10 +150,10 @@ Polygon_triangulator::triangulate_delaunay(std::vector<Triangle>& result) const 
       CGAL::Constrained_Delaunay_triangulation_2<Traits, Data,
                                                  CGAL::No_constraint_intersection_tag>;
   if (normal_ == Point{}) return false;
-  Triangulation plane{Traits(Kernel::Vector_3(normal_[0], normal_[1], normal_[2]))};
+  Triangulation plane{Traits(Point_kernel::Vector_3(normal_[0], normal_[1], normal_[2]))};
   std::vector<Triangulation::Vertex_handle> vertices;
   for (const Point& p : points_) {
-    vertices.push_back(plane.insert(Kernel::Point_3(p[0], p[1], p[2])));
+    vertices.push_back(plane.insert(Point_kernel::Point_3(p[0], p[1], p[2])));
     vertices.back()->info() = static_cast<std::uint32_t>(vertices.size() - 1);
   }
   if (plane.number_of_vertices() != points_.size()) return false;

@@ -115,8 +115,9 @@ public:
   }
 
   /// tells whether errors of points grow so large that what is in the middle of them may be anywhere.
+  template <class Interval = FT> // other numbers have no bounds
   bool is_vague() const {
-    const auto is_vague = [](const FT& x) {
+    const auto is_vague = [](const Interval& x) {
       return !(x.sup() - x.inf() <= 0x1p-26 * std::max(1., std::abs(x.sup())));
     };
     return std::any_of(triangles_.begin(), triangles_.end(), [&](const Triangle& t) {

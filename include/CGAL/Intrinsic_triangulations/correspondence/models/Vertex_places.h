@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Replayed_flips.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Triangulation_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -15,8 +16,14 @@
 
 #include <concepts>
 #include <memory>
+#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// What integer coordinates restore.
+template <class Correspondence>
+concept Restorable = std::is_same_v<Correspondence, No_correspondence> ||
+    std::is_base_of_v<Integer_coordinates, Correspondence>;
 
 // Knows where the vertices and edges of a triangulation are on the input, for a metric that is exact: by the
 // correspondence, if that has integer coordinates on the input, else by coordinates of its own. These are made from
