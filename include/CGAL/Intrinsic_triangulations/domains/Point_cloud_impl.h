@@ -15,6 +15,7 @@
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
 #include <boost/iterator/counting_iterator.hpp>
