@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct Function {
 struct Direction_field {
   IT::Tangent_field vectors;
   unsigned degree = 1; ///< vectors that differ by a turn by 2 pi / degree are alike
+  /// Number of the vector of each row: of a cover, that of the first copy of the vertex; `Gluing::none` where there is none.
+  std::vector<std::uint32_t> of_row;
 };
 
 /// What a command has computed.

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -60,7 +61,9 @@ void write_functions(std::ostream& out, const Computed& computed, Eigen::Index r
     for (Eigen::Index c = 0; c < computed.displacements.cols(); ++c)
       put(computed.displacements(i, c));
     if (computed.directions) {
-      const std::complex<double> z = computed.directions->vectors[static_cast<std::size_t>(i)];
+      const std::uint32_t copy = computed.directions->of_row[static_cast<std::size_t>(i)];
+      const std::complex<double> z =
+          copy == IT::Gluing::none ? 0 : computed.directions->vectors[copy];
       put(z.real());
       put(z.imag());
     }

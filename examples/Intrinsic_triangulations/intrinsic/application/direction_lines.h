@@ -39,7 +39,8 @@ std::vector<IT::Polyline> direction_lines(const Loaded<Triangulation>& loaded,
   std::vector<IT::Polyline> lines;
   if (!computed.directions) return lines;
   const auto& t = loaded.triangulation;
-  const auto& [vectors, degree] = *computed.directions;
+  const IT::Tangent_field& vectors = computed.directions->vectors;
+  const unsigned degree = computed.directions->degree;
   const double length = length_of_lines(drawn.s, drawn.points, vectors);
   const IT::internal::Vertex_copies copies(t);
   const std::vector<Point> points = input_points(loaded);

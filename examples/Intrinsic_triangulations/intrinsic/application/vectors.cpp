@@ -44,12 +44,23 @@ std::vector<Asked_vector> read_vectors(const Options& options, std::size_t verti
   return vectors;
 }
 
-// a value per row, that of the first copy of a vertex
-template <class Triangulation, class Values, class Part>
-Eigen::VectorXd by_rows(const Triangulation& t, const Values& values, const Part& part) {
+// the number of the first copy of the vertex of each row
+template <class Triangulation>
+std::vector<std::uint32_t> first_copies(const Triangulation& t) {
   const IT::internal::Vertex_copies copies(t);
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(t.number_of_vertices());
-  for (const auto v : vertices(t.mesh())) result[t.input_vertex(v)] = part(values[copies(v)]);
+  std::vector<std::uint32_t> first(t.number_of_vertices(), IT::Gluing::none);
+  for (const auto v : vertices(t.mesh()))
+    first[t.input_vertex(v)] = std::min(first[t.input_vertex(v)], copies(v));
+  return first;
+}
+
+// a value per row, that of the first copy of a vertex
+template <class Values, class Part>
+Eigen::VectorXd by_rows(const std::vector<std::uint32_t>& first, const Values& values,
+                        const Part& part) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(first.size()));
+  for (std::size_t r = 0; r < first.size(); ++r)
+    if (first[r] != IT::Gluing::none) result[static_cast<Eigen::Index>(r)] = part(values[first[r]]);
   return result;
 }
 
@@ -60,9 +71,9 @@ Computed transport(const Triangulation& t, const Options& options) {
     sources.push_back({t.numbers().vertex_at(t.input().names().vertex(v.row)), v.z});
   const IT::Vector_heat_method<Triangulation> heat(t, options.application.time_factor);
   Computed computed{"transport", {}, {}};
-  computed.directions = {heat.transport(sources), 1};
+  computed.directions = {heat.transport(sources), 1, first_copies(t)};
   computed.functions.push_back(
-      {"length", by_rows(t, computed.directions->vectors,
+      {"length", by_rows(computed.directions->of_row, computed.directions->vectors,
                          [](const std::complex<double>& z) { return std::abs(z); })});
   computed.shown = computed.functions.size(); // none: arrows
   computed.json = {{"sources", sources.size()},
@@ -79,11 +90,13 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
       heat.logarithmic_map(sources[0][0], options.method == "polar" ? IT::Logarithm_method::polar
                                                                     : IT::Logarithm_method::affine);
   using Complex = std::complex<double>;
+  const std::vector<std::uint32_t> first = first_copies(t);
   Computed computed{"logmap", {}, {}};
-  computed.functions = {{"u", by_rows(t, log, [](const Complex& z) { return z.real(); })},
-                        {"v", by_rows(t, log, [](const Complex& z) { return z.imag(); })}};
+  computed.functions = {{"u", by_rows(first, log, [](const Complex& z) { return z.real(); })},
+                        {"v", by_rows(first, log, [](const Complex& z) { return z.imag(); })}};
   computed.is_map = true;
-  const double radius = by_rows(t, log, [](const Complex& z) { return std::abs(z); }).maxCoeff();
+  const double radius =
+      by_rows(first, log, [](const Complex& z) { return std::abs(z); }).maxCoeff();
   computed.json = {{"method", options.method == "polar" ? "polar" : "affine"}, {"radius", radius}};
   return computed;
 }
@@ -100,7 +113,7 @@ Computed direction_field(const Triangulation& t, const Options& options) {
   int turns = 0;
   for (const auto& [h, n] : singular.turns) turns += n;
   Computed computed{"field", {}, {}};
-  computed.directions = {field.directions(), options.application.degree};
+  computed.directions = {field.directions(), options.application.degree, first_copies(t)};
   computed.json = {{"degree", degree},
                    {"fixed", fixed.size()},
                    {"singular_faces",

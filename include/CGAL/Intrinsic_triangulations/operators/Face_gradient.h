@@ -75,6 +75,8 @@ public:
     Vectors result(number_of_faces());
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const Face& face = faces_[f];
+      result[index(f)] = 0;
+      if (face.area == 0) continue; // no face
       // differences: what is constant leaves nothing, rounding included
       const double base = u[face.row[0]];
       result[index(f)] = (u[face.row[1]] - base) * face.hat_gradient[1] +

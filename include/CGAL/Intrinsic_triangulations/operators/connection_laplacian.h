@@ -103,7 +103,7 @@ std::vector<std::complex<double>> transport_along_halfedges(const Triangulation&
     z^H L z = sum over edges of w_ij |z_j - r_ij^order z_i|^2
 
 with the cotangent weight w_ij of the edge and the transport r_ij along it. The matrix is Hermitian bit by bit and positive
-semidefinite. It is the weak form, of which `lumped_mass_matrix()` is the partner. A loop, an edge from a vertex to itself,
+semidefinite. It is the weak form, to which the lumped masses belong, on covers those of each copy of a vertex. A loop, an edge from a vertex to itself,
 turns vectors, and adds w |1 - r^order|^2 to the diagonal. Weights that are negative are taken as zero: in a Delaunay
 triangulation only edges on the border have such weights, and where the surface is curved there the matrix would be indefinite.
 

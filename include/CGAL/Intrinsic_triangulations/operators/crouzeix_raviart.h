@@ -58,7 +58,7 @@ inline std::array<std::complex<double>, 3> side_frames(const Table_face& f) {
   return result;
 }
 
-// Edges without a face, which removals leave as gaps in the numbers, have ones in their place.
+// Edges without a face, which removals leave as gaps in the numbers, are zero.
 inline Eigen::SparseMatrix<std::complex<double>>
 edge_connection_laplacian(const Face_table& table) {
   using Complex = std::complex<double>;

@@ -27,7 +27,9 @@ struct Heat {
   // the value, as a multiple of 2^(-step * l)
   Scalar at(Eigen::Index r, int l) const {
     const int steps = l - level[static_cast<std::size_t>(r)];
-    return steps == 0 ? value[r] : value[r] * std::ldexp(1.0, step * steps);
+    // not reached: 0, whatever the level of others
+    return steps == 0 || value[r] == Scalar(0) ? value[r]
+                                               : value[r] * std::ldexp(1.0, step * steps);
   }
 };
 

@@ -107,10 +107,11 @@ Pinned_laplacian::eliminate(const std::vector<int>& rows, const Pins& pins,
   for (int r = 0; r < laplacian_.cols(); ++r)
     if (is_reached[number(component_[number(r)])] != 0 && pins.count(r) == 0)
       free_rows_.push_back(r);
-  eliminated_rows_ = rows;
+  eliminated_rows_.clear();
   eliminated_.reset();
   if (!free_rows_.empty())
     eliminated_ = std::make_unique<Factorization>(principal_submatrix(laplacian_, free_rows_));
+  eliminated_rows_ = rows; // at the end: a matrix may not be factored
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd

@@ -24,7 +24,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
 Signed_heat_solver::distances(const Source_places& curves) {
-  if (!curves.rows.empty())
+  const auto is_point = [](const Source_segment& s) { return s.from == s.to; };
+  if (!curves.rows.empty() || std::ranges::any_of(curves.segments, is_point))
     throw std::invalid_argument(
         "a vertex or a point has no sides; signed distances are those from curves");
   const Pinned_laplacian::Pins pins = signed_distances_near(curves);

@@ -117,7 +117,9 @@ private:
       if (in_common.empty())
         throw std::invalid_argument("points " + std::to_string(i - 1) + " and " +
                                     std::to_string(i) + " of a polyline are not in one face");
-      add_segment(in_common[0], in_common[1]);
+      // a point that is repeated is no source of its own
+      if (in_common[0].weights != in_common[1].weights || points.size() == 2)
+        add_segment(in_common[0], in_common[1]);
     }
   }
 

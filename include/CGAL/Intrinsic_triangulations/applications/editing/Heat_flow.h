@@ -22,7 +22,7 @@ namespace CGAL::Intrinsic_triangulations {
 
     (M + t L) x = M x_0
 
-with the cotangent Laplacian L and the lumped mass M. It is stable for any time. On a Delaunay triangulation the maximum principle holds: no value leaves the
+with the cotangent Laplacian L and the lumped mass M. It is stable for any time. On a Delaunay triangulation without obtuse angles at the border, or of a cover, the maximum principle holds: no value leaves the
 range of those before; sums weighed by mass are kept.
 
 The coordinates of the vertices in space are functions too: what smooths them is implicit fairing (Desbrun, Meyer, Schröder and Barr 1999), a step of mean curvature

@@ -61,7 +61,7 @@ public:
   /*!
   \brief factors the operator that two matrices make.
   \param laplacian the matrix L, positive semidefinite
-  \param mass the diagonal of the matrix M; where it is zero nothing moves
+  \param mass the diagonal of the matrix M, positive but at isolated vertices; only the biharmonic energy reads it
   */
   Surface_deformation(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
                       std::span<const std::uint32_t> handles, Deformation_energy energy);

@@ -60,6 +60,7 @@ border_of_triangles(const std::vector<std::array<std::uint32_t, 3>>& faces) {
   for (const auto& f : faces)
     for (std::size_t k = 0; k < 3; ++k) sides.emplace_back(f[k], f[(k + 1) % 3]);
   std::sort(sides.begin(), sides.end());
+  if (std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return {}; // no manifold
   std::map<std::uint32_t, std::uint32_t> next;
   for (const Side& s : sides)
     if (!std::binary_search(sides.begin(), sides.end(), Side(s.second, s.first)))

@@ -90,6 +90,9 @@ inline void expect_convex(const std::vector<std::array<double, 2>>& corners) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
   const std::size_t n = corners.size();
   const auto point = [&](std::size_t i) { return Point(corners[i % n][0], corners[i % n][1]); };
+  for (const std::array<double, 2>& c : corners)
+    if (!std::isfinite(c[0]) || !std::isfinite(c[1]))
+      throw std::invalid_argument("the corners must be finite");
   std::size_t lows = 0; // corners at which the sides begin to rise
   for (std::size_t i = 0; i < n; ++i) {
     if (CGAL::orientation(point(i), point(i + 1), point(i + 2)) != CGAL::LEFT_TURN)

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -44,7 +45,11 @@ Eigen::MatrixX2d harmonic_map(const Triangulation& t, const Border_map& border) 
   std::vector<char> has_faces(static_cast<std::size_t>(laplacian.rows()), 0);
   for (const typename Triangulation::halfedge_descriptor h : halfedges(t.mesh()))
     has_faces[t.input_vertex(target(h, t.mesh()))] = 1;
+  if (border.positions.rows() != static_cast<Eigen::Index>(border.rows.size()))
+    throw std::invalid_argument("there must be a position per row of the border");
   std::vector<std::uint32_t> rows = border.rows;
+  for (const std::uint32_t r : border.rows)
+    if (r < has_faces.size()) has_faces[r] = 1; // has a place, isolated or not
   for (std::uint32_t r = 0; r < has_faces.size(); ++r)
     if (has_faces[r] == 0) rows.push_back(r);
   Eigen::MatrixX2d values = Eigen::MatrixX2d::Zero(static_cast<Eigen::Index>(rows.size()), 2);

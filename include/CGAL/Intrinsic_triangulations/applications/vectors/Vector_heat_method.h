@@ -79,7 +79,7 @@ public:
   /*!
   \brief returns the heat at all vertices that comes from a point: most of it comes from the nearest of several points.
   \param p the point
-  \return positive numbers, by the numbers of a `Tangent_field`; zero where none arrives
+  \return positive numbers, by the numbers of a `Tangent_field`; zero where none arrives in doubles: beyond about 700 edges with the default time
   \complexity that of solving with one factored real matrix
   */
   Eigen::VectorXd heat(const Surface_point& p) const { return heat_.heat(frames_.corners(p)); }
@@ -223,7 +223,7 @@ private:
   }
 
   static void expect_some(const internal::Vector_sources& s) {
-    if (!(s.weights.maxCoeff() > 0))
+    if (s.weights.size() == 0 || !(s.weights.maxCoeff() > 0))
       throw std::invalid_argument("there must be a source; none is given");
   }
 

@@ -19,7 +19,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief takes a vector from the polar coordinates of a vertex, those of a `Tangent_field`, to the face that it points into.
+\brief takes a vector from the polar coordinates of a vertex, those of a `Tangent_field`, to the face that it points into; on the border, one
+that points out of the surface to the side of the border that is nearer.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \param v the vertex, not an isolated one
@@ -33,8 +34,9 @@ Tangent_vector tangent_vector(const Triangulation& t, typename Triangulation::ve
   const std::uint32_t first = view.outgoing_halfedge(t.index(v));
   bool is_on_border = false;
   const double all = cone_angle(view, first, is_on_border), full = 2 * std::numbers::pi;
-  const double a = std::arg(z);
-  const double turn = (a < 0 ? a + full : a) * all / (is_on_border ? full / 2 : full);
+  double a = std::arg(z); // on the border, what points out belongs to the nearer side of it
+  if (a < (is_on_border ? -full / 4 : 0.)) a += full;
+  const double turn = a * all / (is_on_border ? full / 2 : full);
   return internal::at_start(
       Geodesic_walk<Intrinsic_view<Triangulation>>(view, Corner_direction{first, turn}),
       std::abs(z));

@@ -16,6 +16,7 @@
 
 #include <concepts>
 #include <memory>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -75,8 +76,9 @@ public:
 
   // the same, if they are about the input of the triangulation and that has its surface
   const Integer_coordinates* on_input(const Triangulation& t) const {
-    const bool are_known = t.input().has_surface() && t.input().is_defined_by_metric();
-    return are_known ? coordinates(t) : nullptr;
+    if (!are_on_input_) // linear: not to be found at every insertion
+      are_on_input_ = t.input().has_surface() && t.input().is_defined_by_metric();
+    return *are_on_input_ ? coordinates(t) : nullptr;
   }
 
   // the values at the vertex whose insertion was announced last
@@ -121,6 +123,7 @@ private:
   // mutable: a cache of what the history tells, until they define the metric
   mutable std::unique_ptr<Integer_coordinates> own_;
   mutable State state_ = State::unknown;
+  mutable std::optional<bool> are_on_input_; // unless nobody has asked
   bool define_metric_ = false;
   std::unique_ptr<Unfolder> unfolder_;
 };

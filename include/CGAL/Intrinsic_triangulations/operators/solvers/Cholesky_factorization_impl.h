@@ -13,9 +13,12 @@
 #endif
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -55,9 +58,12 @@ public:
   explicit Eigen_factor(const Matrix& a) : solver_(a) {
     const auto& place = solver_.permutationP().indices();
     const auto pivots = solver_.vectorD();
-    for (int r = 0; r < a.rows(); ++r)
-      if (!is_definite(std::real(pivots[place[r]]), std::real(a.coeff(r, r))))
-        throw Indefinite_matrix(r);
+    std::vector<int> row(static_cast<std::size_t>(a.rows()));
+    for (int r = 0; r < a.rows(); ++r) row[static_cast<std::size_t>(place[r])] = r;
+    for (int k = 0; k < a.rows(); ++k) { // in the order of elimination, which ends at a zero
+      const int r = row[static_cast<std::size_t>(k)];
+      if (!is_definite(std::real(pivots[k]), std::real(a.coeff(r, r)))) throw Indefinite_matrix(r);
+    }
   }
 
   Vectors solve(const Vectors& b) const override {
@@ -79,7 +85,9 @@ public:
   using Scalar = typename Matrix::Scalar;
   explicit Readable_cholmod(const Matrix& a) {
     this->cholmod().print = 0; // the library prints nothing
-    this->compute(a);
+    this->analyzePattern(a);
+    if (this->m_cholmodFactor == nullptr) throw std::bad_alloc(); // too large for it, or for memory
+    this->factorize(a);
   }
 
   // the row at which it stopped, or the size

@@ -88,11 +88,18 @@ inline void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
   }
 }
 
+// the row of the least diagonal entry
+inline Eigen::Index least_diagonal(const Eigen::SparseMatrix<double>& m) {
+  Eigen::Index row = 0;
+  Eigen::VectorXd(m.diagonal()).minCoeff(&row);
+  return row;
+}
+
 inline Eigenpairs dense_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                    const Eigen::SparseMatrix<double>& m, Eigen::Index count) {
   const Eigen::MatrixXd dense(m);
   if (Eigen::LLT<Eigen::MatrixXd>(dense).info() != Eigen::Success)
-    throw std::runtime_error("the mass matrix is not positive definite");
+    throw Indefinite_matrix(least_diagonal(m));
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(a), dense);
   return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
 }
@@ -118,8 +125,8 @@ smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMat
     throw std::invalid_argument("a matrix with " + std::to_string(size) + " rows has not " +
                                 std::to_string(count) + " eigenvalues");
   constexpr Eigen::Index small = 64; // a dense method is faster
-  if (size <= std::max(small, 2 * count + 1)) return internal::dense_eigenpairs(a, m, count);
   if (count == 0) return {{}, Eigen::MatrixXd(size, 0)};
+  if (size <= std::max(small, 2 * count + 1)) return internal::dense_eigenpairs(a, m, count);
   const double shift = internal::spectral_shift(a, m);
   internal::Shifted_inverse inverse(a + shift * m);
   const Spectra::SparseSymMatProd<double> mass(m);
