@@ -87,9 +87,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Border_map circular_border(const Disk_borde
 
 // The turns at the corners are to the left, and make one round.
 inline void expect_convex(const std::vector<std::array<double, 2>>& corners) {
-  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  using Corner = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
   const std::size_t n = corners.size();
-  const auto point = [&](std::size_t i) { return Point(corners[i % n][0], corners[i % n][1]); };
+  const auto point = [&](std::size_t i) { return Corner(corners[i % n][0], corners[i % n][1]); };
   for (const std::array<double, 2>& c : corners)
     if (!std::isfinite(c[0]) || !std::isfinite(c[1]))
       throw std::invalid_argument("the corners must be finite");
