@@ -232,6 +232,28 @@ TEST(Heat_distance, is_right_where_heat_is_below_the_range_of_doubles) {
     ASSERT_NEAR(d[v], s.points[v][0], 0.02 * s.points[v][0] + 1) << v;
 }
 
+TEST(Heat_distance, with_both_conditions_is_right_from_the_border_of_a_long_folded_strip) {
+  // to and fro, so that chords are no help; where heat is zero on the border, none comes from a source there
+  Shape s;
+  constexpr std::uint32_t length = 2400, fold = 100;
+  for (std::uint32_t x = 0; x <= length; ++x)
+    for (std::uint32_t y = 0; y < 3; ++y) {
+      const double rest = x % fold;
+      s.points.push_back(
+          {x / fold % 2 == 0 ? rest : fold - rest, static_cast<double>(y), x / 1000.});
+    }
+  for (std::uint32_t v = 0; v < 3 * length; v += 3)
+    for (const std::uint32_t i : {v, v + 1}) {
+      s.triangles.push_back({i, i + 3, i + 4});
+      s.triangles.push_back({i, i + 4, i + 1});
+    }
+  const Exact t(s.input());
+  IT::Heat_distance heat(t); // average
+  const Vector d = heat.distances(vertex_of_row(t, 0));
+  for (std::uint32_t v = 0; v < s.points.size(); ++v)
+    ASSERT_NEAR(d[v], v / 3, 0.02 * (v / 3) + 2) << v;
+}
+
 TEST(Heat_distance, from_points_in_faces_and_polylines_is_that_in_the_plane) {
   const Shape s = grid(20);
   const Exact t(s.input());

@@ -160,6 +160,8 @@ TEST(Signed_heat_distance, is_infinite_where_there_is_no_curve_and_refuses_what_
   EXPECT_EQ(d[9], std::numeric_limits<double>::infinity());
   EXPECT_TRUE(d.head(9).allFinite());
   EXPECT_THROW(signed_distance.distances(*vertices(t.mesh()).begin()), std::invalid_argument);
+  const IT::Surface_point inside{0, {0.25, 0.25, 0.5}};
+  EXPECT_THROW(signed_distance.distances(inside), std::invalid_argument);
   EXPECT_THROW(IT::Signed_heat_distance(t, IT::parameters::time_factor(-1)), std::invalid_argument);
   IT::Triangle_soup soup;
   soup.points = s.points;

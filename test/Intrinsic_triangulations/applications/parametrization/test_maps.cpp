@@ -226,6 +226,24 @@ TEST(Map_certificate, knows_flipped_degenerate_and_overlapping_maps) {
   EXPECT_THROW(certify({0, 0, NAN, 0, 0, 0, 0, 0}), std::invalid_argument);
 }
 
+TEST(Map_certificate, knows_faces_that_are_listed_twice) {
+  std::vector<std::array<std::uint32_t, 3>> fan{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  Map uv(4, 2);
+  uv << 0, 0, 3, 0, 0, 3, 1, 1;
+  EXPECT_TRUE(IT::certify_map(fan, uv).is_injective());
+  fan.push_back(fan[1]);
+  EXPECT_FALSE(IT::certify_map(fan, uv).is_injective());
+  fan.back() = {0, 1, 2};
+  EXPECT_FALSE(IT::certify_map(fan, uv).is_injective());
+}
+
+TEST(Harmonic_map, refuses_rows_without_positions) {
+  const Exact t(grid(2).input());
+  IT::Border_map border = IT::circular_border(t);
+  border.rows.push_back(4); // the one inside
+  EXPECT_THROW(IT::harmonic_map(t, border), std::invalid_argument);
+}
+
 TEST(Map_certificate, knows_maps_that_are_locally_injective_but_overlap) {
   // a strip that winds around once and a half; and a fan that winds around its centre twice
   std::vector<std::array<std::uint32_t, 3>> strip, fan;

@@ -93,6 +93,23 @@ TEST(Logarithmic_map, in_the_plane_is_exact_by_affine_heat_from_all_vertices) {
     }
 }
 
+/// On the border, what points out goes along the nearer side of it: rounding turns nothing around.
+TEST(Logarithmic_map, vectors_along_the_border_keep_their_side) {
+  meshes::Mesh square;
+  square.points = {{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  square.triangles = {{0, 1, 3}, {1, 2, 3}};
+  const Exact t(square.input());
+  for (const auto v : vertices(t.mesh())) {
+    if (t.input_vertex(v) != 1) continue;
+    for (const Complex z : {Complex(0.3, -1e-17), Complex(-0.3, -1e-17), Complex(0.3, 1e-17),
+                            Complex(-0.3, 0), Complex(0, 0.3)}) {
+      const Point p = point_of(t, IT::exponential_map(t, v, z).points.back(), square.points);
+      EXPECT_NEAR(p[0], z.real(), 1e-15) << z;
+      EXPECT_NEAR(p[1], z.imag(), 1e-15) << z;
+    }
+  }
+}
+
 /// In polar coordinates of vertices, by the exponential map.
 TEST(Logarithmic_map, in_the_plane_is_undone_by_the_exponential_map) {
   const meshes::Mesh shape = meshes::scaled(meshes::random_planar(50, 1000, 3), 0.01);
