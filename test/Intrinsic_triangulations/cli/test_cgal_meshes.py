@@ -10,7 +10,8 @@ from cli_support import Cli_test, main
 
 MESHES = os.environ.get("INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR", "")
 EXTENSIONS = (".off", ".obj", ".ply", ".stl", ".ts")
-SECONDS = 10  # for one mesh; the longest takes about half a second on an idle machine
+SECONDS = 10  # for one mesh; most take less than half a second on an idle machine
+SECONDS_FOR_CLOUD = 30  # b9.ply, 84,000 points among which 317,000 are inserted: six seconds there
 
 
 def mesh_files():
@@ -84,7 +85,8 @@ class Cgal_meshes(Cli_test):
             with self.subTest(mesh=name):
                 run = self.run_program("refine", os.path.join(MESHES, name), "--min-angle", "25",
                                        "--stats", "-")
-                self.assertLess(run.seconds, SECONDS)
+                self.assertLess(run.seconds,
+                                SECONDS_FOR_CLOUD if name == "b9.ply" else SECONDS)
                 if run.code == 1:
                     continue # see above
                 refined += 1
