@@ -83,11 +83,7 @@ TEST(Surface_deformation, of_a_strip_is_a_beam) {
 }
 
 TEST(Surface_deformation, moves_nothing_where_there_is_no_handle) {
-  Shape two = tetrahedron();
-  for (const std::array<double, 3> p : tetrahedron().points)
-    two.points.push_back({p[0] + 10, p[1], p[2]});
-  for (const auto& f : tetrahedron().triangles)
-    two.triangles.push_back({f[0] + 4, f[1] + 4, f[2] + 4});
+  Shape two = two_tetrahedra();
   two.points.push_back({0, 0, 20}); // isolated
   const Exact t(two.input());
   for (const Energy energy : {Energy::harmonic, Energy::biharmonic}) {

@@ -58,11 +58,7 @@ TEST(Eigenpairs, of_a_flat_torus_are_those_of_the_stencil) {
 }
 
 TEST(Eigenpairs, count_components_by_zeros) {
-  Shape two = tetrahedron();
-  for (const std::array<double, 3> p : tetrahedron().points)
-    two.points.push_back({p[0] + 10, p[1], p[2]});
-  for (const auto& f : tetrahedron().triangles)
-    two.triangles.push_back({f[0] + 4, f[1] + 4, f[2] + 4});
+  const Shape two = two_tetrahedra();
   const Exact t(two.input());
   const IT::Eigenpairs pairs =
       IT::smallest_eigenpairs(IT::cotangent_laplacian(t), IT::lumped_mass_matrix(t), 8);

@@ -124,11 +124,7 @@ TEST(Fixed_values_solver, names_rows_of_the_whole_problem) {
 }
 
 TEST(Fixed_values_solver, finds_components_with_constants_in_the_kernel) {
-  Shape two = tetrahedron();
-  for (const std::array<double, 3> p : tetrahedron().points)
-    two.points.push_back({p[0] + 10, p[1], p[2]});
-  for (const auto& f : tetrahedron().triangles)
-    two.triangles.push_back({f[0] + 4, f[1] + 4, f[2] + 4});
+  Shape two = two_tetrahedra();
   two.points.push_back({0, 0, 20}); // isolated
   const Exact t(two.input());
   const Matrix l = IT::cotangent_laplacian(t);

@@ -151,11 +151,7 @@ TEST(Solve_with_fixed_values, may_fix_all_rows_or_none_of_a_definite_matrix) {
 }
 
 TEST(Solve_with_fixed_values, refuses_a_component_without_fixed_value_and_names_it) {
-  Shape two = tetrahedron();
-  for (const std::array<double, 3> p : tetrahedron().points)
-    two.points.push_back({p[0] + 10, p[1], p[2]});
-  for (const auto& f : tetrahedron().triangles)
-    two.triangles.push_back({f[0] + 4, f[1] + 4, f[2] + 4});
+  Shape two = two_tetrahedra();
   two.points.push_back({0, 0, 20}); // isolated
   const Matrix l = IT::cotangent_laplacian(Exact(two.input()));
   const Vector zero = Vector::Zero(9);
