@@ -1,4 +1,4 @@
-# Installs the headers, the library and what `find_package(Intrinsic_triangulations)` needs.
+# Installs the headers, the libraries and what `find_package(Intrinsic_triangulations)` needs.
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -7,7 +7,10 @@ set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Intrinsic_triangulations")
 set(package_component Intrinsic_triangulations_Development)
 
 set_target_properties(Intrinsic_triangulations_header_only PROPERTIES EXPORT_NAME header_only)
-install(TARGETS Intrinsic_triangulations Intrinsic_triangulations_header_only
+set_target_properties(Intrinsic_triangulations_core PROPERTIES EXPORT_NAME core)
+set_target_properties(Intrinsic_triangulations_applications PROPERTIES EXPORT_NAME applications)
+install(TARGETS Intrinsic_triangulations Intrinsic_triangulations_core Intrinsic_triangulations_applications
+    Intrinsic_triangulations_header_only
   EXPORT Intrinsic_triangulations_targets
   ARCHIVE
     DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${package_component}

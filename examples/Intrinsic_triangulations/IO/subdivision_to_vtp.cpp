@@ -57,4 +57,5 @@ int main(int argc, char* argv[]) {
                  has("Name=\"height\"")
              ? 0
              : 1;
+  return 0;
 }

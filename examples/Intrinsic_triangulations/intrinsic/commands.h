@@ -6,6 +6,8 @@
 
 #include "options.h"
 
+// Of some, a program has no more than the name of the one that runs them, see commands_elsewhere.cpp.
+
 namespace program {
 
 /// flips to Delaunay unless told not to, refines if that is asked for, and writes what is asked for.

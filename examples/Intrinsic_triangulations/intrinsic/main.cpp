@@ -210,6 +210,7 @@ void add_study(CLI::App& app, Options& options, Command& chosen) {
 
 int run(int argc, char** argv) {
   Options options;
+  for (int i = 1; i < argc; ++i) options.arguments.emplace_back(argv[i]);
   Command chosen = nullptr;
   CLI::App app("Intrinsic triangulations of triangle meshes, with exact predicates", "intrinsic");
   app.set_version_flag("--version", std::string("intrinsic ") + INTRINSIC_TRIANGULATIONS_VERSION);

@@ -100,6 +100,7 @@ struct Options {
   std::string from = "input";     ///< triangulation that has the field: `input` or `intrinsic`
   std::string method = "L2";      ///< `L2` or `pointwise`
   std::vector<std::string> study; ///< what follows the command `study`
+  std::vector<std::string> arguments; ///< all that follows the name of the program
   bool is_arithmetic_given = false;
   bool is_mollification_given = false;
 };

@@ -4,7 +4,7 @@
 #include "time_limit.h"
 
 #include "output_files.h"
-#include "support/command_line.h"
+#include "support/messages.h"
 #include "support/progress.h"
 
 #include <algorithm>

@@ -4,6 +4,8 @@
 
 import math
 import os
+import shutil
+import subprocess
 
 from cli_support import Cli_test, icosphere, jittered_grid, main
 
@@ -24,6 +26,28 @@ class Applications(Cli_test):
             text = file.read()
         begin = text.index('id="scalars"')
         return text[begin:text.index(">", begin)]
+
+
+class Programs(Applications):
+    def test_program_of_applications_is_found(self):
+        """Beside the program; if it is nowhere the message says how to build it, once the command line is in order."""
+        os.mkdir(self.path("alone"))
+        shutil.copy2(self.program, self.path("alone"))
+        alone = [self.path("alone") + "/intrinsic", "distance", self.sphere]
+        options = {"env": {"PATH": self.path("alone")}, "capture_output": True, "text": True}
+        done = subprocess.run(alone + ["--source", "0"], **options)
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("--target intrinsic-applications", done.stderr)
+        done = subprocess.run(alone + ["--no-such-option"], **options)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("--no-such-option", done.stderr)
+
+    def test_other_commands_go_back_to_the_program(self):
+        program = os.path.join(os.path.dirname(self.program), "intrinsic-applications")
+        outputs = [subprocess.run([p, "info", self.sphere], capture_output=True, text=True).stdout
+                   for p in (program, self.program)]
+        self.assertIn("642", outputs[0])
+        self.assertEqual(outputs[0].splitlines()[:3], outputs[1].splitlines()[:3])
 
 
 class Eigen(Applications):

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_BECOME_H
+#define INTRINSIC_BECOME_H
+
+#include <string>
+#include <vector>
+
+namespace program {
+
+/*!
+\brief makes this process another of our programs, with other arguments; it does not return.
+
+What takes long to compile and few need is a program of its own, found beside this one or on PATH.
+\throws std::runtime_error if the program is not found, with the command that builds it
+*/
+[[noreturn]] void become(const std::string& program, const std::vector<std::string>& arguments);
+
+} // namespace program
+
+#endif // INTRINSIC_BECOME_H

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "become.h"
+#include "commands.h"
+
+// Commands that the program `intrinsic` leaves to other ones.
+
+namespace program {
+
+namespace {
+
+const std::string applications = "intrinsic-applications";
+
+} // namespace
+
+void run_geodesic(const Options& options) { become(applications, options.arguments); }
+void run_distance(const Options& options) { become(applications, options.arguments); }
+void run_parametrize(const Options& options) { become(applications, options.arguments); }
+void run_transport(const Options& options) { become(applications, options.arguments); }
+void run_logmap(const Options& options) { become(applications, options.arguments); }
+void run_field(const Options& options) { become(applications, options.arguments); }
+void run_eigen(const Options& options) { become(applications, options.arguments); }
+void run_edit(const Options& options) { become(applications, options.arguments); }
+
+void run_study(const Options& options) { become("intrinsic-study", options.study); }
+
+} // namespace program
