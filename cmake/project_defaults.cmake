@@ -19,3 +19,9 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     add_compile_options(-fpch-preprocess)
   endif()
 endif()
+
+# g++ takes an eighth of its time to free memory between the many templates of a source; 2 to 4 GiB are enough without.
+cmake_host_system_information(RESULT memory_in_MiB QUERY TOTAL_PHYSICAL_MEMORY)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND memory_in_MiB GREATER 8000)
+  add_compile_options("SHELL:--param ggc-min-expand=1000" "SHELL:--param ggc-min-heapsize=4000000")
+endif()
