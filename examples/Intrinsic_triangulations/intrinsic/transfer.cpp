@@ -3,15 +3,13 @@
 
 #include "commands.h"
 #include "delaunay.h"
+#include "support/Number_rows.h"
 #include "support/text_lines.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/operators/transfer.h>
 
 #include <Eigen/Core>
-
-#include <array>
-#include <charconv>
 
 namespace program {
 
@@ -66,15 +64,12 @@ Json transfer_json(const Transferred& r, const Eigen::SparseMatrix<double>& mass
           {"L2_distance", distance}};
 }
 
-// One line per vertex, with digits that tell any two doubles apart.
 void write_values(std::ostream& out, const Functions& values) {
-  std::array<char, 32> digits;
-  for (Eigen::Index i = 0; i < values.rows(); ++i)
-    for (Eigen::Index k = 0; k < values.cols(); ++k) {
-      const char* const end =
-          std::to_chars(digits.data(), digits.data() + digits.size(), values(i, k)).ptr;
-      out.write(digits.data(), end - digits.data()) << (k + 1 < values.cols() ? ' ' : '\n');
-    }
+  Number_rows numbers(out);
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    for (Eigen::Index k = 0; k < values.cols(); ++k) numbers.put(values(i, k));
+    numbers.end_row();
+  }
 }
 
 void write_fields(const std::string& path, const Transferred& r, const IT::Common_subdivision& s,

@@ -4,6 +4,7 @@
 #include "application.h"
 #include "../delaunay.h"
 #include "../geodesic/Asked_vertices.h"
+#include "../support/Number_rows.h"
 #include "../view.h"
 #include "direction_lines.h"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -49,25 +49,19 @@ void expect_writable_results(const Options& options) {
 }
 
 void write_functions(std::ostream& out, const Computed& computed, Eigen::Index rows) {
-  std::array<char, 32> digits;
+  Number_rows numbers(out);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const char* separator = "";
-    const auto put = [&](double x) {
-      const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
-      (out << separator).write(digits.data(), end - digits.data());
-      separator = " ";
-    };
-    for (const Function& f : computed.functions) put(f.values[i]);
+    for (const Function& f : computed.functions) numbers.put(f.values[i]);
     for (Eigen::Index c = 0; c < computed.displacements.cols(); ++c)
-      put(computed.displacements(i, c));
+      numbers.put(computed.displacements(i, c));
     if (computed.directions) {
       const std::uint32_t copy = computed.directions->of_row[static_cast<std::size_t>(i)];
       const std::complex<double> z =
           copy == IT::Gluing::none ? 0 : computed.directions->vectors[copy];
-      put(z.real());
-      put(z.imag());
+      numbers.put(z.real());
+      numbers.put(z.imag());
     }
-    out << '\n';
+    numbers.end_row();
   }
 }
 
