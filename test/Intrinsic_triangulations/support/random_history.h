@@ -71,8 +71,10 @@ public:
   CGAL::Sign sign(Map::Halfedge h, const Expression& e) {
     IT::Diamond_values<CGAL::Interval_nt<false>> values;
     const CGAL::Protect_FPU_rounding<true> upwards; // as intervals ask for
-    if (const auto u = unfolded(h)) return evaluation_.sign(input, *u, e, values, statistics);
-    return evaluation_.sign(input, history, side(h), side(Map::opposite(h)), e, values, statistics);
+    if (const auto u = unfolded(h))
+      return evaluation_.sign(input, *u, IT::recorded(e), values, statistics);
+    return evaluation_.sign(input, history, side(h), side(Map::opposite(h)), IT::recorded(e),
+                            values, statistics);
   }
 
   bool is_convex(Map::Halfedge h) {
