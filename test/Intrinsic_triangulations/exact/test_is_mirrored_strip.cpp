@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
 
 #include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
 #include "meshes.h"
 #include "random_history.h"

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
 #include "gallery.h"
 #include "meshes.h"

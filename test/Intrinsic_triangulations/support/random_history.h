@@ -9,10 +9,11 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/exact/Conjugate_bound.h>
 #include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
