@@ -70,6 +70,21 @@ struct Bit_range {
   int width() const { return highest - lowest; }
 };
 
+// The usual expressions as they are written: steps would take half as long again, and most ties are decided here.
+template <class Integer>
+Integer evaluate(const Recorded_diamond_expression& expression, const Diamond_values<Integer>& d) {
+  switch (expression.zero_meaning()) {
+  case Zero_meaning::cocircular:
+    return Delaunay_expression()(d);
+  case Zero_meaning::collinear_at_source:
+    return Convexity_at_source_expression()(d);
+  case Zero_meaning::collinear_at_target:
+    return Convexity_at_target_expression()(d);
+  default:
+    return expression(d);
+  }
+}
+
 /*
 The sign of an expression that is linear in the areas, A a_f + B a_g, from integer squared lengths.
 It follows from the signs of A and B if they agree, else from that of A^2 D_f - B^2 D_g. Coefficients
@@ -79,9 +94,9 @@ template <class Integer>
 Sign integer_diamond_sign(Diamond_values<Integer> d,
                           const Recorded_diamond_expression& expression) {
   d.area_f = 1, d.area_g = 0;
-  const Integer a = expression(d);
+  const Integer a = evaluate(expression, d);
   d.area_f = 0, d.area_g = 1;
-  const Integer b = expression(d);
+  const Integer b = evaluate(expression, d);
   if (a.is_zero() && b.is_zero()) return ZERO; // two right angles
   const auto squared_area = [](const Integer& ij, const Integer& jk, const Integer& ki) {
     const Integer p = (ij + ki - jk).magnitude(); // D = 4 L_ij L_ki - p^2

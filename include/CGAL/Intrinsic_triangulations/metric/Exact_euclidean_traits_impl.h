@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -86,7 +88,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_euclidean_metric::exact_sign(
   return s;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign
+// not within the loop that flips
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE BOOST_NOINLINE Sign
 Exact_euclidean_metric::exact_delaunay_sign(const Diamond& d) const {
   return exact_sign(d, recorded(Delaunay_expression()));
 }
