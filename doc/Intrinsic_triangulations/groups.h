@@ -158,6 +158,7 @@ What is in the files: \ref page_file_format, \ref page_output_formats, \ref page
 | step | who does it |
 |---|---|
 | what is asked | expressions such as \itc{Delaunay_expression}, models of \itc{DiamondExpression} |
+| what is done with them beyond intervals of doubles | \itc{Recorded_diamond_expression}, \itc{Recorded_face_expression} |
 | who decides and encloses, for a metric | \itc{Exact_geometry} |
 | two input faces, in integers of fixed size | \itf{input_diamond_sign} |
 | the input triangles under a diamond or a face | \itc{Unfolded_diamond}, found by an \itc{Input_unfolder} or along the \itc{Flip_history} |

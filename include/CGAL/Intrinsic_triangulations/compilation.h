@@ -9,8 +9,7 @@
 What takes long to compile is in headers `*_impl.h`. The headers that declare it include them: programs need nothing but
 headers. Or it is compiled once: where `CGAL_INTRINSIC_TRIANGULATIONS_COMPILED` is defined, which the target
 `Intrinsic_triangulations::Intrinsic_triangulations` does unless it is built without a library, they are left out, and programs
-link a library with these definitions and those of the usual triangulations. What is not among them, such as predicates of
-your own, takes an `*_impl.h` that an error names.
+link a library with these definitions and those of the usual triangulations.
 */
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_BUILDS_LIBRARY

@@ -10,9 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_geometry.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,6 @@
 #include <map>
 #include <random>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -50,24 +49,31 @@ struct Right_corner {
     return (d.ij + d.ki - d.jk) * (d.ij + d.im - d.mj) - d.area_f * d.area_g;
   }
 };
-struct Declared_right_corner : Right_corner {
-  static constexpr bool is_polynomial = true;
+/// The same value, not as a polynomial: divided by one.
+struct Right_corner_over_one : Right_corner {
+  template <class FT>
+  constexpr FT operator()(const IT::Diamond_values<FT>& d) const {
+    return Right_corner::operator()(d) / FT(1);
+  }
 };
 
-static_assert(IT::DiamondExpression<Right_corner> && !IT::PolynomialExpression<Right_corner>);
-static_assert(IT::PolynomialExpression<Declared_right_corner>);
-static_assert(IT::PolynomialExpression<IT::Delaunay_expression>);
-static_assert(!IT::FaceExpression<Right_corner>);
-// constants have no degree: an expression that has one and is declared a polynomial does not compile
-static_assert(!std::is_constructible_v<IT::Expression_degree, double>);
-static_assert(!std::is_constructible_v<IT::Expression_degree, int>);
+static_assert(IT::DiamondExpression<Right_corner> && !IT::FaceExpression<Right_corner>);
 
-constexpr IT::Expression_degree delaunay_degree = IT::degree_of(IT::Delaunay_expression());
-static_assert(delaunay_degree.total == 2 && delaunay_degree.areas == 1 &&
-              delaunay_degree.terms == 6 && delaunay_degree.is_linear_in_areas());
-constexpr IT::Expression_degree corner_degree = IT::degree_of(Declared_right_corner());
-static_assert(corner_degree.areas == 2 && corner_degree.is_uniform &&
-              !corner_degree.is_linear_in_areas());
+TEST(Expressions, have_a_degree_unless_there_are_constants_or_quotients) {
+  const auto delaunay = IT::recorded(IT::Delaunay_expression()).degree();
+  ASSERT_TRUE(delaunay);
+  EXPECT_EQ(delaunay->total, 2U);
+  EXPECT_EQ(delaunay->areas, 1U);
+  EXPECT_EQ(delaunay->terms, 6);
+  EXPECT_TRUE(delaunay->is_linear_in_areas());
+  const auto corner = IT::recorded(Right_corner()).degree();
+  ASSERT_TRUE(corner);
+  EXPECT_EQ(corner->areas, 2U);
+  EXPECT_TRUE(corner->is_uniform);
+  EXPECT_FALSE(corner->is_linear_in_areas());
+  EXPECT_FALSE(IT::recorded(Right_corner_over_one()).degree());
+  EXPECT_FALSE(IT::recorded([](const auto& d) { return d.ij - d.ij * 2; }).degree());
+}
 
 /// A straight-line program: each step combines two values so far, or makes a constant.
 struct Program {
@@ -78,7 +84,7 @@ struct Program {
   };
   std::vector<Step> steps;
 
-  template <bool has_constants, class FT>
+  template <class FT>
   FT run(std::vector<FT> x) const {
     x.reserve(x.size() + steps.size());
     for (const Step& s : steps) {
@@ -93,7 +99,7 @@ struct Program {
         x.push_back(x[s.a] * x[s.b]);
         break;
       default:
-        if constexpr (has_constants) x.push_back(FT(s.constant));
+        x.push_back(FT(s.constant));
       }
     }
     return x.back();
@@ -103,15 +109,14 @@ struct Program {
 struct Of_diamond : Program {
   template <class FT>
   FT operator()(const IT::Diamond_values<FT>& d) const {
-    return run<true>(std::vector<FT>{d.ij, d.jk, d.ki, d.im, d.mj, d.area_f, d.area_g});
+    return run<FT>(std::vector<FT>{d.ij, d.jk, d.ki, d.im, d.mj, d.area_f, d.area_g});
   }
 };
-/// \pre no step makes a constant
-struct Declared_of_diamond : Program {
-  static constexpr bool is_polynomial = true;
+/// The same value, not as a polynomial.
+struct Of_diamond_over_one : Of_diamond {
   template <class FT>
   FT operator()(const IT::Diamond_values<FT>& d) const {
-    return run<false>(std::vector<FT>{d.ij, d.jk, d.ki, d.im, d.mj, d.area_f, d.area_g});
+    return Of_diamond::operator()(d) / FT(1);
   }
 };
 
@@ -120,7 +125,7 @@ struct Of_faces : Program {
   FT operator()(std::span<const IT::Face_values<FT>> faces) const {
     std::vector<FT> x;
     for (const auto& [l, a] : faces) x.insert(x.end(), {l[0], l[1], l[2], a});
-    return run<true>(x);
+    return run<FT>(x);
   }
 };
 
@@ -358,15 +363,16 @@ void check_diamonds(Known_triangulation& k, Programs& programs, std::mt19937& ra
     const IT::Diamond_values<Number> values = k.values(h);
     const unsigned degree = 1 + static_cast<unsigned>(random() % 6);
     const Of_diamond e{programs.polynomial(degree, random() % 2 == 0)};
+    EXPECT_TRUE(IT::recorded(e).degree());
     const Number value = e(values);
     const int s = expect_sign(k, geometry, h, e, value.sign());
-    expect_sign(k, geometry, h, Declared_of_diamond{e}, s);
+    expect_sign(k, geometry, h, Of_diamond_over_one{e}, s);
     ++(s == 0 ? n.zeros : n.others);
     const double c = CGAL::to_double(value.rational());
     const Of_diamond constant{Programs::minus_constant(e, 7, c)};
     ++(expect_sign(k, geometry, h, constant, constant(values).sign()) == 0 ? n.zeros : n.others);
     expect_sign(k, geometry, h, Right_corner(), Right_corner()(values).sign());
-    expect_sign(k, geometry, h, Declared_right_corner(), Right_corner()(values).sign());
+    expect_sign(k, geometry, h, Right_corner_over_one(), Right_corner()(values).sign());
   }
 }
 
@@ -439,7 +445,7 @@ TEST(Expressions, tell_a_right_angle_of_two_coplanar_corners_whatever_the_digits
     for (const Halfedge h : {k.diamonds()[0], opposite(k.diamonds()[0], k.t.mesh())}) {
       EXPECT_EQ(Right_corner()(k.values(h)).sign(), 0);
       expect_sign(k, geometry, h, Right_corner(), 0);
-      expect_sign(k, geometry, h, Declared_right_corner(), 0);
+      expect_sign(k, geometry, h, Right_corner_over_one(), 0);
       expect_sign(
           k, geometry, h, [](const auto& d) { return Right_corner()(d); }, 0);
     }

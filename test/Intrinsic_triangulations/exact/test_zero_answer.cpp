@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
 #include "gallery.h"
 #include "meshes.h"
@@ -63,8 +64,8 @@ std::size_t compare(const Walk& walk, const Expression& expression) {
     const auto l = walk.side(h), r = walk.side(Map::opposite(h));
     const auto d = walk.unfolded(h);
     if (!d) continue;
-    const Zero_answer a = is_zero(walk.input, *d, expression);
-    EXPECT_EQ(a, IT::History_zero_test(walk.input, walk.history, l, r)(expression));
+    const Zero_answer a = is_zero(walk.input, *d, IT::recorded(expression));
+    EXPECT_EQ(a, IT::History_zero_test(walk.input, walk.history, l, r)(IT::recorded(expression)));
     zeros += a == Zero_answer::zero;
   }
   return zeros;
@@ -202,7 +203,7 @@ TEST(Zero_answer, survives_histories_whose_paths_are_too_long) {
   // thin parallelograms of a flat torus: far from any circle
   IT::History_zero_test test(walk.input, walk.history, walk.side(Map::Halfedge{0}),
                              walk.side(Map::Halfedge{1}));
-  EXPECT_EQ(test(IT::Delaunay_expression()), Zero_answer::not_zero);
+  EXPECT_EQ(test(IT::recorded(IT::Delaunay_expression())), Zero_answer::not_zero);
   EXPECT_NE(walk.sign(Map::Halfedge{0}, IT::Delaunay_expression()), CGAL::ZERO);
 }
 

@@ -9,10 +9,11 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
@@ -71,8 +72,10 @@ public:
   CGAL::Sign sign(Map::Halfedge h, const Expression& e) {
     IT::Diamond_values<CGAL::Interval_nt<false>> values;
     const CGAL::Protect_FPU_rounding<true> upwards; // as intervals ask for
-    if (const auto u = unfolded(h)) return evaluation_.sign(input, *u, e, values, statistics);
-    return evaluation_.sign(input, history, side(h), side(Map::opposite(h)), e, values, statistics);
+    if (const auto u = unfolded(h))
+      return evaluation_.sign(input, *u, IT::recorded(e), values, statistics);
+    return evaluation_.sign(input, history, side(h), side(Map::opposite(h)), IT::recorded(e),
+                            values, statistics);
   }
 
   bool is_convex(Map::Halfedge h) {

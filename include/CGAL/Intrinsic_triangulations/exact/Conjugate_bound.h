@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
 #include <CGAL/Gmpz.h>
 
@@ -95,11 +96,10 @@ public:
   /*!
   \brief returns the binary logarithm of a bound on all conjugates of an algebraic integer that is
   the expression times a positive integer.
-  \tparam Expression a model of `PolynomialExpression` whose terms all have the same total degree, since the
-  unit of the values is not that of the input
+  \pre the expression is a polynomial whose terms all have the same total degree, since the unit of the values is not that of
+  the input
   */
-  template <class Expression>
-  double bits(const Expression& expression) const {
+  double bits(const Recorded_diamond_expression& expression) const {
     const double length = 2 * (1 + reach_), area = length + 1;
     const Height h = expression(Diamond_values<Height>{{length, {1, 0, 0}},
                                                        {length, {1, 1, 0}},

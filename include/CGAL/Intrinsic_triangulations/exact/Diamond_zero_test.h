@@ -13,17 +13,29 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// evaluates in any field
+inline auto value_of(const Unfolded_diamond& diamond,
+                     const Recorded_diamond_expression& expression) {
+  return [&](const auto& faces) {
+    using Number = typename std::decay_t<decltype(faces)>::Number;
+    return expression(diamond.values<Number>(faces));
+  };
+}
+
+} // namespace internal
 
 /*!
 \brief decides whether expressions in the values of a diamond that is unfolded from the input are
@@ -58,22 +70,19 @@ public:
   \brief decides about an expression in the values of a diamond.
   \param input the input, always the same
   \param diamond the diamond; no triangle is entered by a side without length
-  \param expression a model of `DiamondExpression`
+  \param expression the expression
   */
-  template <class Expression>
   Zero_answer operator()(const Input_metric& input, const Unfolded_diamond& diamond,
-                         const Expression& expression) {
-    if constexpr (PolynomialExpression<Expression>)
-      if (degree_of(expression).is_uniform)
-        return decide_uniform_polynomial(input, diamond, expression);
+                         const Recorded_diamond_expression& expression) {
+    if (expression.degree() && expression.degree()->is_uniform)
+      return decide_uniform_polynomial(input, diamond, expression);
     if (faces_.size() > maximal_memory) faces_ = {};
-    return Field_zero_test(input, faces_)(value_of(diamond, expression));
+    return Field_zero_test(input, faces_)(internal::value_of(diamond, expression));
   }
 
   /// decides about an expression in the values of faces, each the left one of its diamond; see `Field_zero_test`.
-  template <class Expression>
   Zero_answer of_faces(const Input_metric& input, const std::vector<Unfolded_diamond>& faces,
-                       const Expression& expression) {
+                       const Recorded_face_expression& expression) {
     if (faces_.size() > maximal_memory) faces_ = {};
     return Field_zero_test(input, faces_)([&](const auto& input_faces) {
       using Number = typename std::decay_t<decltype(input_faces)>::Number;
@@ -82,7 +91,7 @@ public:
         const Diamond_values<Number> v = f.template values<Number>(input_faces);
         values.push_back({{v.ij, v.jk, v.ki}, v.area_f});
       }
-      return expression(std::span<const Face_values<Number>>(values));
+      return expression(values);
     });
   }
 
@@ -96,15 +105,15 @@ private:
   // four primes
   static constexpr double probable_bits = 3.5 * Prime_fields::bits;
 
-  template <class Expression>
   Zero_answer decide_uniform_polynomial(const Input_metric& input, const Unfolded_diamond& diamond,
-                                        const Expression& expression) {
+                                        const Recorded_diamond_expression& expression) {
     if (faces_.size() > maximal_memory) faces_ = {};
     if (!find_shapes(input, diamond)) return Zero_answer::probably_zero;
     if (basis_.dimension() > few_roots) {
       if (!vanishes(diamond, expression, probable_bits, false)) return Zero_answer::not_zero;
       // the terms of the value, if they are not too many
-      if (Field_zero_test(input, faces_).is_proven_zero(value_of(diamond, expression), few_pairs))
+      if (Field_zero_test(input, faces_)
+              .is_proven_zero(internal::value_of(diamond, expression), few_pairs))
         return Zero_answer::zero;
       if (basis_.dimension() > maximal_dimension) return Zero_answer::probably_zero;
     }
@@ -114,9 +123,8 @@ private:
   }
 
   // evaluates modulo primes whose product has more than `bits` bits
-  template <class Expression>
-  bool vanishes(const Unfolded_diamond& diamond, const Expression& expression, double bits,
-                bool for_all_signs) {
+  bool vanishes(const Unfolded_diamond& diamond, const Recorded_diamond_expression& expression,
+                double bits, bool for_all_signs) {
     double done = 0;
     for (std::size_t i = 0; done <= bits; ++i) {
       Conjugate_evaluator images(diamond, shapes_, metric_.front()->exponent, basis_, fields_[i]);
@@ -127,15 +135,6 @@ private:
       done += Prime_fields::bits;
     }
     return true;
-  }
-
-  // evaluates in any field
-  template <class Expression>
-  static auto value_of(const Unfolded_diamond& diamond, const Expression& expression) {
-    return [&](const auto& faces) {
-      using Number = typename std::decay_t<decltype(faces)>::Number;
-      return expression(diamond.template values<Number>(faces));
-    };
   }
 
   // false if there are too many square roots

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Wedge_expression.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
@@ -18,41 +18,9 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// complete where signs of any expression are defined
-template <class Expression>
-struct Sign_computation;
-
-// whether its sign is decided here, or by what is compiled already
-template <class Expression>
-inline constexpr bool has_exact_sign =
-    std::is_same_v<Expression, Delaunay_expression> ||
-    std::is_same_v<Expression, Convexity_at_source_expression> ||
-    std::is_same_v<Expression, Convexity_at_target_expression> ||
-    std::is_same_v<Expression, Left_area_expression> ||
-    std::is_same_v<Expression, Small_angle_expression> ||
-    std::is_same_v<Expression, Large_circumradius_expression> ||
-    std::is_same_v<Expression, Long_side_expression> ||
-    std::is_same_v<Expression, Wedge_sine_expression> ||
-    std::is_same_v<Expression, Wedge_cosine_expression> || requires {
-  sizeof(Sign_computation<Expression>);
-};
-
-template <class Expression>
-constexpr void check_has_exact_sign() {
-  static_assert(
-      has_exact_sign<Expression>,
-      "include CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h to decide the "
-      "signs of expressions of your own");
-}
-
-} // namespace internal
 
 /*!
 \brief decides signs that floating point intervals leave open, of expressions of any degree.
@@ -90,36 +58,33 @@ public:
   \brief returns the sign of an expression in the values of a diamond that is unfolded.
   \param input the input, always the same
   \param diamond the diamond; no triangle is entered by a side without length
-  \param expression a model of `DiamondExpression`
+  \param expression the expression
   \param better set to intervals that contain the values, about as small as doubles allow, if any were computed
   \param statistics counts how the sign was decided
   */
-  template <class Expression>
   Sign sign(const Input_metric& input, const Unfolded_diamond& diamond,
-            const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-            Predicate_statistics& statistics);
+            const Recorded_diamond_expression& expression,
+            Diamond_values<Interval_nt<false>>& better, Predicate_statistics& statistics);
 
   /*!
   \brief returns the sign of an expression in the values of a diamond that is unfolded, which doubles have left open.
 
   Parameters are as above.
   */
-  template <class Expression>
   Sign sign(const Input_metric& input, const Unfolded_diamond& diamond,
-            const Expression& expression, Predicate_statistics& statistics);
+            const Recorded_diamond_expression& expression, Predicate_statistics& statistics);
 
   /*!
   \brief returns the sign of an expression in the values of faces that are unfolded, each the left one of its diamond.
   \param input the input, always the same
   \param faces the faces
-  \param expression a model of `FaceExpression`
+  \param expression the expression
   \param better set to intervals that contain the values, about as small as doubles allow
   \param statistics counts how the sign was decided
   */
-  template <class Expression>
   Sign sign(const Input_metric& input, const std::vector<Unfolded_diamond>& faces,
-            const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
-            Predicate_statistics& statistics);
+            const Recorded_face_expression& expression,
+            std::vector<Face_values<Interval_nt<false>>>& better, Predicate_statistics& statistics);
 
   /*!
   \brief encloses the values of faces that are unfolded.
@@ -139,20 +104,19 @@ public:
   \param input, diamond, expression see `sign()`
   \param bits 53, 106, 256, or any more
   */
-  template <class Expression>
   Interval_nt<false> enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
-                               const Expression& expression, unsigned bits);
+                               const Recorded_diamond_expression& expression, unsigned bits);
 
   /// encloses an expression in the values of a diamond between two sides; see the other `enclosure()`.
-  template <class Expression>
   Interval_nt<false> enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                               Side right, const Expression& expression, unsigned bits);
+                               Side right, const Recorded_diamond_expression& expression,
+                               unsigned bits);
 
   /// encloses an expression by repeating flips in 106 bits, unless there are many to repeat; see above.
-  template <class Expression>
   std::optional<Interval_nt<false>> short_enclosure(const Input_metric& input,
                                                     const Flip_history& history, Side left,
-                                                    Side right, const Expression& expression);
+                                                    Side right,
+                                                    const Recorded_diamond_expression& expression);
 
   /*!
   \brief returns the sign of an expression in the values of the diamond between two sides.
@@ -162,16 +126,14 @@ public:
   \param right side on the right, glued to `left`
   \param expression, better, statistics see above
   */
-  template <class Expression>
   Sign sign(const Input_metric& input, const Flip_history& history, Side left, Side right,
-            const Expression& expression, Diamond_values<Interval_nt<false>>& better,
-            Predicate_statistics& statistics);
+            const Recorded_diamond_expression& expression,
+            Diamond_values<Interval_nt<false>>& better, Predicate_statistics& statistics);
 
   /// returns the sign of an expression in the values of faces, each from a side on; see above.
-  template <class Expression>
   Sign sign(const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides,
-            const Expression& expression, std::vector<Face_values<Interval_nt<false>>>& better,
-            Predicate_statistics& statistics);
+            const Recorded_face_expression& expression,
+            std::vector<Face_values<Interval_nt<false>>>& better, Predicate_statistics& statistics);
 
   /// computes intervals that contain the values of faces, each from a side on, in 512 bits at least.
   std::vector<Face_values<Interval_nt<false>>> enclosures(const Input_metric& input,

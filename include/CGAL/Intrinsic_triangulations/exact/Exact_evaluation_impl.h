@@ -22,6 +22,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/without_corner.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Gmpfi.h>
@@ -31,7 +32,6 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -56,41 +56,28 @@ struct Exact_evaluation::Memory {
   };
 
   // whether an expression is proven to be zero in integers of fixed size, which takes a microsecond
-  template <class Expression>
   static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
-                              const Expression&) {
-    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
-      return diamond.is_in_space(input) && is_cocircular_strip(input, diamond);
-    else if constexpr (std::is_same_v<Expression, Convexity_at_source_expression>)
-      return diamond.is_in_space(input) && is_collinear_strip(input, diamond, 2, 0, 3);
-    else if constexpr (std::is_same_v<Expression, Convexity_at_target_expression>)
-      return diamond.is_in_space(input) && is_collinear_strip(input, diamond, 2, 1, 3);
-    else
-      return false;
+                              Zero_meaning zero) {
+    if (zero == Zero_meaning::other || !diamond.is_in_space(input)) return false;
+    if (zero == Zero_meaning::cocircular) return is_cocircular_strip(input, diamond);
+    return is_collinear_strip(input, diamond, 2, zero == Zero_meaning::collinear_at_source ? 0 : 1,
+                              3);
   }
 
   // whether an expression is proven to be zero by symmetry
-  template <class Expression>
   static bool is_mirrored_tie(const Input_metric& input, const Unfolded_diamond& diamond,
-                              const Expression&) {
-    if constexpr (std::is_same_v<Expression, Delaunay_expression>)
-      return is_mirrored_strip(input, diamond);
-    else
-      return false;
+                              Zero_meaning zero) {
+    return zero == Zero_meaning::cocircular && is_mirrored_strip(input, diamond);
   }
 
   // A part of a diamond over which an expression is zero if and only if it is over the diamond, if there is one. Convexity at
   // one end does not depend on where the other one is.
-  template <class Expression>
   static std::optional<Unfolded_diamond> decisive_part(const Unfolded_diamond& diamond,
-                                                       const Expression&) {
+                                                       Zero_meaning zero) {
     if (diamond.triangles.size() <= few_triangles) return std::nullopt;
-    if constexpr (std::is_same_v<Expression, Convexity_at_source_expression>)
-      return without_corner(diamond, 1);
-    else if constexpr (std::is_same_v<Expression, Convexity_at_target_expression>)
-      return without_corner(diamond, 0);
-    else
-      return std::nullopt;
+    if (zero == Zero_meaning::collinear_at_source) return without_corner(diamond, 1);
+    if (zero == Zero_meaning::collinear_at_target) return without_corner(diamond, 0);
+    return std::nullopt;
   }
 
   // computes with a memory of input faces in a type of so many bits
@@ -136,10 +123,9 @@ struct Exact_evaluation::Memory {
   }
 
   // by the history, if few flips are to be repeated
-  template <class Expression>
   std::optional<Ball<Double_double>> short_value(const Input_metric& input,
                                                  const Flip_history& history, Side left, Side right,
-                                                 const Expression& expression) {
+                                                 const Recorded_diamond_expression& expression) {
     using FT = Ball<Double_double>;
     if (short_moves.size() > maximal_memory) short_moves = {};
     const auto face = short_balls.of(input);
@@ -153,28 +139,29 @@ struct Exact_evaluation::Memory {
   Input_face_intervals<Interval_nt<false>> doubles;
   Input_face_intervals<Ball<Double_double>> short_balls;
   History_values<Ball<Double_double>> short_moves;
-  Input_face_intervals<Ball<Mpfr_256>> long_balls;
+  Input_face_intervals<Ball<Mpfr_number>> long_balls; // of 256 bits
   std::map<Gmpfi::Precision_type, Intervals> by_precision;
 
   // of an expression in the values of a diamond, which doubles have left open
-  template <class Expression>
   Sign sign_beyond_doubles(const Input_metric& input, const Unfolded_diamond& diamond,
-                           const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                           const Recorded_diamond_expression& expression,
+                           Diamond_values<Interval_nt<false>>& better,
                            Predicate_statistics& statistics) {
-    const std::optional<Unfolded_diamond> decisive = decisive_part(diamond, expression);
+    const Zero_meaning zero = expression.zero_meaning();
+    const std::optional<Unfolded_diamond> decisive = decisive_part(diamond, zero);
     const Unfolded_diamond& part = decisive ? *decisive : diamond;
     const std::size_t size = part.triangles.size();
-    if (is_tie_of_strip(input, part, expression) || is_mirrored_tie(input, part, expression)) {
+    if (is_tie_of_strip(input, part, zero) || is_mirrored_tie(input, part, zero)) {
       ++statistics.certified_zero;
       return ZERO;
     }
-    const auto in_balls = [&](auto& faces) {
+    const auto in_balls = [&](auto& faces, unsigned bits) {
       using FT = typename std::decay_t<decltype(faces)>::Number;
       return internal::sign_in_balls(
-          FT::bits, [&] { return diamond.values<FT>(faces.of(input)); }, expression, better,
+          bits, [&] { return diamond.values<FT>(faces.of(input)); }, expression, better,
           statistics);
     };
-    const auto [sign, seems_zero] = in_balls(short_balls);
+    const auto [sign, seems_zero] = in_balls(short_balls, 106);
     if (sign) return *sign;
     const auto zero_answer = [&] { return is_zero(input, part, expression); };
     std::optional<Zero_answer> answer;
@@ -183,7 +170,7 @@ struct Exact_evaluation::Memory {
       ++statistics.certified_zero;
       return ZERO;
     }
-    if (const auto s = in_balls(long_balls).first) return *s;
+    if (const auto s = in_balls(long_balls, 256).first) return *s;
     return internal::escalated_sign([&] { return values(input, diamond); }, size <= many_triangles,
                                     [&] { return answer ? *answer : zero_answer(); }, expression,
                                     better, statistics);
@@ -195,45 +182,40 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Memory& Exact_evaluation:
   return *memory_;
 }
 
-template <class Expression>
-Sign Exact_evaluation::sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                            const Expression& expression, Predicate_statistics& statistics) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_evaluation::sign(
+    const Input_metric& input, const Unfolded_diamond& diamond,
+    const Recorded_diamond_expression& expression, Predicate_statistics& statistics) {
   Diamond_values<Interval_nt<false>> better;
   return memory().sign_beyond_doubles(input, diamond, expression, better, statistics);
 }
 
-template <class Expression>
-Sign Exact_evaluation::sign(const Input_metric& input, const Unfolded_diamond& diamond,
-                            const Expression& expression,
-                            Diamond_values<Interval_nt<false>>& better,
-                            Predicate_statistics& statistics) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_evaluation::sign(
+    const Input_metric& input, const Unfolded_diamond& diamond,
+    const Recorded_diamond_expression& expression, Diamond_values<Interval_nt<false>>& better,
+    Predicate_statistics& statistics) {
   better = diamond.values<Interval_nt<false>>(memory().doubles.of(input));
   if (const auto s = internal::counted(CGAL::sign(expression(better)), 53, statistics)) return *s;
   return memory().sign_beyond_doubles(input, diamond, expression, better, statistics);
 }
 
-template <class Expression>
-Sign Exact_evaluation::sign(const Input_metric& input, const std::vector<Unfolded_diamond>& faces,
-                            const Expression& expression,
-                            std::vector<Face_values<Interval_nt<false>>>& better,
-                            Predicate_statistics& statistics) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_evaluation::sign(
+    const Input_metric& input, const std::vector<Unfolded_diamond>& faces,
+    const Recorded_face_expression& expression,
+    std::vector<Face_values<Interval_nt<false>>>& better, Predicate_statistics& statistics) {
   better = Memory::face_values<Interval_nt<false>>(memory().doubles.of(input), faces);
-  const auto value_of = [&expression](const auto& values) {
-    return expression(std::span(values.data(), values.size()));
-  };
-  if (const auto s = internal::counted(CGAL::sign(value_of(better)), 53, statistics)) return *s;
-  const auto in_balls = [&](auto& numbers) {
+  if (const auto s = internal::counted(CGAL::sign(expression(better)), 53, statistics)) return *s;
+  const auto in_balls = [&](auto& numbers, unsigned bits) {
     using FT = typename std::decay_t<decltype(numbers)>::Number;
     return internal::sign_in_balls(
-        FT::bits, [&] { return Memory::face_values<FT>(numbers.of(input), faces); }, value_of,
-        better, statistics);
+        bits, [&] { return Memory::face_values<FT>(numbers.of(input), faces); }, expression, better,
+        statistics);
   };
-  if (const auto s = in_balls(memory().short_balls).first) return *s;
-  if (const auto s = in_balls(memory().long_balls).first) return *s;
+  if (const auto s = in_balls(memory().short_balls, 106).first) return *s;
+  if (const auto s = in_balls(memory().long_balls, 256).first) return *s;
   return internal::escalated_sign(
       [&] { return Memory::face_values<Gmpfi>(memory().intervals().faces.of(input), faces); },
-      false, [&] { return memory().is_zero.of_faces(input, faces, expression); }, value_of, better,
-      statistics);
+      false, [&] { return memory().is_zero.of_faces(input, faces, expression); }, expression,
+      better, statistics);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Face_values<Interval_nt<false>>>
@@ -255,54 +237,49 @@ Exact_evaluation::squared_length(const Input_metric& input, const Unfolded_diamo
   });
 }
 
-template <class Expression>
-Interval_nt<false> Exact_evaluation::enclosure(const Input_metric& input,
-                                               const Unfolded_diamond& diamond,
-                                               const Expression& expression, unsigned bits) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Interval_nt<false>
+Exact_evaluation::enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
+                            const Recorded_diamond_expression& expression, unsigned bits) {
   return memory().at_precision<Interval_nt<false>>(bits, [&](auto& numbers) {
     using FT = typename std::decay_t<decltype(numbers)>::Number;
     return expression(diamond.values<FT>(numbers.of(input)));
   });
 }
 
-template <class Expression>
-Interval_nt<false> Exact_evaluation::enclosure(const Input_metric& input,
-                                               const Flip_history& history, Side left, Side right,
-                                               const Expression& expression, unsigned bits) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Interval_nt<false>
+Exact_evaluation::enclosure(const Input_metric& input, const Flip_history& history, Side left,
+                            Side right, const Recorded_diamond_expression& expression,
+                            unsigned bits) {
   const Gmpfi_precision precision(std::max(bits, internal::first_bits));
   return internal::interval(expression(memory().values(input, history, left, right)));
 }
 
-template <class Expression>
-std::optional<Interval_nt<false>>
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Interval_nt<false>>
 Exact_evaluation::short_enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                                  Side right, const Expression& expression) {
+                                  Side right, const Recorded_diamond_expression& expression) {
   const auto value = internal::to_nearest(
       [&] { return memory().short_value(input, history, left, right, expression); });
   if (!value) return std::nullopt;
   return internal::interval(*value);
 }
 
-template <class Expression>
-Sign Exact_evaluation::sign(const Input_metric& input, const Flip_history& history, Side left,
-                            Side right, const Expression& expression,
-                            Diamond_values<Interval_nt<false>>& better,
-                            Predicate_statistics& statistics) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_evaluation::sign(
+    const Input_metric& input, const Flip_history& history, Side left, Side right,
+    const Recorded_diamond_expression& expression, Diamond_values<Interval_nt<false>>& better,
+    Predicate_statistics& statistics) {
   return internal::escalated_sign(
       [&] { return memory().values(input, history, left, right); }, true,
       [&] { return History_zero_test(input, history, left, right)(expression); }, expression,
       better, statistics);
 }
 
-template <class Expression>
-Sign Exact_evaluation::sign(const Input_metric& input, const Flip_history& history,
-                            const std::vector<Side>& sides, const Expression& expression,
-                            std::vector<Face_values<Interval_nt<false>>>& better,
-                            Predicate_statistics& statistics) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_evaluation::sign(
+    const Input_metric& input, const Flip_history& history, const std::vector<Side>& sides,
+    const Recorded_face_expression& expression,
+    std::vector<Face_values<Interval_nt<false>>>& better, Predicate_statistics& statistics) {
   return internal::escalated_sign(
       [&] { return memory().values(input, history, sides); }, false,
-      [&] { return History_zero_test(input, history, sides).for_faces(expression); },
-      [&](const auto& values) { return expression(std::span(values.data(), values.size())); },
+      [&] { return History_zero_test(input, history, sides).for_faces(expression); }, expression,
       better, statistics);
 }
 

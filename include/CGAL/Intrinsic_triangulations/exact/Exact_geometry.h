@@ -6,16 +6,13 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
-#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Face_versions.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
@@ -23,13 +20,10 @@
 #include <CGAL/enum.h>
 
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -86,31 +80,16 @@ public:
 
   /*!
   \brief returns the exact sign of an expression in the values of a diamond, of any degree.
-  \tparam Expression a model of `DiamondExpression`
   \param d the diamond
   \param expression the expression
   \param better set to intervals that contain the values, if any were computed
   */
-  template <class Expression>
-  Sign sign(const Diamond& d, const Expression& expression, Diamond_values<FT>& better) const {
-    if (const std::optional<Sign> s = sign_on_input(d, expression)) return *s;
-    if (const std::optional<Sign> s = sign_in_plane(d, expression, better)) return *s;
-    if (const Unfolded_diamond* u = unfolded(d))
-      return evaluation_.sign(*input_, *u, expression, better, statistics_);
-    return evaluation_.sign(*input_, versions_.history(), versions_.left_side(d),
-                            versions_.right_side(d), expression, better, statistics_);
-  }
+  Sign sign(const Diamond& d, const Recorded_diamond_expression& expression,
+            Diamond_values<FT>& better) const;
 
   /// returns the exact sign of an expression in the values of faces; see above.
-  /// \tparam Expression a model of `FaceExpression`
-  template <class Expression>
-  Sign sign(std::span<const Indexed_face> faces, const Expression& expression,
-            std::vector<Face_values<FT>>& better) const {
-    if (const auto u = unfolded(faces))
-      return evaluation_.sign(*input_, *u, expression, better, statistics_);
-    return evaluation_.sign(*input_, versions_.history(), versions_.sides(faces), expression,
-                            better, statistics_);
-  }
+  Sign sign(std::span<const Indexed_face> faces, const Recorded_face_expression& expression,
+            std::vector<Face_values<FT>>& better) const;
 
   /// returns intervals that contain the values of faces, computed in so many bits; 53: doubles.
   std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face> faces, unsigned bits) const;
@@ -125,27 +104,7 @@ public:
   \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before, and weights are
   to have the same digits after a triangulation is read from a file.
   */
-  template <class Expression>
-  FT nonzero_value(const Diamond& d, const Expression& expression) const {
-    if (!is_defined_by_places_) {
-      const std::optional<FT> value =
-          evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
-                                      versions_.right_side(d), expression);
-      if (value) ++statistics_.sharpenings[106];
-      if (value && is_known_to_a_unit(*value)) return *value;
-    }
-    FT value;
-    for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
-      ++statistics_.sharpenings[bits];
-      const Unfolded_diamond* u = unfolded(d);
-      value = u != nullptr
-                  ? evaluation_.enclosure(*input_, *u, expression, bits)
-                  : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
-                                          versions_.right_side(d), expression, bits);
-      if (CGAL::width(value) <= 0x1p-42 * CGAL::magnitude(value) && CGAL::is_finite(value)) break;
-    }
-    return value;
-  }
+  FT nonzero_value(const Diamond& d, const Recorded_diamond_expression& expression) const;
 
 private:
   // not copied: each triangulation has its own
@@ -160,12 +119,6 @@ private:
     }
   };
 
-  // To a unit in the last place: by unfolding, too, the same double is found, as a rule.
-  static bool is_known_to_a_unit(const FT& x) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return x.sup() <= std::nextafter(std::nextafter(x.inf(), infinity), infinity);
-  }
-
   Input_unfolder* unfolder() const;
 
   // the input under a diamond, if that is known
@@ -175,27 +128,12 @@ private:
   std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const;
 
   // in integers of fixed size, if two faces of the input are known to be there
-  template <class Expression>
-  std::optional<Sign> sign_on_input(const Diamond& d, const Expression& expression) const {
-    if (is_defined_by_places_) return std::nullopt;
-    const Face_side left = versions_.left_side(d), right = versions_.right_side(d);
-    if (!versions_.history().is_input(left.face) || !versions_.history().is_input(right.face))
-      return std::nullopt;
-    const std::optional<Sign> s = input_diamond_sign(*input_, left, right, expression);
-    if (s) ++(*s == ZERO ? statistics_.certified_zero : statistics_.integer);
-    return s;
-  }
+  std::optional<Sign> sign_on_input(const Diamond& d,
+                                    const Recorded_diamond_expression& expression) const;
 
   // by positions in space, if the diamond is known to lie in one plane
-  template <class Expression>
-  std::optional<Sign> sign_in_plane(const Diamond& d, const Expression& expression,
-                                    Diamond_values<FT>& better) const {
-    if constexpr (PolynomialExpression<Expression>)
-      if (unfolder() != nullptr && degree_of(expression).is_linear_in_areas())
-        if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d))
-          return flat_diamond_sign(*input_, *flat, expression, better, statistics_);
-    return std::nullopt;
-  }
+  std::optional<Sign> sign_in_plane(const Diamond& d, const Recorded_diamond_expression& expression,
+                                    Diamond_values<FT>& better) const;
 
   Face_versions versions_;
   std::shared_ptr<const Input_metric> input_; // immutable, shared by copies

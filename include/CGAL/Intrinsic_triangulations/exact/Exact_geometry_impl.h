@@ -16,15 +16,17 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,6 +34,16 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// To a unit in the last place: by unfolding, too, the same double is found, as a rule.
+inline bool is_known_to_a_unit(const Interval_nt<false>& x) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return x.sup() <= std::nextafter(std::nextafter(x.inf(), infinity), infinity);
+}
+
+} // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Exact_geometry(const std::shared_ptr<const Input>& input)
@@ -62,6 +74,48 @@ Exact_geometry::first_squared_length(const Indexed_face& face, unsigned bits) co
   return enclosures(std::span(&face, 1), bits).front().squared_lengths.front();
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign
+Exact_geometry::sign(const Diamond& d, const Recorded_diamond_expression& expression,
+                     Diamond_values<FT>& better) const {
+  if (const std::optional<Sign> s = sign_on_input(d, expression)) return *s;
+  if (const std::optional<Sign> s = sign_in_plane(d, expression, better)) return *s;
+  if (const Unfolded_diamond* u = unfolded(d))
+    return evaluation_.sign(*input_, *u, expression, better, statistics_);
+  return evaluation_.sign(*input_, versions_.history(), versions_.left_side(d),
+                          versions_.right_side(d), expression, better, statistics_);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_geometry::sign(
+    std::span<const Indexed_face> faces, const Recorded_face_expression& expression,
+    std::vector<Face_values<FT>>& better) const {
+  if (const auto u = unfolded(faces))
+    return evaluation_.sign(*input_, *u, expression, better, statistics_);
+  return evaluation_.sign(*input_, versions_.history(), versions_.sides(faces), expression, better,
+                          statistics_);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_geometry::FT
+Exact_geometry::nonzero_value(const Diamond& d,
+                              const Recorded_diamond_expression& expression) const {
+  if (!is_defined_by_places_) {
+    const std::optional<FT> value = evaluation_.short_enclosure(
+        *input_, versions_.history(), versions_.left_side(d), versions_.right_side(d), expression);
+    if (value) ++statistics_.sharpenings[106];
+    if (value && internal::is_known_to_a_unit(*value)) return *value;
+  }
+  FT value;
+  for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
+    ++statistics_.sharpenings[bits];
+    const Unfolded_diamond* u = unfolded(d);
+    value = u != nullptr
+                ? evaluation_.enclosure(*input_, *u, expression, bits)
+                : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
+                                        versions_.right_side(d), expression, bits);
+    if (CGAL::width(value) <= 0x1p-42 * CGAL::magnitude(value) && CGAL::is_finite(value)) break;
+  }
+  return value;
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Input_unfolder* Exact_geometry::unfolder() const {
   if (is_defined_by_places_ && unfolder_.pointer == nullptr)
     throw std::logic_error(
@@ -85,6 +139,27 @@ Exact_geometry::unfolded(std::span<const Indexed_face> faces) const {
     result.push_back(*face);
   }
   return result;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
+Exact_geometry::sign_on_input(const Diamond& d,
+                              const Recorded_diamond_expression& expression) const {
+  if (is_defined_by_places_) return std::nullopt;
+  const Face_side left = versions_.left_side(d), right = versions_.right_side(d);
+  if (!versions_.history().is_input(left.face) || !versions_.history().is_input(right.face))
+    return std::nullopt;
+  const std::optional<Sign> s = input_diamond_sign(*input_, left, right, expression);
+  if (s) ++(*s == ZERO ? statistics_.certified_zero : statistics_.integer);
+  return s;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
+Exact_geometry::sign_in_plane(const Diamond& d, const Recorded_diamond_expression& expression,
+                              Diamond_values<FT>& better) const {
+  if (unfolder() != nullptr && expression.is_linear_in_areas())
+    if (const std::optional<Flat_diamond> flat = unfolder()->flat_diamond(d))
+      return flat_diamond_sign(*input_, *flat, expression, better, statistics_);
+  return std::nullopt;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,28 +37,17 @@ public:
   History_zero_test(const History_zero_test&) = delete;
   History_zero_test& operator=(const History_zero_test&) = delete;
 
-  /*!
-  \brief decides about an expression in the values of a diamond.
-  \tparam Expression a model of `DiamondExpression`
-  \pre the test is that of a diamond
-  */
-  template <class Expression>
-  Zero_answer operator()(const Expression& expression) {
-    return for_faces([&expression](const auto& faces) {
+  /// decides about an expression in the values of a diamond. \pre the test is that of a diamond
+  Zero_answer operator()(const Recorded_diamond_expression& expression) {
+    return is_zero_([&](const auto& input_faces) {
+      const auto faces = values(input_faces);
       return expression(diamond_values(faces[0], faces[1]));
     });
   }
 
-  /*!
-  \brief decides about an expression in the values of the faces.
-  \tparam Expression a model of `FaceExpression`
-  */
-  template <class Expression>
-  Zero_answer for_faces(const Expression& expression) {
-    return is_zero_([&](const auto& input_faces) {
-      const auto faces = values(input_faces);
-      return expression(std::span(faces.data(), faces.size()));
-    });
+  /// decides about an expression in the values of the faces.
+  Zero_answer for_faces(const Recorded_face_expression& expression) {
+    return is_zero_([&](const auto& input_faces) { return expression(values(input_faces)); });
   }
 
   /*!

@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
@@ -34,13 +34,14 @@ There all corners have coordinates that are multiples of a power of two, and are
 no field is extended.
 \param input the input, from points in space
 \param diamond the diamond
-\param expression a polynomial that is linear in the areas, see `Expression_degree`
+\param expression the expression
 \param better set to intervals that contain the values
 \param statistics counts how the sign was decided
+\pre the expression is linear in the areas, see `Expression_degree`
 */
-template <PolynomialExpression Expression>
 Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
-                       const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                       const Recorded_diamond_expression& expression,
+                       Diamond_values<Interval_nt<false>>& better,
                        Predicate_statistics& statistics);
 
 /// returns a diamond of which all triangles lie in one plane in space.

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
@@ -140,9 +140,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool are_coplanar(const Input_metric& input
                        : get_certain(internal::Input_plane<Mpzf>(input, f).contains(g, slot));
 }
 
-template <PolynomialExpression Expression>
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
-                       const Expression& expression, Diamond_values<Interval_nt<false>>& better,
+                       const Recorded_diamond_expression& expression,
+                       Diamond_values<Interval_nt<false>>& better,
                        Predicate_statistics& statistics) {
   better = internal::Diamond_in_space<Interval_nt<false>>(input, diamond).values();
   const Uncertain<Sign> s = CGAL::sign(expression(better));

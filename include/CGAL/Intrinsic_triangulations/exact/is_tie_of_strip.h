@@ -4,10 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_TIE_OF_STRIP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_TIE_OF_STRIP_H
 
-#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Word_integer.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <boost/container/small_vector.hpp>
@@ -226,7 +227,7 @@ private:
     };
     const Diamond_values<Integer> d{
         length(0, 1), length(1, 2), length(2, 0), length(0, 3), length(3, 1), 0, 0};
-    return integer_diamond_sign(d, Delaunay_expression()) == ZERO;
+    return integer_diamond_sign(d, recorded(Delaunay_expression())) == ZERO;
   }
 
   const Unfolded_diamond& diamond_;

@@ -90,8 +90,6 @@ zero iff to pi (the four vertices are cocircular), negative iff to more.
 The value is a_f a_g (cot k + cot m).
 */
 struct Delaunay_expression {
-  /// see `PolynomialExpression`
-  static constexpr bool is_polynomial = true;
   /// evaluates the expression
   template <class FT>
   constexpr FT operator()(const Diamond_values<FT>& d) const {
@@ -105,8 +103,6 @@ struct Delaunay_expression {
 The value is 2 L_ij times the quadruple area of the face `mki` that a flip would make.
 */
 struct Convexity_at_source_expression {
-  /// see `PolynomialExpression`
-  static constexpr bool is_polynomial = true;
   /// evaluates the expression
   template <class FT>
   constexpr FT operator()(const Diamond_values<FT>& d) const {
@@ -120,8 +116,6 @@ struct Convexity_at_source_expression {
 The value is 2 L_ij times the quadruple area of the face `kmj` that a flip would make.
 */
 struct Convexity_at_target_expression {
-  /// see `PolynomialExpression`
-  static constexpr bool is_polynomial = true;
   /// evaluates the expression
   template <class FT>
   constexpr FT operator()(const Diamond_values<FT>& d) const {
@@ -133,8 +127,6 @@ struct Convexity_at_target_expression {
 \brief evaluates to the quadruple area of the face on the left of an edge.
 */
 struct Left_area_expression {
-  /// see `PolynomialExpression`
-  static constexpr bool is_polynomial = true;
   /// evaluates the expression
   template <class FT>
   constexpr FT operator()(const Diamond_values<FT>& d) const {

@@ -9,8 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Face_versions.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -87,7 +87,7 @@ public:
     const FT value = delaunay_value(q_f, quadruple_area(d.f), q_g, quadruple_area(d.g));
     if (value.inf() >= 0) return true;
     if (value.sup() < 0) return false;
-    return exact_sign(d, Delaunay_expression()) != NEGATIVE;
+    return exact_delaunay_sign(d) != NEGATIVE;
   }
 
   /*!
@@ -97,9 +97,8 @@ public:
   template <class Expression>
   Sign sign(const Diamond& d, const Expression& expression) const {
     static_assert(DiamondExpression<Expression>);
-    internal::check_has_exact_sign<Expression>();
     const std::optional<Sign> s = certain_sign(expression(enclosure(d)));
-    return s ? *s : exact_sign(d, expression);
+    return s ? *s : exact_sign(d, recorded(expression));
   }
 
   /*!
@@ -111,7 +110,6 @@ public:
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     static_assert(FaceExpression<Expression>);
-    internal::check_has_exact_sign<Expression>();
     using Values = std::span<const Face_values<FT>>;
     if (faces.size() == 1) { // nearly always, and most of them end here
       const Face_values<FT> value = enclosure(faces.front());
@@ -120,7 +118,7 @@ public:
     std::vector<Face_values<FT>> values;
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
     const std::optional<Sign> s = certain_sign(expression(Values(values)));
-    return s ? *s : exact_sign(faces, values, expression);
+    return s ? *s : exact_sign(faces, values, Recorded_face_expression(expression, faces.size()));
   }
 
   /// calls a predicate with the intervals that are stored of faces.
@@ -292,12 +290,11 @@ private:
     signs_.forget(std::array{s.ip, s.pj, s.jk, s.ki, s.pk});
   }
 
-  // what the filter cannot decide is rare, and takes long to compile
-  template <class Expression>
-  Sign exact_sign(const Diamond& d, const Expression& expression) const;
-  template <class Expression>
+  // what the filter cannot decide is rare
+  Sign exact_sign(const Diamond& d, const Recorded_diamond_expression& expression) const;
   Sign exact_sign(std::span<const Indexed_face> faces, std::vector<Face_values<FT>>& values,
-                  const Expression& expression) const;
+                  const Recorded_face_expression& expression) const;
+  Sign exact_delaunay_sign(const Diamond& d) const;
 
   Exact_geometry geometry_;
   mutable Remembered_signs signs_; // of `Delaunay_expression`

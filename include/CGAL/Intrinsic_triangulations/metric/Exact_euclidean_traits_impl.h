@@ -5,30 +5,23 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation_impl.h>
-#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign_impl.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-template <class Expression>
-struct Sign_computation {};
-
-} // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
 Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces) const {
@@ -65,7 +58,7 @@ Exact_euclidean_metric::cotangent_weight(const Diamond& d) const {
   }
   if (sign(d, Delaunay_expression()) == ZERO) return 0;
   sharpen(std::array<Indexed_face, 2>{{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}});
-  const FT value = geometry_.nonzero_value(d, Delaunay_expression());
+  const FT value = geometry_.nonzero_value(d, recorded(Delaunay_expression()));
   return CGAL::to_double(value) / approximate_quadruple_area(d.f) /
          (2 * approximate_quadruple_area(d.g));
 }
@@ -77,12 +70,12 @@ Exact_euclidean_metric::enclose(const Input& input) {
           Intrinsic_triangulations::quadruple_areas<FT>(input.metric())};
 }
 
-template <class Expression>
-Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expression) const {
-  constexpr bool is_remembered = std::is_same_v<Expression, Delaunay_expression>;
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_euclidean_metric::exact_sign(
+    const Diamond& d, const Recorded_diamond_expression& expression) const {
+  const bool is_remembered = expression.zero_meaning() == Zero_meaning::cocircular;
   ++statistics().filter_failures;
   std::uint64_t& probable = statistics().probable_zero;
-  if constexpr (is_remembered)
+  if (is_remembered)
     if (const auto known = signs_.find(d.ij)) {
       if (known->sign == ZERO) ++(known->is_probable ? probable : statistics().certified_zero);
       return known->sign;
@@ -91,14 +84,19 @@ Sign Exact_euclidean_metric::exact_sign(const Diamond& d, const Expression& expr
   Diamond_values<FT> better = enclosure(d);
   const Sign s = geometry_.sign(d, expression, better);
   refine(d, better);
-  if constexpr (is_remembered) signs_.remember(d.ij, {s, probable != before});
+  if (is_remembered) signs_.remember(d.ij, {s, probable != before});
   return s;
 }
 
-template <class Expression>
-Sign Exact_euclidean_metric::exact_sign(std::span<const Indexed_face> faces,
-                                        std::vector<Face_values<FT>>& values,
-                                        const Expression& expression) const {
+// not within the loop that flips
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE BOOST_NOINLINE Sign
+Exact_euclidean_metric::exact_delaunay_sign(const Diamond& d) const {
+  return exact_sign(d, recorded(Delaunay_expression()));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_euclidean_metric::exact_sign(
+    std::span<const Indexed_face> faces, std::vector<Face_values<FT>>& values,
+    const Recorded_face_expression& expression) const {
   ++statistics().filter_failures;
   const Sign s = geometry_.sign(faces, expression, values);
   refine(faces, values);

@@ -4,7 +4,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Triangulation_unfolder.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 
@@ -88,7 +89,7 @@ std::size_t check_signs(const T& t) {
     if (view.is_border(h) || view.is_border(h ^ 1U) || view.face(h) == view.face(h ^ 1U)) continue;
     const auto& d = unfolder(view, t.correspondence(), h);
     const CGAL::Interval_nt<false> value =
-        evaluation.enclosure(t.input().metric(), d, IT::Delaunay_expression(), 512);
+        evaluation.enclosure(t.input().metric(), d, IT::recorded(IT::Delaunay_expression()), 512);
     const auto left = evaluation.enclosures(t.input().metric(), {d}, 512).front();
     // by the strip under the edge alone
     const CGAL::Interval_nt<false> length = evaluation.squared_length(

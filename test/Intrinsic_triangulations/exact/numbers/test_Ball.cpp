@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 // Every ball must contain the exact rational result of the same operations.
@@ -27,7 +28,7 @@ CGAL::Interval_nt<false> interval(const IT::Ball<Center>& x) {
 
 template <class Center>
 class Ball_of : public testing::Test {};
-using Centers = testing::Types<IT::Double_double, IT::Mpfr_256>;
+using Centers = testing::Types<IT::Double_double, IT::Mpfr_number>;
 TYPED_TEST_SUITE(Ball_of, Centers);
 
 double random_double(std::mt19937& random) {
@@ -82,7 +83,7 @@ TYPED_TEST(Ball_of, keeps_its_bits_through_cancellation) {
     const IT::Ball<TypeParam> third = IT::Ball<TypeParam>(1.0) / IT::Ball<TypeParam>(3.0);
     const IT::Ball<TypeParam> x = (third + IT::Ball<TypeParam>(small)) - third;
     const bool is_seen = CGAL::is_certain(x.sign());
-    EXPECT_EQ(is_seen, bits < (IT::Ball<TypeParam>::bits == 106 ? 95 : 250)) << bits;
+    EXPECT_EQ(is_seen, bits < (std::is_same_v<TypeParam, IT::Double_double> ? 95 : 250)) << bits;
     EXPECT_TRUE(!is_seen || CGAL::get_certain(x.sign()) == CGAL::POSITIVE);
   }
 }
@@ -116,6 +117,28 @@ TYPED_TEST(Ball_of, tells_exact_zero_from_what_only_seems_to_be) {
   const IT::Ball<TypeParam> third = IT::Ball<TypeParam>(1.0) / 3.0;
   EXPECT_TRUE((third + third + third - IT::Ball<TypeParam>(1.0)).seems_zero());
   EXPECT_FALSE((third - IT::Ball<TypeParam>(0.25)).seems_zero());
+}
+
+// as above
+TEST(Ball, keeps_as_many_bits_as_the_precision_of_the_thread_says) {
+  const auto is_seen = [](double small) {
+    IT::Ball<IT::Mpfr_number> x(1);
+    for (const double d : {small, -1.0}) x = x + d;
+    return CGAL::is_certain(x.sign());
+  };
+  EXPECT_TRUE(is_seen(0x1p-240));
+  EXPECT_FALSE(is_seen(0x1p-260));
+  const IT::Mpfr_precision wide(1024);
+  EXPECT_TRUE(is_seen(0x1p-1000));
+  {
+    const IT::Ball<IT::Mpfr_number> fine = IT::Ball<IT::Mpfr_number>(1) + 0x1p-1000;
+    const IT::Mpfr_precision narrow(64);
+    EXPECT_FALSE(is_seen(0x1p-100));
+    IT::Ball<IT::Mpfr_number> copy(0);
+    copy = fine; // as it is
+    EXPECT_TRUE(copy.is_identical(fine));
+  }
+  EXPECT_TRUE(is_seen(0x1p-1000));
 }
 
 } // namespace

@@ -23,7 +23,7 @@ using Interval = CGAL::Interval_nt<false>;
 
 template <class FT>
 class Complex_ball_of : public testing::Test {};
-using Numbers = testing::Types<Interval, IT::Ball<IT::Double_double>, IT::Ball<IT::Mpfr_256>>;
+using Numbers = testing::Types<Interval, IT::Ball<IT::Double_double>, IT::Ball<IT::Mpfr_number>>;
 TYPED_TEST_SUITE(Complex_ball_of, Numbers);
 
 template <class FT>
@@ -50,7 +50,7 @@ double unit() {
   if constexpr (std::is_same_v<FT, Interval>)
     return 0x1p-52;
   else
-    return FT::bits == 106 ? 0x1p-102 : 0x1p-254;
+    return std::is_same_v<FT, IT::Ball<IT::Double_double>> ? 0x1p-102 : 0x1p-254;
 }
 
 template <class FT>

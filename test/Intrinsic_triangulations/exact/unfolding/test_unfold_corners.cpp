@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/exact/Conjugate_bound.h>
 #include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
@@ -260,7 +261,8 @@ TEST(unfold_corners, gives_diamonds_whose_conjugates_are_bounded) {
     const IT::Unfolded_diamond& d = unfolded.diamond(h.index);
     std::vector<const IT::Integer_face*> faces;
     for (const auto& t : d.triangles) faces.push_back(&integers(input, t.face));
-    const double bits = IT::Conjugate_bound(d, faces, true).bits(IT::Delaunay_expression());
+    const double bits =
+        IT::Conjugate_bound(d, faces, true).bits(IT::recorded(IT::Delaunay_expression()));
     for (unsigned signs = 0; signs < 256; ++signs) {
       const auto face = [&](std::uint32_t f) {
         const double area = std::sqrt(input.squared_quadruple_area<double>(f));
@@ -292,7 +294,8 @@ TEST(unfold_corners, lets_a_zero_test_tell_a_straight_angle_from_one_that_is_ben
     places::Unfolded<Exact> unfolded(t);
     for (const Halfedge e : walk.inner_edges()) {
       const IT::Convexity_at_source_expression expression;
-      const auto answer = is_zero(t.input().metric(), unfolded.diamond(e.index), expression);
+      const auto answer =
+          is_zero(t.input().metric(), unfolded.diamond(e.index), IT::recorded(expression));
       const bool expected = expression(t.correspondence().values(t.diamond(e))).is_zero();
       EXPECT_EQ(answer, expected ? IT::Zero_answer::zero : IT::Zero_answer::not_zero);
       ++(expected ? zeros : others);

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -221,14 +222,15 @@ private:
     values_ = face_.values(place.triangle, place.weights);
     if (along_side) values_.quadruple_areas[0] = FT(0);
     const Intrinsic_view<Triangulation> view(t);
-    const auto sharpen = [&](auto& numbers) {
-      ++t.metric().statistics().sharpenings[std::decay_t<decltype(numbers)>::bits];
+    const auto sharpen = [&](auto& numbers, unsigned bits) {
+      const Mpfr_precision precision(bits);
+      ++t.metric().statistics().sharpenings[bits];
       find_values(numbers, view, coordinates, h, place, along_side);
     };
     if (!is_open(along_side)) return are_positive(along_side);
-    sharpen(short_);
-    if (is_open(along_side)) sharpen(long_);
-    if (is_open(along_side)) sharpen(longest_);
+    sharpen(short_, 106);
+    if (is_open(along_side)) sharpen(long_, 256);
+    if (is_open(along_side)) sharpen(longest_, 1024);
     return are_positive(along_side);
   }
 
@@ -256,7 +258,6 @@ private:
   // balls with centers of a type
   template <class Center>
   struct Numbers {
-    static constexpr unsigned bits = Ball<Center>::bits;
     Unfolded_face<Ball<Center>> face;
     Input_face_intervals<Ball<Center>> input;
     bool is_unfolded = false;
@@ -291,8 +292,7 @@ private:
   Unfolded_face<FT> face_;
   Input_face_intervals<FT> intervals_;
   Numbers<Double_double> short_;
-  Numbers<Mpfr_256> long_;
-  Numbers<Mpfr_1024> longest_;
+  Numbers<Mpfr_number> long_, longest_; // of 256 and of 1024 bits
   Vertex_move_values<FT> values_;
 };
 

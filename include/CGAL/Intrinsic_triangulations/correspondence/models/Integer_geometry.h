@@ -13,8 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
@@ -101,10 +101,9 @@ public:
   template <class View, DiamondExpression Expression>
   Sign sign(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
             const Expression& expression, Predicate_statistics& statistics) {
-    internal::check_has_exact_sign<Expression>();
     const Rebuilt d = rebuild(view, coordinates, h);
     const std::optional<Sign> s = certain_sign(expression(d.values));
-    return s ? *s : exact_sign(view, coordinates, h, d, expression, statistics);
+    return s ? *s : exact_sign(view, coordinates, h, d, recorded(expression), statistics);
   }
 
   /*!
@@ -116,7 +115,6 @@ public:
   Sign sign_of_faces(const View& view, const Integer_coordinates& coordinates,
                      std::span<const std::uint32_t> halfedges, const Expression& expression,
                      Predicate_statistics& statistics) {
-    internal::check_has_exact_sign<Expression>();
     std::vector<Unfolded_diamond> faces;
     std::vector<Face_values<FT>> values;
     for (const std::uint32_t h : halfedges) {
@@ -126,7 +124,8 @@ public:
     const auto s = certain_sign(expression(std::span<const Face_values<FT>>(values)));
     if (s) return *s;
     ++statistics.filter_failures;
-    return evaluation_.sign(input_->metric(), faces, expression, values, statistics);
+    return evaluation_.sign(input_->metric(), faces,
+                            Recorded_face_expression(expression, faces.size()), values, statistics);
   }
 
   /// returns intervals that contain the values of the face of a halfedge, from that on, in scaled units.
@@ -148,7 +147,8 @@ public:
     const FT value = q_f * r.values.area_g + q_g * r.values.area_f;
     if (value.inf() >= 0) return true;
     if (value.sup() < 0) return false;
-    return exact_sign(view, coordinates, h, r, Delaunay_expression(), statistics) != NEGATIVE;
+    return exact_sign(view, coordinates, h, r, recorded(Delaunay_expression()), statistics) !=
+           NEGATIVE;
   }
 
   /// returns intervals that contain the values of the diamond of an edge, in scaled units.
@@ -182,7 +182,8 @@ public:
         const std::optional<Sign> s = certain_sign(cross(ij, z[point] - i));
         const Sign side = on_left ? POSITIVE : NEGATIVE;
         strip.corners[2] = {t, on_left ? triangle.entry : (triangle.entry + 1) % 3};
-        if ((s ? *s : exact_sign(strip, Left_area_expression(), statistics)) != side) return false;
+        if ((s ? *s : exact_sign(strip, recorded(Left_area_expression()), statistics)) != side)
+          return false;
       }
     }
     return true;
@@ -195,16 +196,14 @@ private:
     return {{v.ij, v.jk, v.ki}, v.area_f};
   }
 
-  template <class Expression>
-  Sign exact_sign(const Unfolded_diamond& d, const Expression& expression,
+  Sign exact_sign(const Unfolded_diamond& d, const Recorded_diamond_expression& expression,
                   Predicate_statistics& statistics) {
     ++statistics.filter_failures;
-    if constexpr (PolynomialExpression<Expression>)
-      if (degree_of(expression).is_linear_in_areas() && d.has_inserted_corners() && is_flat(d)) {
-        Diamond_values<FT> values;
-        return flat_diamond_sign(input_->metric(), flat_diamond(input_->metric(), d), expression,
-                                 values, statistics);
-      }
+    if (expression.is_linear_in_areas() && d.has_inserted_corners() && is_flat(d)) {
+      Diamond_values<FT> values;
+      return flat_diamond_sign(input_->metric(), flat_diamond(input_->metric(), d), expression,
+                               values, statistics);
+    }
     return evaluation_.sign(input_->metric(), d, expression, statistics);
   }
 
@@ -255,9 +254,9 @@ private:
   }
 
   // Not inline: what the filter cannot decide is rare.
-  template <class View, class Expression>
+  template <class View>
   Sign exact_sign(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
-                  const Rebuilt& r, const Expression& expression,
+                  const Rebuilt& r, const Recorded_diamond_expression& expression,
                   Predicate_statistics& statistics) {
     if (r.diamond != nullptr) return exact_sign(*r.diamond, expression, statistics);
     if (const std::optional<Sign> s =

@@ -23,15 +23,12 @@ many bits, which allocates.
 
 What overflows, or is divided by what may be zero, gets a radius that is infinite or not a number. All operations ask for
 rounding to the nearest, but for `interval()`.
-\tparam Center `Double_double` or an `Mpfr_number`
+\tparam Center `Double_double` or `Mpfr_number`
 \cgalModels{Field}
 */
 template <class Center>
 class Ball {
 public:
-  /// Bits of the center, of which rounding takes a few.
-  static constexpr unsigned bits = Center::bits;
-
   /// constructs zero.
   Ball() = default;
   /// converts a number exactly.
@@ -106,7 +103,7 @@ private:
   // adds rounding errors to a radius: of the operation, of the radius, of what underflows
   Ball(const Center& c, double radius)
       : center_(c), magnitude_(std::abs(rounded(c))),
-        radius_((radius + magnitude_ * Center::rounding) * (1 + slack) + 0x1p-1060) {}
+        radius_((radius + magnitude_ * Center::rounding()) * (1 + slack) + 0x1p-1060) {}
 
   static double rounded(const Center& x) { return x.to_double(); }
 

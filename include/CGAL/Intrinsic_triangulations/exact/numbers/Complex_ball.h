@@ -25,7 +25,7 @@ template <>
 struct Enclosure_parts<Interval_nt<false>> {
   using FT = Interval_nt<false>;
   using Center = double;
-  static constexpr double unit = 0x1p-52;
+  static constexpr double unit() { return 0x1p-52; }
   static double center(const FT& x) { return (x.inf() + x.sup()) / 2; }
   static double radius(const FT& x, double center) {
     return std::max(x.sup() - center, -(x.inf() - center));
@@ -40,7 +40,7 @@ template <class Number>
 struct Enclosure_parts<Ball<Number>> {
   using FT = Ball<Number>;
   using Center = Number;
-  static constexpr double unit = Number::rounding;
+  static double unit() { return Number::rounding(); }
   static const Center& center(const FT& x) { return x.center(); }
   static double radius(const FT& x, const Center&) { return x.radius(); }
   static FT make(const Center& center, double radius) { return FT::around(center, radius); }
@@ -117,7 +117,7 @@ private:
   // of magnitudes of its terms; the squares of these sums add up to 2 |a b|^2 at most: 2 sqrt(2) u of the product. A quotient takes two
   // operations.
   static double product(double a, double b) {
-    return (a + b + a * b + 3 * Parts::unit) * (1 + slack);
+    return (a + b + a * b + 3 * Parts::unit()) * (1 + slack);
   }
   double absolute_radius() const {
     return radius_ * (internal::magnitude(x_) + internal::magnitude(y_)) * (1 + slack) + 0x1p-1060;

@@ -17,10 +17,8 @@ al., "Accurate calculation of Euclidean norms using double-word arithmetic" (202
 */
 class Double_double {
 public:
-  /// Number of bits.
-  static constexpr unsigned bits = 106;
-  /// More than the relative error of each operation.
-  static constexpr double rounding = 0x1p-102;
+  /// returns more than the relative error of each operation.
+  static constexpr double rounding() { return 0x1p-102; }
 
   /// constructs zero.
   Double_double() = default;

@@ -6,47 +6,40 @@
 
 #include <mpfr.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief is a floating point number by MPFR, whose bits are within it: nothing is allocated.
 
-All operations round to the nearest.
-\tparam precision number of bits
+All operations round to the nearest, to as many bits as the `Mpfr_precision` of the thread says; one class for all of them is compiled
+once.
 */
-template <unsigned precision>
 class Mpfr_number {
 public:
-  /// Number of bits.
-  static constexpr unsigned bits = precision;
-  /// More than the relative error of each operation: 2^(2 - bits).
-  static constexpr double rounding = [] {
-    double x = 4;
-    for (unsigned n = 0; n < precision; ++n) x /= 2;
-    return x;
-  }();
+  /// Largest number of bits: as many as a double can tell the errors of.
+  static constexpr unsigned most_bits = 1024;
+
+  /// returns more than the relative error of each operation: 2^(2 - bits).
+  static double rounding() { return precision().rounding; }
 
   /// constructs zero.
   Mpfr_number() {
-    mpfr_custom_init(limbs_.data(), precision);
-    mpfr_custom_init_set(value_, MPFR_ZERO_KIND, 0, precision, limbs_.data());
+    const unsigned bits = precision().bits;
+    mpfr_custom_init_set(value_, MPFR_ZERO_KIND, 0, bits, limbs_.data());
   }
   /// converts a number exactly.
   Mpfr_number(double x) : Mpfr_number() { // NOLINT(google-explicit-constructor)
     mpfr_set_d(value_, x, MPFR_RNDN);
   }
   /// copies.
-  Mpfr_number(const Mpfr_number& other) : limbs_(other.limbs_) {
-    *value_ = *other.value_;
-    mpfr_custom_move(value_, limbs_.data());
-  }
+  Mpfr_number(const Mpfr_number& other) { copy(other); }
   /// copies.
   Mpfr_number& operator=(const Mpfr_number& other) {
-    limbs_ = other.limbs_;
-    *value_ = *other.value_;
-    mpfr_custom_move(value_, limbs_.data());
+    if (this != &other) copy(other);
     return *this;
   }
   ~Mpfr_number() = default;
@@ -90,14 +83,44 @@ public:
   double to_double() const { return mpfr_get_d(value_, MPFR_RNDN); }
 
 private:
-  std::array<mp_limb_t, (precision + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS> limbs_;
+  friend class Mpfr_precision;
+  struct Precision {
+    unsigned bits;
+    double rounding;
+  };
+  // of the thread; enough for what is unfolded across some hundred triangles
+  static Precision& precision() {
+    thread_local Precision current{256, 0x1p-254};
+    return current;
+  }
+
+  void copy(const Mpfr_number& other) {
+    *value_ = *other.value_;
+    const auto used = (mpfr_get_prec(value_) + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
+    std::copy_n(other.limbs_.begin(), used, limbs_.begin());
+    mpfr_custom_move(value_, limbs_.data());
+  }
+
+  std::array<mp_limb_t, most_bits / GMP_NUMB_BITS>
+      limbs_;    // as many are used as the precision asks for
   mpfr_t value_; // points to the limbs
 };
 
-/// Enough for what is unfolded across some hundred triangles.
-using Mpfr_256 = Mpfr_number<256>;
-/// As many as a double can tell the errors of.
-using Mpfr_1024 = Mpfr_number<1024>;
+/// sets the precision of new `Mpfr_number`s of a thread for a lifetime; it is 256 bits elsewhere.
+class Mpfr_precision {
+public:
+  /// sets the precision. \pre `bits` is at most `Mpfr_number::most_bits`
+  explicit Mpfr_precision(unsigned bits) : previous_(Mpfr_number::precision()) {
+    Mpfr_number::precision() = {bits, std::ldexp(4.0, -static_cast<int>(bits))};
+  }
+  /// restores the precision.
+  ~Mpfr_precision() { Mpfr_number::precision() = previous_; }
+  Mpfr_precision(const Mpfr_precision&) = delete;
+  Mpfr_precision& operator=(const Mpfr_precision&) = delete;
+
+private:
+  Mpfr_number::Precision previous_;
+};
 
 } // namespace CGAL::Intrinsic_triangulations
 

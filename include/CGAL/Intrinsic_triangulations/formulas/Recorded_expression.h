@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_RECORDED_EXPRESSION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_RECORDED_EXPRESSION_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/*!
+\file
+What may be asked of a metric: signs of expressions.
+
+An expression is a functor with a template `operator()`, from the values of a diamond or of a span of faces
+to one value, that computes by the operations of a field, `+ - * /`, constants made of `int` or `double` included. It
+gives the same result in every field, so it neither compares nor branches on values. Its sign is decided
+exactly, whatever its degree.
+
+Intervals of doubles, which decide nearly all signs, evaluate an expression as it is written. For what they leave open it is
+*recorded*: evaluated once on a `Recorded_number`, which keeps the steps. The steps are then repeated in number types that the expression
+knows nothing of, so that their code is compiled once and not for each expression. They also tell of which degree a polynomial is (see
+`Expression_degree`), hence which fast ways of deciding its sign are right: nothing is declared, so nothing can be declared that is
+not true.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief lists the operations of an expression in order.
+*/
+class Expression_steps {
+public:
+  /// What a step does.
+  enum class Operation : std::uint32_t { constant, sum, difference, product, quotient };
+
+  /// constructs a list without steps, of an expression in so many values.
+  explicit Expression_steps(std::uint32_t number_of_values) : values_(number_of_values) {}
+
+  /// adds a step. \return the number of its result, where the first numbers are those of the values
+  std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double constant = 0) {
+    steps_.push_back({operation, a, b, constant});
+    return values_ + static_cast<std::uint32_t>(steps_.size()) - 1;
+  }
+  /// makes a value or the result of a step the result of all.
+  void finish(std::uint32_t result) { result_ = result; }
+
+  /// tells whether there are sums, differences and products only.
+  bool is_polynomial() const {
+    for (const Step& s : steps_)
+      if (s.operation == Operation::constant || s.operation == Operation::quotient) return false;
+    return true;
+  }
+
+  /*!
+  \brief repeats the steps.
+  \tparam FT a ring; a field made of doubles too, unless `is_polynomial()`
+  \param values as many as the expression depends on
+  */
+  template <class FT>
+  FT run(std::span<const FT* const> values) const {
+    boost::container::small_vector<FT, 12> results;
+    results.reserve(steps_.size());
+    const auto at = [&](std::uint32_t n) -> const FT& {
+      return n < values.size() ? *values[n] : results[n - values.size()];
+    };
+    for (const Step& s : steps_) switch (s.operation) {
+      case Operation::sum:
+        results.push_back(at(s.a) + at(s.b));
+        break;
+      case Operation::difference:
+        results.push_back(at(s.a) - at(s.b));
+        break;
+      case Operation::product:
+        results.push_back(at(s.a) * at(s.b));
+        break;
+      default:
+        if constexpr (std::is_constructible_v<FT, double> && requires(const FT& x) { x / x; })
+          results.push_back(s.operation == Operation::constant ? FT(s.constant)
+                                                               : FT(at(s.a) / at(s.b)));
+        else
+          throw std::logic_error("an expression that is no polynomial is evaluated in a ring");
+      }
+    return at(result_);
+  }
+
+private:
+  struct Step {
+    Operation operation;
+    std::uint32_t a, b;
+    double constant;
+  };
+
+  std::uint32_t values_;
+  std::uint32_t result_ = 0;
+  boost::container::small_vector<Step, 12> steps_;
+};
+
+/*!
+\brief is a number of which nothing is known but how it is computed: from values, and constants.
+
+Operations add a step to the recording that goes on in this thread.
+\cgalModels{Field}
+*/
+class Recorded_number {
+public:
+  /// constructs zero.
+  Recorded_number() : Recorded_number(0.0) {}
+  /// constructs a constant.
+  Recorded_number(double x) // NOLINT(google-explicit-constructor)
+      : number_(recording()->add(Operation::constant, 0, 0, x)) {}
+
+  /// adds
+  friend Recorded_number operator+(const Recorded_number& a, const Recorded_number& b) {
+    return {Operation::sum, a, b};
+  }
+  /// subtracts
+  friend Recorded_number operator-(const Recorded_number& a, const Recorded_number& b) {
+    return {Operation::difference, a, b};
+  }
+  /// multiplies
+  friend Recorded_number operator*(const Recorded_number& a, const Recorded_number& b) {
+    return {Operation::product, a, b};
+  }
+  /// divides
+  friend Recorded_number operator/(const Recorded_number& a, const Recorded_number& b) {
+    return {Operation::quotient, a, b};
+  }
+
+  /*!
+  \brief records an expression.
+  \param number_of_values what it depends on
+  \param compute a functor from a functor that returns values by number to the result
+  */
+  template <class Compute>
+  static Expression_steps record(std::uint32_t number_of_values, const Compute& compute) {
+    Expression_steps steps(number_of_values);
+    const Scope scope(steps);
+    steps.finish(compute([](std::uint32_t n) { return Recorded_number(n, Value_tag()); }).number_);
+    return steps;
+  }
+
+private:
+  using Operation = Expression_steps::Operation;
+  struct Value_tag {};
+
+  // lets numbers of this thread be recorded in a list
+  struct Scope {
+    explicit Scope(Expression_steps& steps) : previous(std::exchange(recording(), &steps)) {}
+    ~Scope() { recording() = previous; }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+    Expression_steps* previous;
+  };
+
+  Recorded_number(std::uint32_t number, Value_tag) : number_(number) {}
+  Recorded_number(Operation operation, const Recorded_number& a, const Recorded_number& b)
+      : number_(recording()->add(operation, a.number_, b.number_)) {}
+
+  static Expression_steps*& recording() {
+    thread_local Expression_steps* steps = nullptr;
+    return steps;
+  }
+
+  std::uint32_t number_;
+};
+
+/*!
+\brief asks for an expression in the values of a diamond.
+*/
+template <class Expression>
+concept DiamondExpression = requires(const Expression& e,
+                                     const Diamond_values<Interval_nt<false>>& values,
+                                     const Diamond_values<Recorded_number>& recorded) {
+  { e(values) } -> std::convertible_to<Interval_nt<false>>;
+  { e(recorded) } -> std::convertible_to<Recorded_number>;
+};
+
+/*!
+\brief asks for an expression in the values of a span of faces.
+*/
+template <class Expression>
+concept FaceExpression = requires(const Expression& e,
+                                  std::span<const Face_values<Interval_nt<false>>> values,
+                                  std::span<const Face_values<Recorded_number>> recorded) {
+  { e(values) } -> std::convertible_to<Interval_nt<false>>;
+  { e(recorded) } -> std::convertible_to<Recorded_number>;
+};
+
+/// Of what a zero of an expression is proof; some proofs start from there.
+enum class Zero_meaning {
+  cocircular,          ///< the corners of the diamond are: `Delaunay_expression`
+  collinear_at_source, ///< corners k, i, m are: `Convexity_at_source_expression`
+  collinear_at_target, ///< corners k, j, m are: `Convexity_at_target_expression`
+  other                ///< nothing that is known
+};
+
+/*!
+\brief is an expression in the values of a diamond that can be evaluated in any field.
+*/
+class Recorded_diamond_expression {
+public:
+  /// records an expression.
+  template <DiamondExpression Expression>
+  explicit Recorded_diamond_expression(const Expression& expression)
+      : steps_(Recorded_number::record(7,
+                                       [&](const auto& x) {
+                                         return Recorded_number(
+                                             expression(Diamond_values<Recorded_number>{
+                                                 x(0), x(1), x(2), x(3), x(4), x(5), x(6)}));
+                                       })),
+        meaning_(meaning_of<Expression>()) {
+    constexpr Expression_degree l = Expression_degree::length(), a = Expression_degree::area();
+    if (steps_.is_polynomial())
+      degree_ = (*this)(Diamond_values<Expression_degree>{l, l, l, l, l, a, a});
+  }
+
+  /// evaluates the expression. \tparam FT see `Expression_steps::run()`
+  template <class FT>
+  FT operator()(const Diamond_values<FT>& d) const {
+    const std::array<const FT*, 7> values{&d.ij, &d.jk, &d.ki, &d.im, &d.mj, &d.area_f, &d.area_g};
+    return steps_.run<FT>(values);
+  }
+
+  /// returns the degree; nothing if the expression has constants or quotients.
+  const std::optional<Expression_degree>& degree() const { return degree_; }
+  /// tells whether it is a sum of a few areas times at most a length each.
+  bool is_linear_in_areas() const { return degree_ && degree_->is_linear_in_areas(); }
+  /// returns what it is a proof of if the expression is zero.
+  Zero_meaning zero_meaning() const { return meaning_; }
+
+private:
+  template <class Expression>
+  static constexpr Zero_meaning meaning_of() {
+    if (std::is_same_v<Expression, Delaunay_expression>) return Zero_meaning::cocircular;
+    if (std::is_same_v<Expression, Convexity_at_source_expression>)
+      return Zero_meaning::collinear_at_source;
+    if (std::is_same_v<Expression, Convexity_at_target_expression>)
+      return Zero_meaning::collinear_at_target;
+    return Zero_meaning::other;
+  }
+
+  Expression_steps steps_;
+  Zero_meaning meaning_;
+  std::optional<Expression_degree> degree_;
+};
+
+/*!
+\brief is an expression in the values of faces that can be evaluated in any field.
+*/
+class Recorded_face_expression {
+public:
+  /// records an expression in the values of so many faces.
+  template <FaceExpression Expression>
+  Recorded_face_expression(const Expression& expression, std::size_t number_of_faces)
+      : steps_(Recorded_number::record(
+            static_cast<std::uint32_t>(4 * number_of_faces), [&](const auto& x) {
+              std::vector<Face_values<Recorded_number>> faces;
+              for (std::uint32_t n = 0; n < 4 * number_of_faces; n += 4)
+                faces.push_back({{x(n), x(n + 1), x(n + 2)}, x(n + 3)});
+              return Recorded_number(
+                  expression(std::span<const Face_values<Recorded_number>>(faces)));
+            })) {}
+
+  /// evaluates the expression. \tparam FT a field \pre there are as many faces as were recorded
+  template <class FT>
+  FT operator()(const std::vector<Face_values<FT>>& faces) const {
+    std::vector<const FT*> values;
+    for (const Face_values<FT>& f : faces) {
+      for (const FT& l : f.squared_lengths) values.push_back(&l);
+      values.push_back(&f.quadruple_area);
+    }
+    return steps_.run<FT>(values);
+  }
+
+private:
+  Expression_steps steps_;
+};
+
+/// records an expression; one without data once for all.
+template <DiamondExpression Expression>
+decltype(auto) recorded(const Expression& expression) {
+  if constexpr (std::is_empty_v<Expression>) {
+    static const Recorded_diamond_expression once(expression);
+    return (once);
+  } else
+    return Recorded_diamond_expression(expression);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_RECORDED_EXPRESSION_H
