@@ -46,10 +46,10 @@ class LightHeaders(unittest.TestCase):
         self.assertEqual([h for h in headers_of([COMPILED])
                           if HEAVY.search(h) or re.search(r"/Intrinsic_\w+/.*_impl\.h$", h)], [])
 
-    def test_without_it_all_is_included_but_what_is_too_heavy(self):
+    def test_without_it_all_is(self):
         found = headers_of([])
+        self.assertTrue(any(HEAVY.search(h) for h in found))
         self.assertTrue(any(h.endswith("/Exact_evaluation_impl.h") for h in found))
-        self.assertEqual([h for h in found if HEAVY.search(h)], [])
 
     def test_the_library_has_what_most_programs_do(self):
         with tempfile.TemporaryDirectory() as folder:

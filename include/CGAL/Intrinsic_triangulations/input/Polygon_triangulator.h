@@ -45,6 +45,9 @@ private:
   double weight(std::size_t i, std::size_t j, std::size_t k, bool upright) const;
   void collect(const std::vector<std::uint32_t>& apex, std::vector<Triangle>& result) const;
 
+  // Orients the triangles as the polygon and checks that they are a disk bounded by it.
+  bool orient_disk(std::vector<Triangle>& triangles) const;
+
   // twice the vector area of a triangle
   Point cross(std::size_t i, std::size_t j, std::size_t k) const;
 

@@ -5,8 +5,13 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGON_TRIANGULATOR_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/input/Delaunay_polygon_impl.h>
+#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Projection_traits_3.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +35,22 @@ inline double dot(const Point& a, const Point& b) {
 
 inline Point difference(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+template <class Triangulation>
+void mark_outside(Triangulation& plane) {
+  for (const auto f : plane.all_face_handles()) f->info() = false;
+  std::vector<typename Triangulation::Face_handle> open{plane.infinite_face()};
+  open.back()->info() = true;
+  while (!open.empty()) {
+    const auto f = open.back();
+    open.pop_back();
+    for (int k = 0; k < 3; ++k)
+      if (!f->is_constrained(k) && !f->neighbor(k)->info()) {
+        f->neighbor(k)->info() = true;
+        open.push_back(f->neighbor(k));
+      }
+  }
 }
 
 } // namespace polygon
@@ -120,9 +141,57 @@ Polygon_triangulator::collect(const std::vector<std::uint32_t>& apex,
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
 Polygon_triangulator::triangulate_delaunay(std::vector<Triangle>& result) const {
+  using Traits = CGAL::Projection_traits_3<Point_kernel>;
+  using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Traits>;
+  using Info_base = CGAL::Triangulation_face_base_with_info_2<bool, Traits>;
+  using Face_base = CGAL::Constrained_triangulation_face_base_2<Traits, Info_base>;
+  using Data = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
+  using Triangulation =
+      CGAL::Constrained_Delaunay_triangulation_2<Traits, Data,
+                                                 CGAL::No_constraint_intersection_tag>;
   if (normal_ == Point{}) return false;
-  Delaunay_polygon polygon(points_, normal_);
-  return polygon.is_simple() && polygon.triangulate(result);
+  Triangulation plane{Traits(Point_kernel::Vector_3(normal_[0], normal_[1], normal_[2]))};
+  std::vector<Triangulation::Vertex_handle> vertices;
+  for (const Point& p : points_) {
+    vertices.push_back(plane.insert(Point_kernel::Point_3(p[0], p[1], p[2])));
+    vertices.back()->info() = static_cast<std::uint32_t>(vertices.size() - 1);
+  }
+  if (plane.number_of_vertices() != points_.size()) return false;
+  try {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      plane.insert_constraint(vertices[i], vertices[(i + 1) % vertices.size()]);
+  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    return false;
+  }
+  polygon::mark_outside(plane);
+  result.clear();
+  for (const auto f : plane.finite_face_handles())
+    if (!f->info())
+      result.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  return orient_disk(result);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
+Polygon_triangulator::orient_disk(std::vector<Triangle>& triangles) const {
+  const auto n = static_cast<std::uint32_t>(points_.size());
+  if (triangles.size() != n - 2) return false;
+  using Side = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Side> sides;
+  for (const Triangle& t : triangles)
+    for (unsigned k = 0; k < 3; ++k) sides.emplace_back(t[k], t[(k + 1) % 3]);
+  std::sort(sides.begin(), sides.end());
+  const auto has = [&](std::uint32_t i, std::uint32_t j) {
+    return std::binary_search(sides.begin(), sides.end(), Side(i, j));
+  };
+  const bool reversed = has(1, 0);
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (has(i, (i + 1) % n) == reversed || has((i + 1) % n, i) != reversed) return false;
+  for (const auto& [i, j] : sides)
+    if ((j + n - i) % n != 1 && (i + n - j) % n != 1 && !has(j, i)) return false;
+  if (std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return false;
+  if (reversed)
+    for (Triangle& t : triangles) std::swap(t[1], t[2]);
+  return true;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Polygon_triangulator::Point
