@@ -177,13 +177,15 @@ private:
     }
     // a point of a side that runs across input faces cannot be represented, as a rule: one beside it can
     double distance = weights[2] == 0 && !along_side ? nearness : 0;
+    const auto place_at_distance = [&] {
+      return place_in_face(layout, t, coordinates, h, beside(view, h, weights, distance),
+                           along_side);
+    };
+    if (const auto p = place_at_distance(); p || along_side) return p;
     const double last = farthest(view, h);
-    const bool is_near_side = *std::min_element(weights.begin(), weights.end()) < last;
-    for (; distance <= last; distance = std::max(16 * distance, nearness)) {
-      const auto p =
-          place_in_face(layout, t, coordinates, h, beside(view, h, weights, distance), along_side);
-      if (p || along_side || !is_near_side) return p;
-    }
+    if (*std::min_element(weights.begin(), weights.end()) >= last) return std::nullopt;
+    while ((distance = std::max(16 * distance, nearness)) <= last)
+      if (const auto p = place_at_distance()) return p;
     return std::nullopt;
   }
 
