@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -89,7 +90,7 @@ public:
   /*!
   \brief places a vertex.
   \param t the triangulation; if its metric is exact, its scope is live
-  \param coordinates a model of `CurveCoordinates`
+  \param coordinates a model of `CurveCoordinates`; they may remember what curves were followed
   \param h a halfedge of the face
   \param weights barycentric coordinates, approximately; if the last one is zero, the vertex will be on the side, if
   that runs along an input edge, else within rounding of it, inside the face
@@ -100,7 +101,7 @@ public:
   \return the place; nothing if it is within rounding of a vertex, or, for exact metrics, not proven to be in the face
   */
   template <class Triangulation, CurveCoordinates Coordinates>
-  std::optional<Placed_insertion> operator()(const Triangulation& t, const Coordinates& coordinates,
+  std::optional<Placed_insertion> operator()(const Triangulation& t, Coordinates& coordinates,
                                              std::uint32_t h, const std::array<double, 3>& weights,
                                              const std::optional<Surface_point>& wanted = {}) {
     const Intrinsic_view<Triangulation> view(t);
@@ -132,6 +133,17 @@ public:
 
   /// returns the values at the vertex that was placed last, if the metric of its triangulation is exact.
   const Vertex_move_values<FT>& values() const { return values_; }
+
+  /// returns the corner of the face that is seen best from the place that was found last, for such a metric.
+  /// \pre rounding is upwards, and the face has not changed
+  Seen_corner seen_corner(const Input& input) const {
+    const auto seen_in = [&](const auto& face) {
+      return face.farthest_corner(input, {{}, triangle_, in_triangle_, location_});
+    };
+    if (face_.is_vague() && short_.is_unfolded)
+      return internal::to_nearest([&] { return seen_in(short_.face); });
+    return seen_in(face_);
+  }
 
 private:
   // distance of points of a side from it, in units of the height of the face
@@ -220,6 +232,9 @@ private:
   bool is_in_face(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                   const Place& place, bool along_side) {
     const Protect_FPU_rounding<true> upwards(CGAL_FE_UPWARD);
+    triangle_ = place.triangle;
+    in_triangle_ = place.weights;
+    location_ = place.location;
     values_ = face_.values(place.triangle, place.weights);
     if (along_side) values_.quadruple_areas[0] = FT(0);
     const Intrinsic_view<Triangulation> view(t);
@@ -296,6 +311,10 @@ private:
   Numbers<Mpfr_256> long_;
   Numbers<Mpfr_1024> longest_;
   Vertex_move_values<FT> values_;
+  // the place that they belong to
+  std::uint32_t triangle_ = 0;
+  std::array<double, 3> in_triangle_{};
+  Surface_point location_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations
