@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_LAYOUT_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Entered_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
@@ -85,12 +84,12 @@ public:
   /*!
   \brief unfolds the face of a halfedge.
   \tparam Complex `Intrinsic_view`
-  \tparam Coordinates a model of `CurveCoordinates`; constant if it is not to remember, see `Entered_halfedges`
+  \tparam Coordinates a model of `CurveCoordinates`
   \tparam Input_values a functor from an input halfedge to the `Face_values<FT>` of its face, from the halfedge on
   \complexity linear in the number of curves in the face, and that of following them
   */
   template <class Complex, CurveCoordinates Coordinates, class Input_values>
-  void unfold(const Complex& complex, Coordinates& coordinates, std::uint32_t h,
+  void unfold(const Complex& complex, const Coordinates& coordinates, std::uint32_t h,
               const Input_values& values) {
     sides_ = sides_of_face(complex, h);
     curves_ = corner_coordinates(complex, coordinates, h);
@@ -162,7 +161,7 @@ protected:
   // the input halfedges of the faces that the strip enters along its side, in order; curves from the corner opposite need
   // not be followed
   template <class Complex, class Coordinates>
-  void find_entered_along(const Complex& complex, Coordinates& coordinates) {
+  void find_entered_along(const Complex& complex, const Coordinates& coordinates) {
     entered_.resize(static_cast<std::size_t>(along_));
     const Normal_coordinate from = fan_ < 3 ? curves_.cutting[first_] : along_,
                             to = fan_ < 3 ? from + curves_.emanating[fan_] : along_;
@@ -175,17 +174,17 @@ protected:
 
   // of those that a side enters, numbers `from` to `to`
   template <class Complex, class Coordinates>
-  void find_entered(const Complex& complex, Coordinates& coordinates, std::uint32_t side,
+  void find_entered(const Complex& complex, const Coordinates& coordinates, std::uint32_t side,
                     Normal_coordinate from, Normal_coordinate to) {
     if (from == to) return;
     if constexpr (requires { coordinates.entered_by(side, to); }) {
       for (Normal_coordinate i = from; i < to; ++i)
         entered_[static_cast<std::size_t>(i)] = coordinates.entered_by(side, i);
     } else {
-      entries_(complex, coordinates, {side, from, to - from, from},
-               [&](Normal_coordinate i, std::uint32_t halfedge) {
-                 entered_[static_cast<std::size_t>(i)] = halfedge;
-               });
+      follow_curves(complex, coordinates, {side, from, to - from, from}, stack_,
+                    [&](Normal_coordinate i, const Curve_end& end) {
+                      entered_[static_cast<std::size_t>(i)] = input_halfedge(coordinates, end) ^ 1U;
+                    });
     }
   }
 
@@ -280,7 +279,7 @@ protected:
   std::array<Corner, 3> corner_{};
   FT unit_{};
   std::vector<std::uint32_t> entered_;
-  Entered_halfedges entries_;
+  std::vector<Curve_bundle> stack_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

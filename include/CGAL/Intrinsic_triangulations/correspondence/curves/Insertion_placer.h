@@ -90,7 +90,7 @@ public:
   /*!
   \brief places a vertex.
   \param t the triangulation; if its metric is exact, its scope is live
-  \param coordinates a model of `CurveCoordinates`; they may remember what curves were followed
+  \param coordinates a model of `CurveCoordinates`
   \param h a halfedge of the face
   \param weights barycentric coordinates, approximately; if the last one is zero, the vertex will be on the side, if
   that runs along an input edge, else within rounding of it, inside the face
@@ -101,7 +101,7 @@ public:
   \return the place; nothing if it is within rounding of a vertex, or, for exact metrics, not proven to be in the face
   */
   template <class Triangulation, CurveCoordinates Coordinates>
-  std::optional<Placed_insertion> operator()(const Triangulation& t, Coordinates& coordinates,
+  std::optional<Placed_insertion> operator()(const Triangulation& t, const Coordinates& coordinates,
                                              std::uint32_t h, const std::array<double, 3>& weights,
                                              const std::optional<Surface_point>& wanted = {}) {
     const Intrinsic_view<Triangulation> view(t);

@@ -154,12 +154,6 @@ struct Curve_bundle {
   Normal_coordinate number; ///< number of the first one, counted where following began
 };
 
-/// Of no curve it is known where it ends before it is followed.
-struct Follow_to_end {
-  /// returns false
-  bool operator()(const Curve_bundle&) const { return false; }
-};
-
 /*!
 \brief follows curves that leave a face side by side to their ends. As long as they run side by side, they
 take one step together.
@@ -168,17 +162,16 @@ take one step together.
 \param bundle the curves
 \param stack memory to use
 \param visit called with the number of each curve and its `Curve_end`, see `follow_curve()`
-\param is_known called with each single curve at every step: whether it need not be followed any farther, nor visited
 \complexity linear in the number of steps, at most that of all crossings
 */
-template <class Complex, class Coordinates, class Visit, class Is_known = Follow_to_end>
+template <class Complex, class Coordinates, class Visit>
 void follow_curves(const Complex& complex, const Coordinates& coordinates, Curve_bundle bundle,
-                   std::vector<Curve_bundle>& stack, Visit visit, const Is_known& is_known = {}) {
+                   std::vector<Curve_bundle>& stack, Visit visit) {
   stack.assign(1, bundle);
   while (!stack.empty()) {
     Curve_bundle b = stack.back();
     stack.pop_back();
-    while (b.count > 0 && !(b.count == 1 && is_known(b))) {
+    while (b.count > 0) {
       const std::uint32_t h = b.halfedge ^ 1U; // enters its face
       const Corner_coordinates c = corner_coordinates(complex, coordinates, h);
       const std::uint32_t next = complex.next(h), last = complex.next(next);

@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_DIAMOND_UNFOLDER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_DIAMOND_UNFOLDER_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Entered_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
@@ -197,8 +196,10 @@ private:
   // back runs from right to left.
   template <class View>
   void follow(const View& view, const Curve_bundle& bundle, std::vector<std::uint32_t>& crossed) {
-    entries_(view, *coordinates_, bundle,
-             [&](Normal_coordinate number, std::uint32_t x) { crossed[index(number)] = x; });
+    follow_curves(view, *coordinates_, bundle, stack_,
+                  [&](Normal_coordinate number, const Curve_end& end) {
+                    crossed[index(number)] = input_halfedge(*coordinates_, end) ^ 1U;
+                  });
   }
 
   // appends the crossings of a halfedge from number `from` on
@@ -252,7 +253,7 @@ private:
   const Integer_coordinates* coordinates_ = nullptr; // of the call
   Corner_coordinates left_, right_;                  // corners i, j, k and j, i, m
   std::vector<std::uint32_t> crossed_, others_;
-  Entered_halfedges entries_;
+  std::vector<Curve_bundle> stack_;
   std::array<Developed_corner, 4> corners_;
   internal::Corner_unfolder unfolder_{std::numeric_limits<std::size_t>::max()};
 };

@@ -98,18 +98,6 @@ public:
     return location_[inserted_vertex - input_->number_of_vertices()];
   }
 
-  /// returns the input halfedge over which a face is entered where the only curve that crosses an intrinsic halfedge runs, from
-  /// left to right, if that is remembered, or none.
-  std::uint32_t remembered_entry(std::uint32_t halfedge) const {
-    if (halfedge / 2 >= entry_.size() || entry_[halfedge / 2] == Gluing::none) return Gluing::none;
-    return entry_[halfedge / 2] ^ (halfedge & 1U);
-  }
-  /// remembers it. \pre one curve crosses the halfedge
-  void remember_entry(std::uint32_t halfedge, std::uint32_t input_halfedge) {
-    if (halfedge / 2 >= entry_.size()) entry_.resize(normal_.size(), Gluing::none);
-    entry_[halfedge / 2] = input_halfedge ^ (halfedge & 1U);
-  }
-
   /// announces a flip. \return whether the number of crossings stays in bounds
   template <class Triangulation>
   bool before(const Triangulation&, const Flip& move) {
@@ -124,7 +112,6 @@ public:
   template <class Triangulation>
   void after(const Triangulation&, const Flip& move) {
     normal_[move.ij / 2] = flipped_;
-    forget_entry(move.ij);
     update_roundabout(move.ij, move.ki, move.im);
     update_roundabout(move.ij ^ 1U, move.mj, move.jk);
   }
@@ -279,12 +266,7 @@ private:
     roundabout_[h] = turned(before, std::max(0, emanating));
   }
 
-  void forget_entry(std::uint32_t halfedge) {
-    if (halfedge / 2 < entry_.size()) entry_[halfedge / 2] = Gluing::none;
-  }
-
   void grow(std::uint32_t halfedge) {
-    forget_entry(halfedge); // of an edge that had the number before
     const std::size_t edges = halfedge / 2 + 1;
     if (edges <= normal_.size()) return;
     normal_.resize(edges);
@@ -349,7 +331,6 @@ private:
   std::vector<Normal_coordinate> normal_; // per edge
   std::vector<std::uint32_t> roundabout_; // per halfedge
   std::vector<Surface_point> location_;   // per inserted vertex
-  std::vector<std::uint32_t> entry_;      // per edge, as far as known: see `remembered_entry()`
   // of the move that has been announced
   Normal_coordinate flipped_ = 0;
   Insertion insertion_{};

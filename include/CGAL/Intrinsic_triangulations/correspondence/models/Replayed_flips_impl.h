@@ -56,10 +56,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Replayed_flips::undo_flip(Gluing_map::
   const Halfedge o = mesh_.opposite(h), mj = mesh_.next(h), jk = mesh_.next(mj), ki = mesh_.next(o),
                  im = mesh_.next(ki);
   const auto link = [this](Halfedge a, Halfedge b, Halfedge c, Gluing_map::Face f) {
-    for (const auto [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-      mesh_.set_next(from, to);
-      mesh_.set_face(from, f);
-    }
+    mesh_.set_next(a, b);
+    mesh_.set_next(b, c);
+    mesh_.set_next(c, a);
+    for (const Halfedge x : {a, b, c}) mesh_.set_face(x, f);
   };
   const Gluing_map::Face left = mesh_.face(h), right = mesh_.face(o);
   mesh_.set_target(h, mesh_.target(mj));
