@@ -14,7 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <deque>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -47,34 +47,26 @@ public:
   /// Squared lengths and quadruple area of a face.
   using Face = std::pair<std::array<FT, 3>, FT>;
 
-  /// returns a functor from a face to its values; references stay valid until the next call.
+  /// returns a functor from a face to its values; references stay valid until the next call of this function.
   auto of(const Input_metric& input) {
-    if (number_of_pages_ > maximal_pages) {
-      pages_.clear();
-      number_of_pages_ = 0;
+    if (faces_.size() > maximal_faces) {
+      faces_.clear();
+      place_.clear();
     }
-    pages_.resize(input.number_of_faces() / page_size + 1);
+    place_.resize(input.number_of_faces(), 0);
     return [&input, this](std::uint32_t f) -> const Face& {
-      std::optional<Face>& known = page(f / page_size)[f % page_size];
-      return known ? *known : known.emplace(face(input, f));
+      std::uint32_t& place = place_[f];
+      if (place == 0) {
+        faces_.push_back(face(input, f));
+        place = static_cast<std::uint32_t>(faces_.size());
+      }
+      return faces_[place - 1];
     };
   }
 
 private:
-  static constexpr std::uint32_t page_size = 16;
   // numbers of many bits take up to a kilobyte per face
-  static constexpr std::size_t maximal_pages = std::is_same_v<FT, Gmpfi> ? 4000 : 1U << 31;
-
-  using Page = std::vector<std::optional<Face>>; // empty until a face is asked for
-
-  Page& page(std::uint32_t number) {
-    Page& p = pages_[number];
-    if (p.empty()) {
-      p.resize(page_size);
-      ++number_of_pages_;
-    }
-    return p;
-  }
+  static constexpr std::size_t maximal_faces = std::is_same_v<FT, Gmpfi> ? 1U << 16 : 1U << 31;
 
   static Face face(const Input_metric& input, std::uint32_t f) {
     if constexpr (std::is_same_v<FT, Gmpfi>)
@@ -104,8 +96,9 @@ private:
             input.squared_length<FT>(f, 2)};
   }
 
-  std::vector<Page> pages_;
-  std::size_t number_of_pages_ = 0;
+  // in the order in which they were first asked for: those that are unfolded together are near each other
+  std::deque<Face> faces_;
+  std::vector<std::uint32_t> place_; // of each face: its number there and one, or zero
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -69,35 +69,46 @@ FT from_rational(const Gmpq& x) {
 namespace internal {
 
 // D = 4 |u x v|^2 with u and v two sides: far more accurate on slivers than the form in squared
-// lengths. Also |u|^2 |v|^2, against which rounding errors are to be compared.
+// lengths.
 template <class FT>
 struct Embedded_area {
-  FT squared, scale;
+  FT squared;
 
   Embedded_area(const Input_metric& m, std::uint32_t f) {
-    const Input_metric::Sides& s = m.sides(f);
-    const Input_metric::Point &p = m.points()[s[0]], &q = m.points()[s[1]], &r = m.points()[s[2]];
-    FT u[3], v[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      u[k] = FT(q[k]) - FT(p[k]);
-      v[k] = FT(r[k]) - FT(p[k]);
-    }
-    const FT x = u[1] * v[2] - u[2] * v[1];
-    const FT y = u[2] * v[0] - u[0] * v[2];
-    const FT z = u[0] * v[1] - u[1] * v[0];
-    squared = FT(4) * (square(x) + square(y) + square(z));
-    const FT uu = square(u[0]) + square(u[1]) + square(u[2]);
-    const FT vv = square(v[0]) + square(v[1]) + square(v[2]);
-    scale = uu * vv;
-    if (m.has_excess(f))
+    if (m.has_excess(f)) {
       squared = m.squared_quadruple_area<FT>(f);
-    else if (m.delta() >
-             0) { // adding delta to all L adds 2 delta (L_0 + L_1 + L_2) + 3 delta^2 to D
+      return;
+    }
+    find_sides(m, f);
+    const FT x = u_[1] * v_[2] - u_[2] * v_[1];
+    const FT y = u_[2] * v_[0] - u_[0] * v_[2];
+    const FT z = u_[0] * v_[1] - u_[1] * v_[0];
+    squared = FT(4) * (square(x) + square(y) + square(z));
+    if (m.delta() > 0) { // adding delta to all L adds 2 delta (L_0 + L_1 + L_2) + 3 delta^2 to D
       const FT delta(m.delta());
-      const FT sum = uu + vv + Input_metric::squared_distance<FT>(q, r);
+      const Input_metric::Sides& s = m.sides(f);
+      const FT sum = norm(u_) + norm(v_) +
+                     Input_metric::squared_distance<FT>(m.points()[s[1]], m.points()[s[2]]);
       squared = squared + delta * (FT(2) * sum + FT(3) * delta);
     }
   }
+
+  // |u|^2 |v|^2, against which rounding errors are to be compared; not asked for by all, and a third of the work.
+  // The face must have no excess.
+  FT scale() const { return norm(u_) * norm(v_); }
+
+private:
+  void find_sides(const Input_metric& m, std::uint32_t f) {
+    const Input_metric::Sides& s = m.sides(f);
+    const Input_metric::Point &p = m.points()[s[0]], &q = m.points()[s[1]], &r = m.points()[s[2]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      u_[k] = FT(q[k]) - FT(p[k]);
+      v_[k] = FT(r[k]) - FT(p[k]);
+    }
+  }
+  static FT norm(const FT (&a)[3]) { return square(a[0]) + square(a[1]) + square(a[2]); }
+
+  FT u_[3], v_[3];
 };
 
 // |p - q|^2, when rounding upwards; faster than interval arithmetic, which does not know that both
@@ -157,7 +168,7 @@ template <class FT>
 FT quadruple_area_float(const Input_metric& m, std::uint32_t f) {
   if (m.is_embedded() && !m.has_excess(f)) {
     const Embedded_area<FT> d(m, f);
-    if (d.squared > FT(0x1p-40) * d.scale) return CGAL::sqrt(d.squared);
+    if (d.squared > FT(0x1p-40) * d.scale()) return CGAL::sqrt(d.squared);
   } else {
     const FT d = m.squared_quadruple_area<FT>(f);
     if (d > FT(0x1p-20) * m.squared_length<FT>(f, 0) * m.squared_length<FT>(f, 2))

@@ -201,9 +201,19 @@ private:
     if constexpr (Defined_by_places<Metric>) {
       const auto* found = places_.coordinates(t_);
       if (&found->input() == &t_.input() && static_cast<const void*>(found) != &correspondence_)
-        move.place = found->inserted_place();
+        tell_place(*found, move);
     }
     return correspondence_.before(t_, move);
+  }
+  // what a correspondence need not find itself
+  template <class Coordinates, class Insertion_move>
+  static void tell_place(const Coordinates& found, Insertion_move& move) {
+    move.place = found.inserted_place();
+    if constexpr (requires {
+                    Triangulation::Correspondence::asks_for_directions;
+                    move.seen;
+                  })
+      move.seen = found.inserted_direction();
   }
   template <class Move>
   void tell(const Move& move) {

@@ -55,6 +55,12 @@ struct Star_of_vertex {
   }
 };
 
+/// tells how a corner of an intrinsic face is seen from a place on the input under the face.
+struct Seen_corner {
+  unsigned corner = 0; ///< of the face: 0, 1 or 2
+  double angle = 0;    ///< direction to it, in the frame of the halfedge of the place
+};
+
 /*!
 \brief records the insertion of a vertex in a face.
 
@@ -66,6 +72,8 @@ struct Insertion_in_face : Star_of_vertex {
   std::array<double, 3> weights;
   /// The place on the input that defines p, if there is one that the correspondence has not to find.
   std::optional<Surface_point> place{};
+  /// What is seen from there, if the correspondence asks for directions and they are known.
+  std::optional<Seen_corner> seen{};
 };
 
 /*!

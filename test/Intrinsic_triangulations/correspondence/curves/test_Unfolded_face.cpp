@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -133,6 +134,23 @@ public:
     EXPECT_EQ(place.region.is_on_curve, place.location.weights[2] == 0);
   }
 
+  // compares the direction of the farthest corner of a face from a place with that in the plane
+  template <class Face, class Place>
+  void check_direction(std::uint32_t h, const Face& face, const Place& place) {
+    const IT::Input& input = plane.t.correspondence().input();
+    const IT::Seen_corner seen = face.farthest_corner(input, place);
+    const std::uint32_t x = place.location.halfedge;
+    const Position p = at(place.location), to = difference(corners(h)[seen.corner], p),
+                   axis =
+                       difference(plane.position[input.target(x)], plane.position[input.source(x)]);
+    const double angle = std::atan2(CGAL::to_double(cross(axis, to)),
+                                    CGAL::to_double(axis[0] * to[0] + axis[1] * to[1]));
+    EXPECT_LT(std::abs(std::remainder(angle - seen.angle, 2 * std::numbers::pi)), 0x1p-40);
+    for (const Position& other : corners(h))
+      EXPECT_GT(CGAL::to_double(squared_length(to)) * (1 + 0x1p-30),
+                CGAL::to_double(squared_length(difference(other, p))));
+  }
+
   Plane<T> plane;
   Mover<T> mover;
   std::vector<std::uint32_t> sides; // all halfedges with a face
@@ -164,6 +182,7 @@ TYPED_TEST(Unfolded_face, places_points_of_the_plane_within_rounding_and_knows_t
         const auto place = face.place(moved.plane.t.input(), w);
         ASSERT_TRUE(place);
         moved.check(h, curves, *place, face.values(*place));
+        moved.check_direction(h, face, *place);
         const Position asked = places::combination(moved.plane.view(), h, w, moved.plane.position);
         EXPECT_LT(places::distance(moved.at(place->location), asked), 0x1p-34);
         const auto [a, b, c] = curves.cutting;
@@ -213,6 +232,7 @@ TYPED_TEST(Unfolded_face, puts_points_of_curves_on_them) {
           EXPECT_EQ(place->location.halfedge / 2, x / 2);
           EXPECT_LT(places::distance(moved.at(place->location), p), 1e-10);
           moved.check(h, curves, *place, face.values(*place));
+          moved.check_direction(h, face, *place);
           ++points;
           in_fans += place->region.corner == place->region.fan_corner ? 1 : 0;
           if (this->HasFailure()) return;

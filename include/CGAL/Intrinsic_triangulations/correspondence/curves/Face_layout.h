@@ -105,11 +105,12 @@ public:
     triangles_.push_back({corners[first_].halfedge, 0, {}});
     place_corners({FT(0), FT(0)}, {FT(1), FT(0)}, values);
     along_ = crossings(coordinates.normal_coordinate(sides_[first_] / 2));
-    find_entered(complex, coordinates, sides_[first_], along_);
+    find_entered_along(complex, coordinates);
     for (const std::uint32_t x : entered_) add(input, last(), x, values);
     if (fan_ == 3) {
       const unsigned third = (first_ + 2) % 3;
-      find_entered(complex, coordinates, sides_[third], curves_.cutting[third]);
+      entered_.resize(static_cast<std::size_t>(curves_.cutting[third]));
+      find_entered(complex, coordinates, sides_[third], 0, curves_.cutting[third]);
       std::uint32_t parent = region_at(first_, curves_.cutting[first_]);
       for (auto x = entered_.rbegin(); x != entered_.rend(); ++x, parent = last())
         add(input, parent, *x ^ 1U, values);
@@ -157,30 +158,44 @@ protected:
   }
   std::uint32_t last() const { return static_cast<std::uint32_t>(triangles_.size() - 1); }
 
-  // the input halfedges of the faces that a side enters first, in order
+  // the input halfedges of the faces that the strip enters along its side, in order; curves from the corner opposite need
+  // not be followed
+  template <class Complex, class Coordinates>
+  void find_entered_along(const Complex& complex, const Coordinates& coordinates) {
+    entered_.resize(static_cast<std::size_t>(along_));
+    const Normal_coordinate from = fan_ < 3 ? curves_.cutting[first_] : along_,
+                            to = fan_ < 3 ? from + curves_.emanating[fan_] : along_;
+    find_entered(complex, coordinates, sides_[first_], 0, from);
+    for (Normal_coordinate i = from; i < to; ++i)
+      entered_[static_cast<std::size_t>(i)] =
+          input_halfedge(coordinates, Curve_end{sides_[fan_], i - from});
+    find_entered(complex, coordinates, sides_[first_], to, along_);
+  }
+
+  // of those that a side enters, numbers `from` to `to`
   template <class Complex, class Coordinates>
   void find_entered(const Complex& complex, const Coordinates& coordinates, std::uint32_t side,
-                    Normal_coordinate count) {
-    entered_.resize(static_cast<std::size_t>(count));
-    if constexpr (requires { coordinates.entered_by(side, count); }) {
-      for (Normal_coordinate i = 0; i < count; ++i)
+                    Normal_coordinate from, Normal_coordinate to) {
+    if (from == to) return;
+    if constexpr (requires { coordinates.entered_by(side, to); }) {
+      for (Normal_coordinate i = from; i < to; ++i)
         entered_[static_cast<std::size_t>(i)] = coordinates.entered_by(side, i);
     } else {
-      follow_curves(complex, coordinates, {side, 0, count, 0}, stack_,
+      follow_curves(complex, coordinates, {side, from, to - from, from}, stack_,
                     [&](Normal_coordinate i, const Curve_end& end) {
                       entered_[static_cast<std::size_t>(i)] = input_halfedge(coordinates, end) ^ 1U;
                     });
     }
   }
 
-  // of the last triangle, whose first side runs between two points
+  // of the last triangle, whose first side runs between two points; of the first one from 0 to 1
   template <class Input_values>
   void place_corners(const Point& from, const Point& to, const Input_values& values) {
     const Face_values<FT> v = values(triangles_.back().halfedge);
     const auto& [ij, jk, ki] = v.squared_lengths;
     const FT scale = FT(1) / (ij + ij);
     const Point turn{(ij + ki - jk) * scale, v.quadruple_area * scale};
-    triangles_.back().point = {from, to, from + (to - from) * turn};
+    triangles_.back().point = {from, to, triangles_.size() == 1 ? turn : from + (to - from) * turn};
   }
 
   // across input halfedge x, out of a triangle

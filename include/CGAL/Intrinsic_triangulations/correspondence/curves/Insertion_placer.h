@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -134,6 +135,17 @@ public:
   /// returns the values at the vertex that was placed last, if the metric of its triangulation is exact.
   const Vertex_move_values<FT>& values() const { return values_; }
 
+  /// returns the corner of the face that is seen best from the place that was found last, for such a metric.
+  /// \pre rounding is upwards, and the face has not changed
+  Seen_corner seen_corner(const Input& input) const {
+    const auto seen_in = [&](const auto& face) {
+      return face.farthest_corner(input, {{}, triangle_, in_triangle_, location_});
+    };
+    if (face_.is_vague() && short_.is_unfolded)
+      return internal::to_nearest([&] { return seen_in(short_.face); });
+    return seen_in(face_);
+  }
+
 private:
   // distance of points of a side from it, in units of the height of the face
   static constexpr double nearness = 0x1p-40;
@@ -178,13 +190,15 @@ private:
     }
     // a point of a side that runs across input faces cannot be represented, as a rule: one beside it can
     double distance = weights[2] == 0 && !along_side ? nearness : 0;
+    const auto place_at_distance = [&] {
+      return place_in_face(layout, t, coordinates, h, beside(view, h, weights, distance),
+                           along_side);
+    };
+    if (const auto p = place_at_distance(); p || along_side) return p;
     const double last = farthest(view, h);
-    const bool is_near_side = *std::min_element(weights.begin(), weights.end()) < last;
-    for (; distance <= last; distance = std::max(16 * distance, nearness)) {
-      const auto p =
-          place_in_face(layout, t, coordinates, h, beside(view, h, weights, distance), along_side);
-      if (p || along_side || !is_near_side) return p;
-    }
+    if (*std::min_element(weights.begin(), weights.end()) >= last) return std::nullopt;
+    while ((distance = std::max(16 * distance, nearness)) <= last)
+      if (const auto p = place_at_distance()) return p;
     return std::nullopt;
   }
 
@@ -219,6 +233,9 @@ private:
   bool is_in_face(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
                   const Place& place, bool along_side) {
     const Protect_FPU_rounding<true> upwards(CGAL_FE_UPWARD);
+    triangle_ = place.triangle;
+    in_triangle_ = place.weights;
+    location_ = place.location;
     values_ = face_.values(place.triangle, place.weights);
     if (along_side) values_.quadruple_areas[0] = FT(0);
     const Intrinsic_view<Triangulation> view(t);
@@ -294,6 +311,10 @@ private:
   Numbers<Double_double> short_;
   Numbers<Mpfr_number> long_, longest_; // of 256 and of 1024 bits
   Vertex_move_values<FT> values_;
+  // the place that they belong to
+  std::uint32_t triangle_ = 0;
+  std::array<double, 3> in_triangle_{};
+  Surface_point location_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
@@ -128,6 +129,20 @@ public:
   using Face_layout<FT>::values;
   /// computes the values at a vertex that is inserted at a place.
   Vertex_move_values<FT> values(const Place& p) const { return values(p.triangle, p.weights); }
+
+  /// returns the corner of the face that is farthest from a place: its direction is the most accurate one.
+  Seen_corner farthest_corner(const Input& input, const Place& p) const {
+    const Plane_point<double> axis = along(input, p.triangle, p.location.halfedge);
+    Seen_corner result;
+    double farthest = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const Plane_point<double> to = approximate(vector({p.triangle, p.weights}, corner_[k]));
+      if (!(dot(to, to) > farthest)) continue;
+      farthest = dot(to, to);
+      result = {k, std::atan2(cross(axis, to), dot(axis, to))};
+    }
+    return result;
+  }
 
   /*!
   \brief finds the point of the input at a point of the face, without rounding it.
@@ -247,6 +262,16 @@ private:
     r.cutting[first_] = std::min(m, curves_.cutting[first_]);
     r.cutting[end] = std::min(along_ - m, curves_.cutting[end]);
     r.right_of_fan = std::clamp(m - curves_.cutting[first_], 0, curves_.emanating[fan_]);
+  }
+
+  // the direction of an input halfedge that is a side of a triangle, or opposite one
+  Plane_point<double> along(const Input& input, std::uint32_t t, std::uint32_t halfedge) const {
+    std::uint32_t side = triangles_[t].halfedge;
+    std::size_t k = 0;
+    for (; side / 2 != halfedge / 2 && k < 2; ++k) side = input.next(side);
+    const Plane_point<double> a = approximate(triangles_[t].point[k]),
+                              b = approximate(triangles_[t].point[(k + 1) % 3]);
+    return side == halfedge ? b - a : a - b;
   }
 
   static std::array<double, 3> barycentric(const Triangle& t, const Plane_point<double>& p) {

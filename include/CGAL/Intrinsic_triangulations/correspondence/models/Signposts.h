@@ -45,6 +45,8 @@ class Signposts {
 public:
   /// What the representation is called by programs.
   static constexpr const char* name = "signposts";
+  /// Insertions are to tell what is seen from places, see `Insertion_in_face::seen`.
+  static constexpr bool asks_for_directions = true;
 
   /// observes the triangulation that the input is.
   /// \complexity linear
@@ -149,7 +151,8 @@ public:
   bool before(const Triangulation& t, const Insertion_in_face& move) {
     const std::uint32_t h = move.sides[0];
     if (move.place) {
-      const auto seen = internal::see_corner(t, *this, {h, move.weights}, *move.place);
+      const auto seen =
+          move.seen ? move.seen : internal::see_corner(t, *this, {h, move.weights}, *move.place);
       if (seen) seen_ = *seen, inserted_ = *move.place;
       return seen.has_value();
     }
@@ -322,7 +325,7 @@ private:
   std::vector<std::uint32_t> outgoing_; // per fan of the input: an intrinsic halfedge of it
   std::vector<Surface_point> location_; // per inserted vertex
   Surface_point inserted_;              // of the vertex that is being inserted
-  internal::Seen_corner seen_;          // from there
+  Seen_corner seen_;                    // from there
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -117,6 +117,14 @@ private:
 
   void start(const Triangulation& t) const;
 
+  // by numbers; before the first insertion those of a gluing map have no gaps
+  static Gluing_map connectivity_of(const Triangulation& t) {
+    if constexpr (std::is_same_v<typename Triangulation::Mesh, Gluing_map>)
+      return t.mesh();
+    else
+      return numbered_copy(t.mesh(), t.numbers());
+  }
+
   // the input of a triangulation, with connectivity
   static std::shared_ptr<const Input> surface_of(const Triangulation& t, const Gluing_map& mesh);
 
@@ -152,7 +160,7 @@ template <class Triangulation>
 void Vertex_places<Triangulation>::start(const Triangulation& t) const {
   state_ = State::shared;
   if (is_shared(t)) return;
-  Replayed_flips flips(numbered_copy(t.mesh(), t.numbers()), t.metric());
+  Replayed_flips flips(connectivity_of(t), t.metric());
   own_ = std::make_unique<Integer_coordinates>();
   own_->start(Started{surface_of(t, flips.mesh())});
   state_ = flips.replay(*own_) ? State::own : State::impossible;

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
 #include <algorithm>
 #include <array>
@@ -78,12 +79,6 @@ std::optional<Mapped_point> find_on_input(const Triangulation& t, const Signpost
       signposts.input(), Geodesic_face(view, p.halfedge), p.weights,
       [&](std::uint32_t h, double angle) { return signposts.walk(h, angle); });
 }
-
-// How a corner of an intrinsic face is seen from a point in the face.
-struct Seen_corner {
-  unsigned corner = 0;
-  double angle = 0; // of the direction to it, in the frame of the point on the input
-};
 
 // Finds how a corner is seen from a place on the input that is known to be that of a point of the face: along the
 // first geodesic from a corner that leads there, the shortest first.

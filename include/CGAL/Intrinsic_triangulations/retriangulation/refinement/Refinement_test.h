@@ -82,7 +82,7 @@ public:
         if (metric.sign(faces, Long_side_expression{k, squared_length_}) == POSITIVE)
           return Face_state::bad;
     Face_state state = Face_state::good;
-    if (cotangent_ < infinity)
+    if (cotangent_ < infinity && !has_certainly_no_small_angle(metric, face))
       for (std::size_t k = 0; k < 3; ++k) {
         if (metric.sign(faces, Small_angle_expression{k, cotangent_}) != POSITIVE) continue;
         state = why_small(face.edges, corners, k, segments);
@@ -94,6 +94,22 @@ public:
 private:
   static double squared(double length, int scale_exponent) {
     return std::ldexp(length * length, 2 * scale_exponent);
+  }
+
+  // Most faces are good, and three signs of intervals cost more than one bound: the least angle is opposite the shortest side.
+  template <class Metric>
+  bool has_certainly_no_small_angle(const Metric& metric, const Indexed_face& face) const {
+    if constexpr (internal::Has_enclosures<Metric>) {
+      const auto &a = metric.squared_length(face.edges[0]),
+                 &b = metric.squared_length(face.edges[1]),
+                 &c = metric.squared_length(face.edges[2]);
+      // rounded upwards
+      const double least = std::min({a.inf(), b.inf(), c.inf()}),
+                   shape = a.sup() + b.sup() + c.sup() + -2 * least;
+      return shape + -cotangent_ * metric.quadruple_area(face.face).inf() <= 0;
+    } else {
+      return false;
+    }
   }
 
   // why the angle opposite side k is small
