@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <Eigen/Core>
 
@@ -54,6 +55,10 @@ Eigen::VectorXd interpolate_harmonically(const Triangulation& t,
     x = x.cwiseMax(values.minCoeff()).cwiseMin(values.maxCoeff());
   return x;
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(interpolate_harmonically)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 
