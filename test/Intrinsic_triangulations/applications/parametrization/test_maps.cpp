@@ -7,9 +7,11 @@
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/harmonic_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/measure_distortion.h>
 
+#include "meshes.h"
 #include "operator_test_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/operators/hodge_stars.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
@@ -20,6 +22,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -287,6 +290,33 @@ TEST(Map_distortion, of_a_linear_map_is_its_singular_values) {
   EXPECT_NEAR(d.maximum_area_ratio, 1, 1e-12);
   EXPECT_LE(d.maximum_angle_change, 2 * (std::atan(2) - std::atan(0.5)) + 1e-12);
   EXPECT_GT(d.mean_angle_change, 0.1);
+}
+
+TEST(Map_distortion, leaves_out_and_counts_faces_without_area) {
+  meshes::Mesh m;
+  m.points = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, -1, 0}};
+  m.triangles = {{0, 2, 3}, {2, 1, 3}, {0, 4, 1}, {0, 1, 2}}; // the last is a line
+  const Exact t(m.input());
+  Map uv(5, 2);
+  for (int v = 0; v < 5; ++v)
+    uv.row(v) << 2 * m.points[static_cast<std::size_t>(v)][0],
+        m.points[static_cast<std::size_t>(v)][1];
+  const IT::Map_distortion d = IT::measure_distortion(t, uv);
+  EXPECT_EQ(d.faces_left_out, 1U);
+  EXPECT_NEAR(d.mean_quasi_conformal, 2, 1e-14);
+  EXPECT_NEAR(d.minimum_area_ratio, 1, 1e-14);
+  EXPECT_NEAR(d.mean_area_ratio, 1, 1e-14);
+  EXPECT_TRUE(std::isfinite(d.mean_angle_change));
+  EXPECT_THROW(IT::hodge_star_1(t), IT::Invalid_input);
+  EXPECT_THROW(IT::cotangent_laplacian(t), IT::Invalid_input);
+  m.triangles = {{0, 1, 2}};
+  m.points.resize(3);
+  const IT::Map_distortion none = IT::measure_distortion(Exact(m.input()), Map(uv.topRows(3)));
+  EXPECT_EQ(none.faces_left_out, 1U);
+  EXPECT_EQ(none.mean_quasi_conformal, 1);
+  EXPECT_EQ(none.mean_area_ratio, 1);
+  uv(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(IT::measure_distortion(t, uv), std::invalid_argument);
 }
 
 template <class Function>
