@@ -5,10 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_HEAT_SOLVER_H
 
 #include <CGAL/Intrinsic_triangulations/applications/distance/Chord_bound.h>
-#include <CGAL/Intrinsic_triangulations/applications/distance/Diffusion.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -69,7 +69,7 @@ private:
   Face_table table_;
   double mean_edge_;
   double time_;
-  std::vector<int> component_;
+  std::vector<std::uint32_t> component_;
   Pinned_laplacian poisson_;
   std::optional<Diffusion<double>> insulated_, cold_;
   std::vector<int> inside_; // the rows that are not on the border

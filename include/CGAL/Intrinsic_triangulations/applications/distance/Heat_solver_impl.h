@@ -87,18 +87,18 @@ Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow) {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Heat<double>
 Heat_solver::heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const {
   std::vector<char> is_reached(table_.number_of_rows, 0);
-  for (const auto& [row, value] : pins) is_reached[number(component_[number(row)])] = 1;
-  for (std::size_t r = 0; r < is_reached.size(); ++r)
-    is_reached[r] = is_reached[number(component_[r])];
+  for (const auto& [row, value] : pins) is_reached[component_[number(row)]] = 1;
+  for (std::size_t r = 0; r < is_reached.size(); ++r) is_reached[r] = is_reached[component_[r]];
   const Eigen::VectorXd start = initial_heat(sources);
   Heat<double> all = (*insulated_)(start, is_reached);
   if (cold_) {
     std::vector<char> reached_inside;
     for (const int r : inside_) reached_inside.push_back(is_reached[number(r)]);
     const Heat<double> inside = (*cold_)(start(inside_), reached_inside);
+    const double unit = std::ldexp(1.0, inside.exponent - all.exponent);
     for (std::size_t i = 0; i < inside_.size(); ++i)
       all.value[inside_[i]] +=
-          inside.at(static_cast<Eigen::Index>(i), all.level[number(inside_[i])]);
+          unit * inside.at(static_cast<Eigen::Index>(i), all.level[number(inside_[i])]);
   }
   return all;
 }

@@ -10,6 +10,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <utility>
@@ -31,7 +32,8 @@ public:
   using Pins = std::map<int, double>; // by rows
 
   // \param component of each row, as the least of its rows
-  Pinned_laplacian(const Eigen::SparseMatrix<double>& laplacian, std::vector<int> component)
+  Pinned_laplacian(const Eigen::SparseMatrix<double>& laplacian,
+                   std::vector<std::uint32_t> component)
       : laplacian_(laplacian), component_(std::move(component)) {}
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const Pins& pins);
@@ -48,7 +50,7 @@ private:
                  const std::vector<char>& is_reached);
 
   Eigen::SparseMatrix<double> laplacian_;
-  std::vector<int> component_;
+  std::vector<std::uint32_t> component_;
   std::unique_ptr<Factorization> factored_;
   std::vector<int> eliminated_rows_, free_rows_;
   std::unique_ptr<Factorization> eliminated_;

@@ -4,10 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_SIGNED_HEAT_SOLVER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_SIGNED_HEAT_SOLVER_H
 
-#include <CGAL/Intrinsic_triangulations/applications/distance/Diffusion.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -15,6 +15,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -55,7 +56,7 @@ private:
 
   Face_table table_;
   double time_;
-  std::vector<int> component_;
+  std::vector<std::uint32_t> component_;
   Pinned_laplacian poisson_;
   Diffusion<Complex> flow_;
 };

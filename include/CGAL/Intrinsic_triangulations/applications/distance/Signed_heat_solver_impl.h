@@ -68,10 +68,10 @@ Signed_heat_solver::normals(const Source_places& curves, const Pinned_laplacian:
     }
   }
   std::vector<char> has_curve(table_.number_of_rows, 0), is_reached(table_.number_of_edges, 0);
-  for (const auto& [row, value] : pins) has_curve[number(component_[number(row)])] = 1;
+  for (const auto& [row, value] : pins) has_curve[component_[number(row)]] = 1;
   for (const Table_face& f : table_.faces)
     for (const std::uint32_t h : f.halfedges)
-      is_reached[h / 2] = has_curve[number(component_[number(f.rows[0])])];
+      is_reached[h / 2] = has_curve[component_[number(f.rows[0])]];
   return flow_(start, is_reached);
 }
 

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -19,6 +19,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <utility>
 #include <vector>
@@ -70,9 +71,9 @@ private:
     }
     std::vector<double> shifts = masses_;
     for (double& s : shifts) s *= shift;
-    return factored_laplacian<Complex>(
-        graph_, problem.degree, 1, shifts,
-        [&](Eigen::SparseMatrix<Complex>& m) { eliminate(values, m); });
+    Eigen::SparseMatrix<Complex> m = shifted_laplacian<Complex>(graph_, problem.degree, 1, shifts);
+    eliminate(values, m);
+    return raised_factorization(m);
   }
 
   void eliminate(const Eigen::VectorXcd& values, Eigen::SparseMatrix<Complex>& m) {
@@ -160,7 +161,7 @@ private:
   }
 
   const Connection_graph& graph_;
-  std::vector<std::size_t> part_;
+  std::vector<std::uint32_t> part_;
   std::vector<double> masses_;
   std::vector<char> is_fixed_;
   Eigen::VectorXcd right_;

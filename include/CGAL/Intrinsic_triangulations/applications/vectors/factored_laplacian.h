@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
 
 #include <Eigen/SparseCore>
 
@@ -22,29 +22,12 @@ inline std::vector<double> positive_masses(const Connection_graph& graph) {
   return masses;
 }
 
-// Factors `shift` + `factor` L, after `change(matrix)`. Where weights are so large that rounding has lost the shift, the diagonal is raised by a part of it
-// that is in the order of rounding errors.
-template <class Scalar, class Change>
-Cholesky_factorization<Scalar> factored_laplacian(const Connection_graph& graph, int order,
-                                                  double factor, const std::vector<double>& shift,
-                                                  const Change& change) {
-  Eigen::SparseMatrix<Scalar> m = shifted_laplacian<Scalar>(graph, order, factor, shift);
-  change(m);
-  for (double raise = 0x1p-48; raise < 0x1p-20; raise *= 0x1p8) {
-    try {
-      return Cholesky_factorization<Scalar>(m);
-    } catch (const Indefinite_matrix&) {
-      for (int i = 0; i < m.cols(); ++i) m.coeffRef(i, i) *= 1 + raise;
-    }
-  }
-  return Cholesky_factorization<Scalar>(m);
-}
-
+// Factors `shift` + `factor` L.
 template <class Scalar>
 Cholesky_factorization<Scalar> factored_laplacian(const Connection_graph& graph, int order,
                                                   double factor, const std::vector<double>& shift) {
-  return factored_laplacian<Scalar>(graph, order, factor, shift,
-                                    [](Eigen::SparseMatrix<Scalar>&) {});
+  Eigen::SparseMatrix<Scalar> m = shifted_laplacian<Scalar>(graph, order, factor, shift);
+  return raised_factorization(m);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -13,6 +13,7 @@
 #include <complex>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,12 @@ public:
     }
     if (!(greatest_ > 0))
       throw std::invalid_argument("there must be a point with a positive weight");
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].second > 0 && !heat.are_connected(points[i].first, heaviest_))
+        throw std::invalid_argument(
+            "point " + std::to_string(i) +
+            " is on another component of the surface than the heaviest one, "
+            "so that they have no mean; give the points of one component");
   }
 
   // the one of greatest weight
@@ -85,7 +92,8 @@ thousandth of an edge.
 \param tolerance the residual to reach, in mean lengths of edges
 \param maximum_steps the number of steps after which to give up
 \return the centre
-\throws std::invalid_argument if there are no points, or a weight is negative or not finite, or all are zero
+\throws std::invalid_argument if there are no points, a weight is negative or not finite, or all are zero, or points of positive weight are on different
+  components of the surface
 \complexity for each step, that of a logarithmic map and of tracing a geodesic
 */
 template <internal::Connected_triangulation Triangulation>

@@ -15,6 +15,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -26,7 +27,7 @@ namespace CGAL::Intrinsic_triangulations {
 */
 struct Voronoi_centres {
   std::vector<Surface_point> sites; ///< the points
-  /// Of each vertex, by the numbers of a `Tangent_field`, the nearest site; `Gluing::none` where no heat arrives from any.
+  /// Of each vertex, by the numbers of a `Tangent_field`, the nearest site; `Gluing::none` on components without one.
   std::vector<std::uint32_t> cell;
   double largest_move = 0; ///< by which a site moved in the last step
   std::size_t steps = 0;   ///< number of steps
@@ -41,8 +42,9 @@ std::vector<std::uint32_t> voronoi_cells(const Vector_heat_method<Triangulation>
   Eigen::VectorXd most;
   std::vector<std::uint32_t> cell(heat.relative_areas().size(), Gluing::none);
   for (std::uint32_t s = 0; s < sites.size(); ++s) {
-    const Eigen::VectorXd from = heat.heat(sites[s]);
-    if (s == 0) most = Eigen::VectorXd::Zero(from.size());
+    const Eigen::VectorXd from = heat.log_heat(sites[s]);
+    if (s == 0)
+      most = Eigen::VectorXd::Constant(from.size(), -std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < cell.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       if (!(from[k] > most[k])) continue;
