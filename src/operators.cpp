@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/disk_border_impl.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization_impl.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver_impl.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization_impl.h>
 #if __has_include(<Spectra/SymGEigsShiftSolver.h>)
 #include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs_impl.h>
 #endif
