@@ -78,7 +78,6 @@ BEGIN {
   group["applications/vectors/Direction_problem.h"]          = "ref_inside"
   group["applications/vectors/Heat_transport.h"]             = "ref_inside"
   group["applications/vectors/Point_frames.h"]               = "ref_inside"
-  group["applications/vectors/factored_laplacian.h"]         = "ref_inside"
   group["applications/vectors/graph_parts.h"]                = "ref_inside"
   group["applications/vectors/unit_vector.h"]                = "ref_inside"
   group["retriangulation/covers/"]                          = "ref_inside"

@@ -21,23 +21,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The lumped mass matrix, as a diagonal.
+// The lumped mass matrix, as a diagonal; ones at isolated vertices.
 inline Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_rows));
   for (const Table_face& f : table.faces)
     for (const int row : f.rows) areas[row] += f.area() / 3 / sheets;
-  return areas;
-}
-
-// Adds to a diagonal, in which zeros become ones: rows of isolated vertices.
-inline Eigen::SparseMatrix<double> plus_diagonal(Eigen::SparseMatrix<double> m,
-                                                 const Eigen::VectorXd& diagonal) {
-  for (int r = 0; r < m.cols(); ++r) {
-    double& d = m.coeffRef(r, r);
-    d += diagonal[r];
-    if (d == 0) d = 1;
-  }
-  return m;
+  return areas.unaryExpr([](double m) { return m > 0 ? m : 1; });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -48,10 +37,11 @@ Heat_solver::Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& la
       poisson_(laplacian, component_), sheets_(sheets) {
   if (!(options.time_factor > 0) || !std::isfinite(time_))
     throw std::invalid_argument("the time factor must be positive and finite");
-  const Eigen::SparseMatrix<double> flow =
-      plus_diagonal(time_ * laplacian, row_areas(table_, sheets));
-  insulated_.emplace(flow);
-  if (options.border == Heat_border::average) make_cold_border(flow);
+  const Eigen::SparseMatrix<double> flow = time_ * laplacian;
+  const Eigen::VectorXd masses = row_areas(table_, sheets);
+  insulated_.emplace(flow, masses);
+  poisson_.share_order(insulated_->factorization());
+  if (options.border == Heat_border::average) make_cold_border(flow, masses);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
@@ -73,7 +63,8 @@ Heat_solver::distances(const Source_places& sources, const Chord_bound& chord,
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow) {
+Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow,
+                              const Eigen::VectorXd& masses) {
   std::vector<char> is_inside(table_.number_of_rows, 1);
   table_.for_each_border_side([&](const Table_face& f, std::size_t k) {
     is_inside[number(f.rows[k])] = is_inside[number(f.rows[(k + 1) % 3])] = 0;
@@ -81,7 +72,7 @@ Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow) {
   for (std::size_t r = 0; r < is_inside.size(); ++r)
     if (is_inside[r] != 0) inside_.push_back(static_cast<int>(r));
   if (inside_.size() < is_inside.size() && !inside_.empty())
-    cold_.emplace(principal_submatrix(flow, inside_));
+    cold_.emplace(principal_submatrix(flow, inside_), principal_diagonal(flow, masses, inside_));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Heat<double>

@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -40,13 +39,16 @@ Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pins) {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE const Pinned_laplacian::Factorization&
 Pinned_laplacian::factorization() {
   if (!factored_) {
-    Eigen::SparseMatrix<double> regular = laplacian_;
-    for (int r = 0; r < regular.cols(); ++r)
+    Eigen::VectorXd added = Eigen::VectorXd::Zero(laplacian_.cols());
+    for (int r = 0; r < laplacian_.cols(); ++r)
       if (component_[number(r)] == static_cast<std::uint32_t>(r)) {
-        double& diagonal = regular.coeffRef(r, r);
-        diagonal = diagonal > 0 ? 2 * diagonal : 1;
+        const double diagonal = laplacian_.coeff(r, r);
+        added[r] = diagonal > 0 ? diagonal : 1;
       }
-    factored_ = std::make_unique<Factorization>(regular);
+    if (ordered_)
+      factored_.emplace(laplacian_, added, *ordered_);
+    else
+      factored_.emplace(laplacian_, added);
   }
   return *factored_;
 }
@@ -109,7 +111,9 @@ Pinned_laplacian::eliminate(const std::vector<int>& rows, const Pins& pins,
   eliminated_rows_.clear();
   eliminated_.reset();
   if (!free_rows_.empty())
-    eliminated_ = std::make_unique<Factorization>(principal_submatrix(laplacian_, free_rows_));
+    eliminated_.emplace(
+        principal_submatrix(laplacian_, free_rows_),
+        principal_diagonal(laplacian_, Eigen::VectorXd::Zero(laplacian_.cols()), free_rows_));
   eliminated_rows_ = rows; // at the end: a matrix may not be factored
 }
 

@@ -31,7 +31,7 @@ public:
                      double time_factor)
       : table_(std::move(table)), time_(time_factor * std::pow(table_.mean_edge_length(), 2)),
         component_(table_.components()), poisson_(laplacian, component_),
-        flow_(flow_matrix(time_factor)) {}
+        flow_(flow_matrix(time_factor), edge_masses()) {}
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
@@ -43,6 +43,7 @@ private:
   static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
   Eigen::SparseMatrix<Complex> flow_matrix(double time_factor) const;
+  Eigen::VectorXd edge_masses() const;
 
   // The normals on the right of the curves, diffused.
   Heat<Complex> normals(const Source_places& curves, const Pinned_laplacian::Pins& pins) const;

@@ -18,17 +18,6 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace internal {
-
-inline bool has_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
-  for (int c = 0; c < a.outerSize(); ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
-      if (i.value() > 0 && i.row() != c) return true;
-  return false;
-}
-
-} // namespace internal
-
 /*!
 \brief interpolates values at some vertices by the harmonic function: that with the least Dirichlet energy, the integral of |grad x|^2.
 
@@ -51,7 +40,7 @@ Eigen::VectorXd interpolate_harmonically(const Triangulation& t,
     throw std::invalid_argument("there must be a value per row that has one");
   const Eigen::SparseMatrix<double> l = cotangent_laplacian(t);
   Eigen::VectorXd x = Fixed_values_solver(l, rows).solve(Eigen::VectorXd::Zero(l.rows()), values);
-  if (rows.size() > 0 && !internal::has_positive_entry_off_diagonal(l))
+  if (rows.size() > 0 && internal::has_no_positive_entry_off_diagonal(l))
     x = x.cwiseMax(values.minCoeff()).cwiseMin(values.maxCoeff());
   return x;
 }

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_DIRECTION_PROBLEM_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Direction_problem.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/factored_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/graph_parts.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
@@ -57,7 +56,7 @@ private:
   Eigen::Index part(Eigen::Index i) const {
     return static_cast<Eigen::Index>(part_[static_cast<std::size_t>(i)]);
   }
-  double mass(Eigen::Index i) const { return masses_[static_cast<std::size_t>(i)]; }
+  double mass(Eigen::Index i) const { return masses_[i]; }
 
   // The factored matrix, with ones for what is fixed; sets the right side.
   Cholesky_factorization<Complex> factored(const Direction_problem& problem) {
@@ -69,9 +68,8 @@ private:
       is_fixed_[i] = 1;
       values[static_cast<Eigen::Index>(i)] = z;
     }
-    std::vector<double> shifts = masses_;
-    for (double& s : shifts) s *= shift;
-    Eigen::SparseMatrix<Complex> m = shifted_laplacian<Complex>(graph_, problem.degree, 1, shifts);
+    Eigen::SparseMatrix<Complex> m = scaled_laplacian<Complex>(graph_, problem.degree, 1);
+    for (int i = 0; i < m.cols(); ++i) m.coeffRef(i, i) += shift * mass(i);
     eliminate(values, m);
     return raised_factorization(m);
   }
@@ -162,7 +160,7 @@ private:
 
   const Connection_graph& graph_;
   std::vector<std::uint32_t> part_;
-  std::vector<double> masses_;
+  Eigen::VectorXd masses_;
   std::vector<char> is_fixed_;
   Eigen::VectorXcd right_;
   Cholesky_factorization<Complex> factor_;

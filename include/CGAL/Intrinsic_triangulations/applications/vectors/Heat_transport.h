@@ -71,14 +71,14 @@ private:
                                                      const Heat<double>& heat) const;
   Eigen::VectorXd distances(const std::vector<Source_corner>& source,
                             const Eigen::VectorXcd& radial) const;
-  std::vector<double> pins() const;
+  Eigen::VectorXd pins() const;
 
   Connection_graph graph_;
   std::vector<std::uint32_t> part_;
   double time_;
   std::vector<std::complex<double>> at_source_, at_target_; // directions of edges
-  std::vector<double> masses_;                              // areas, ones at isolated vertices
-  mutable std::optional<Cholesky_factorization<double>> poisson_;
+  Eigen::VectorXd masses_;                                  // areas, ones at isolated vertices
+  mutable std::optional<Laplacian_factorization> poisson_;
   mutable std::optional<Diffusion<double>> functions_;
   mutable std::optional<Diffusion<std::complex<double>>> vectors_;
 };

@@ -5,10 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_HEAT_TRANSPORT_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/factored_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/graph_parts.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
 
 #include <Eigen/Core>
 
@@ -36,14 +36,14 @@ Heat_transport::Heat_transport(Connection_graph graph, double time_scale)
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 const Diffusion<double>& Heat_transport::functions() const {
-  if (!functions_) functions_.emplace(shifted_laplacian<double>(graph_, 0, time_, masses_));
+  if (!functions_) functions_.emplace(scaled_laplacian<double>(graph_, 0, time_), masses_);
   return *functions_;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 const Diffusion<std::complex<double>>& Heat_transport::vectors() const {
   if (!vectors_)
-    vectors_.emplace(shifted_laplacian<std::complex<double>>(graph_, 1, time_, masses_));
+    vectors_.emplace(scaled_laplacian<std::complex<double>>(graph_, 1, time_), masses_);
   return *vectors_;
 }
 
@@ -153,10 +153,10 @@ Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner
 
 // What makes a matrix definite that has constants in its kernel: a vertex in each part that edges connect.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::vector<double> Heat_transport::pins() const {
-  std::vector<double> pins(graph_.size, 0);
+Eigen::VectorXd Heat_transport::pins() const {
+  Eigen::VectorXd pins(static_cast<Eigen::Index>(graph_.size));
   for (std::size_t i = 0; i < graph_.size; ++i)
-    if (part_[i] == i) pins[i] = 1;
+    pins[static_cast<Eigen::Index>(i)] = part_[i] == i ? 1 : 0;
   return pins;
 }
 
@@ -164,7 +164,7 @@ std::vector<double> Heat_transport::pins() const {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& source,
                                           const Eigen::VectorXcd& radial) const {
-  if (!poisson_) poisson_.emplace(factored_laplacian<double>(graph_, 0, 1, pins()));
+  if (!poisson_) poisson_.emplace(scaled_laplacian<double>(graph_, 0, 1), pins());
   Eigen::VectorXd b = Eigen::VectorXd::Zero(radial.size());
   for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
     const Connection_edge& e = graph_.edges[i];

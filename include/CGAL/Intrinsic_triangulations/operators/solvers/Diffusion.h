@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_DIFFUSION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_DIFFUSION_H
 
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
 
 #include <Eigen/Core>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -75,15 +77,31 @@ inline double log_heat(const Heat<double>& heat, Eigen::Index r) {
          std::numbers::ln2 * (heat.exponent - heat.step * heat.level[static_cast<std::size_t>(r)]);
 }
 
+// Factors M + time L: of functions without subtraction, of vectors, which turn along edges, as well as rounding lets it.
+inline Laplacian_factorization factored_flow(const Eigen::SparseMatrix<double>& laplacian,
+                                             const Eigen::VectorXd& masses) {
+  return {laplacian, masses};
+}
+inline Cholesky_factorization<std::complex<double>>
+factored_flow(Eigen::SparseMatrix<std::complex<double>> laplacian, const Eigen::VectorXd& masses) {
+  for (int r = 0; r < laplacian.cols(); ++r) laplacian.coeffRef(r, r) += masses[r];
+  return raised_factorization(laplacian);
+}
+
 // Makes one implicit step of the heat flow, (M + time L) u = u0, for functions or vector fields.
 template <class Scalar>
 class Diffusion {
   using Vector = typename Heat<Scalar>::Vector;
   using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  using Factorization = decltype(factored_flow(std::declval<Eigen::SparseMatrix<Scalar>>(),
+                                               std::declval<Eigen::VectorXd>()));
 
 public:
-  explicit Diffusion(Eigen::SparseMatrix<Scalar> matrix)
-      : matrix_(std::move(matrix)), factored_(raised_factorization(matrix_)) {}
+  // \param laplacian L times the time, compressed \param masses the diagonal of M, positive
+  Diffusion(Eigen::SparseMatrix<Scalar> laplacian, const Eigen::VectorXd& masses)
+      : matrix_(std::move(laplacian)), factored_(factored_flow(matrix_, masses)) {}
+
+  const Factorization& factorization() const { return factored_; }
 
   // \param is_reached whether there is any heat in a row
   Heat<Scalar> operator()(const Vector& start, const std::vector<char>& is_reached) const {
@@ -162,8 +180,9 @@ private:
     return source;
   }
 
-  Eigen::SparseMatrix<Scalar> matrix_;
-  Cholesky_factorization<Scalar> factored_;
+  Eigen::SparseMatrix<Scalar>
+      matrix_; // L times the time, which differs from the matrix on its diagonal
+  Factorization factored_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

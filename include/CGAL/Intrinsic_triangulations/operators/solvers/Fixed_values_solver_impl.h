@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -65,6 +66,31 @@ inline Eigen::SparseMatrix<double> free_selection(const std::vector<int>& place,
   return s;
 }
 
+// What the rows of free ones sum to, with minus the entries of fixed ones: the diagonal beside which the rest is a Laplacian. What rounding leaves of
+// rows that sum to zero is left out.
+inline Eigen::VectorXd row_excess(const Eigen::SparseMatrix<double>& coupling,
+                                  const std::vector<int>& free) {
+  std::vector<char> is_free(static_cast<std::size_t>(coupling.cols()), 0);
+  for (const int r : free) is_free[static_cast<std::size_t>(r)] = 1;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(coupling.rows()), absolute = sum, to_fixed = sum;
+  for (int c = 0; c < coupling.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(coupling, c); i; ++i) {
+      sum[i.row()] += i.value();
+      absolute[i.row()] += std::abs(i.value());
+      if (is_free[static_cast<std::size_t>(c)] == 0) to_fixed[i.row()] -= i.value();
+    }
+  for (Eigen::Index r = 0; r < sum.size(); ++r)
+    if (std::abs(sum[r]) > 0x1p-46 * absolute[r]) to_fixed[r] += sum[r];
+  return to_fixed;
+}
+
+inline bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
+  for (int c = 0; c < a.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
+      if (i.value() > 0 && i.row() != c) return false;
+  return true;
+}
+
 [[noreturn]] inline void throw_no_value_in_component(int row) {
   throw std::invalid_argument("no value is fixed in the component of row " + std::to_string(row) +
                               ", where constants may be added to any solution; fix one there");
@@ -109,8 +135,12 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
     sign_ = -1;
     free_part = -free_part;
   }
+  const Eigen::VectorXd excess = internal::row_excess(sign_ * coupling_, free_);
   try {
-    factorization_.emplace(free_part);
+    if (internal::has_no_positive_entry_off_diagonal(free_part) && excess.minCoeff() >= 0)
+      factorization_.emplace<Laplacian_factorization>(free_part, excess);
+    else
+      factorization_.emplace<Cholesky_factorization<double>>(free_part);
   } catch (const Indefinite_matrix& error) {
     throw Indefinite_matrix(free_[static_cast<std::size_t>(error.row())]);
   }
@@ -141,11 +171,15 @@ Fixed_values_solver::fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd&
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::MatrixXd
 Fixed_values_solver::solve(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const {
   Eigen::MatrixXd x = fixed_part(b, values);
-  if (!factorization_) return x;
+  if (std::holds_alternative<std::monostate>(factorization_)) return x;
   Eigen::MatrixXd right = -(coupling_ * x);
   for (std::size_t i = 0; i < free_.size(); ++i)
     right.row(static_cast<Eigen::Index>(i)) += b.row(free_[i]);
-  const Eigen::MatrixXd solution = factorization_->solve(sign_ * right);
+  right *= sign_;
+  const auto* laplacian = std::get_if<Laplacian_factorization>(&factorization_);
+  const Eigen::MatrixXd solution =
+      laplacian != nullptr ? laplacian->solve(right)
+                           : std::get<Cholesky_factorization<double>>(factorization_).solve(right);
   for (std::size_t i = 0; i < free_.size(); ++i)
     x.row(free_[i]) = solution.row(static_cast<Eigen::Index>(i));
   return x;
