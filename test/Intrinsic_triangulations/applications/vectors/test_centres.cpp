@@ -169,4 +169,24 @@ TEST(Voronoi_centres, spread_over_the_sphere) {
   EXPECT_THROW(IT::voronoi_centres(heat, {}), std::invalid_argument);
 }
 
+TEST(Centres, stop_when_they_are_told_to) {
+  const Exact t(meshes::grid(8, 8).input());
+  const Heat heat(t);
+  const Weighted_points points{{at_vertex(t, 0), 1}, {at_vertex(t, 8), 1}, {at_vertex(t, 40), 1}};
+  std::size_t calls = 0;
+  const auto twice = [&calls](const auto&) { return ++calls < 3; };
+  const IT::Karcher_mean mean = IT::karcher_mean(heat, points, 1e-300, 50, twice);
+  EXPECT_EQ(mean.status, IT::Status::cancelled);
+  EXPECT_EQ(calls, 3U);
+  calls = 0;
+  const std::vector<IT::Surface_point> sites{points[0].first, points[1].first};
+  const IT::Voronoi_centres stopped = IT::voronoi_centres(heat, sites, 20, 0, twice);
+  EXPECT_EQ(stopped.status, IT::Status::cancelled);
+  EXPECT_EQ(stopped.steps, 2U);
+  EXPECT_EQ(stopped.cell.size(), 81U);
+  EXPECT_EQ(IT::voronoi_centres(heat, sites, 2, 0).status, IT::Status::cap);
+  EXPECT_EQ(IT::voronoi_centres(heat, sites, 2, 1e9).status, IT::Status::done);
+  EXPECT_EQ(IT::voronoi_centres(heat, sites, 2, 1e9).steps, 1U);
+}
+
 } // namespace

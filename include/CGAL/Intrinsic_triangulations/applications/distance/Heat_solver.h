@@ -17,6 +17,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,7 +29,16 @@ enum class Heat_border {
   average    ///< the mean of that and of a border that is kept cold (Dirichlet)
 };
 
+/// What `Heat_distance` has done.
+enum class Heat_step {
+  heat_factored, ///< a matrix of the heat flow was factored; there are two with a border that is cold
+  heat_found     ///< heat has spread from the sources
+};
+
 namespace internal {
+
+// Is told of each step; tells whether to go on.
+using Heat_progress = std::function<bool(Heat_step)>;
 
 // What `Heat_distance` may be asked for.
 struct Heat_options {
@@ -40,12 +50,15 @@ struct Heat_options {
 class Heat_solver {
 public:
   Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-              const Heat_options& options, std::uint32_t sheets);
+              const Heat_options& options, std::uint32_t sheets, Heat_progress progress);
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
 
-  // \return by rows, in the units of the input
+  // whether the last step was one not to go on after
+  bool is_cancelled() const { return is_cancelled_; }
+
+  // \return by rows, in the units of the input; nothing if it was cancelled
   Eigen::VectorXd distances(const Source_places& sources, const Chord_bound& chord,
                             const std::vector<std::array<double, 3>>& positions);
 
@@ -74,6 +87,8 @@ private:
   std::optional<Diffusion<double>> insulated_, cold_;
   std::vector<int> inside_; // the rows that are not on the border
   std::uint32_t sheets_;
+  Heat_progress progress_;
+  bool is_cancelled_ = false;
 };
 
 } // namespace internal

@@ -31,24 +31,28 @@ inline Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) 
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Heat_solver::Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-                         const Heat_options& options, std::uint32_t sheets)
+                         const Heat_options& options, std::uint32_t sheets, Heat_progress progress)
     : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
       time_(options.time_factor * mean_edge_ * mean_edge_), component_(table_.components()),
-      poisson_(laplacian, component_), sheets_(sheets) {
+      poisson_(laplacian, component_), sheets_(sheets), progress_(std::move(progress)) {
   if (!(options.time_factor > 0) || !std::isfinite(time_))
     throw std::invalid_argument("the time factor must be positive and finite");
   const Eigen::SparseMatrix<double> flow = time_ * laplacian;
   const Eigen::VectorXd masses = row_areas(table_, sheets);
   insulated_.emplace(flow, masses);
   poisson_.share_order(insulated_->factorization());
-  if (options.border == Heat_border::average) make_cold_border(flow, masses);
+  is_cancelled_ = !progress_(Heat_step::heat_factored);
+  if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(flow, masses);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
 Heat_solver::distances(const Source_places& sources, const Chord_bound& chord,
                        const std::vector<std::array<double, 3>>& positions) {
   const Pinned_laplacian::Pins pins = distances_near_sources(table_, sources);
-  Eigen::VectorXd d = poisson_.solve(divergence(heat(sources, pins)), pins);
+  const Heat<double> found = heat(sources, pins);
+  is_cancelled_ = !progress_(Heat_step::heat_found);
+  if (is_cancelled_) return {};
+  Eigen::VectorXd d = poisson_.solve(divergence(found), pins);
   for (Eigen::Index r = 0; r < d.size(); ++r) {
     if (pins.count(static_cast<int>(r)) == 0) {
       double bound = 0;
@@ -71,8 +75,9 @@ Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow,
   });
   for (std::size_t r = 0; r < is_inside.size(); ++r)
     if (is_inside[r] != 0) inside_.push_back(static_cast<int>(r));
-  if (inside_.size() < is_inside.size() && !inside_.empty())
-    cold_.emplace(principal_submatrix(flow, inside_), principal_diagonal(flow, masses, inside_));
+  if (inside_.size() == is_inside.size() || inside_.empty()) return;
+  cold_.emplace(principal_submatrix(flow, inside_), principal_diagonal(flow, masses, inside_));
+  is_cancelled_ = !progress_(Heat_step::heat_factored);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Heat<double>

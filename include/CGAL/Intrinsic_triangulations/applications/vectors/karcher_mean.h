@@ -12,6 +12,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,7 +28,8 @@ struct Karcher_mean {
   double residual = 0;   ///< length of the mean of the vectors to the points, zero at a centre
   double energy = 0;     ///< mean of the squared distances
   std::size_t steps = 0; ///< number of logarithmic maps that were found
-  Status status = Status::done; ///< `cap`: the number of steps did not suffice
+  Status status =
+      Status::done; ///< `cap`: the number of steps did not suffice; `cancelled` by the caller
 };
 
 namespace internal {
@@ -91,6 +93,7 @@ thousandth of an edge.
 \param points points of it, and their weights
 \param tolerance the residual to reach, in mean lengths of edges
 \param maximum_steps the number of steps after which to give up
+\param progress is called with what was reached after each logarithmic map but the last, if given; tells whether to go on
 \return the centre
 \throws std::invalid_argument if there are no points, a weight is negative or not finite, or all are zero, or points of positive weight are on different
   components of the surface
@@ -99,7 +102,8 @@ thousandth of an edge.
 template <internal::Connected_triangulation Triangulation>
 Karcher_mean karcher_mean(const Vector_heat_method<Triangulation>& heat,
                           const std::vector<std::pair<Surface_point, double>>& points,
-                          double tolerance = 1e-4, std::size_t maximum_steps = 50) {
+                          double tolerance = 1e-4, std::size_t maximum_steps = 50,
+                          const std::function<bool(const Karcher_mean&)>& progress = {}) {
   const internal::Weighted_points<Triangulation> seen(heat, points);
   Karcher_mean mean;
   mean.point = internal::off_vertex(seen.heaviest());
@@ -111,6 +115,10 @@ Karcher_mean karcher_mean(const Vector_heat_method<Triangulation>& heat,
   for (mean.steps = 1; mean.residual > enough && part >= 0x1p-10; ++mean.steps) {
     if (mean.steps >= maximum_steps) {
       mean.status = Status::cap;
+      break;
+    }
+    if (progress && !progress(mean)) {
+      mean.status = Status::cancelled;
       break;
     }
     const Surface_point there = internal::off_vertex(
