@@ -84,13 +84,6 @@ inline Eigen::VectorXd row_excess(const Eigen::SparseMatrix<double>& coupling,
   return to_fixed;
 }
 
-inline bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
-  for (int c = 0; c < a.outerSize(); ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
-      if (i.value() > 0 && i.row() != c) return false;
-  return true;
-}
-
 [[noreturn]] inline void throw_no_value_in_component(int row) {
   throw std::invalid_argument("no value is fixed in the component of row " + std::to_string(row) +
                               ", where constants may be added to any solution; fix one there");
@@ -137,7 +130,7 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
   }
   const Eigen::VectorXd excess = internal::row_excess(sign_ * coupling_, free_);
   try {
-    if (internal::has_no_positive_entry_off_diagonal(free_part) && excess.minCoeff() >= 0)
+    if (excess.minCoeff() >= 0)
       factorization_.emplace<Laplacian_factorization>(free_part, excess);
     else
       factorization_.emplace<Cholesky_factorization<double>>(free_part);

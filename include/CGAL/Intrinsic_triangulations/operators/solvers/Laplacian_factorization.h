@@ -21,11 +21,21 @@ struct Elimination {
   explicit Elimination(const Eigen::SparseMatrix<double>& a);
 
   std::vector<int> row; // at each place of the order
-  std::vector<int> begin, neighbour,
-      entry; // of each place: later places joined to it, and where `a` has their values
-  std::vector<int> column_begin,
-      index; // the places below the diagonal of each column of the factor, ascending
+  // Of each place: later places joined to it, and where `a` has their values.
+  std::vector<int> begin, neighbour, entry;
+  // The places below the diagonal of each column of the factor, ascending.
+  std::vector<int> column_begin, index;
+  // Blocks of columns that end alike, each with the next one as its first entry: where they begin, and of each column.
+  std::vector<int> block_begin, block;
 };
+
+// Whether no weight is negative.
+inline bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
+  for (int c = 0; c < a.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
+      if (i.value() > 0 && i.row() != c) return false;
+  return true;
+}
 
 } // namespace internal
 

@@ -87,6 +87,12 @@ Elimination::Elimination(const Eigen::SparseMatrix<double>& a) {
                         [&](int i, int) { ++counts[place_number(i)]; });
   column_begin = begins_of(counts);
   index.resize(place_number(column_begin.back()));
+  for (int k = 0; k < n; ++k) {
+    const std::size_t c = place_number(k);
+    if (k == 0 || parent[c - 1] != k || counts[c - 1] != counts[c] + 1) block_begin.push_back(k);
+    block.push_back(static_cast<int>(block_begin.size()) - 1);
+  }
+  block_begin.push_back(n);
   std::vector<int> next = column_begin;
   for_each_factor_entry(begin_before, earlier, parent,
                         [&](int i, int k) { index[place_number(next[place_number(i)]++)] = k; });
@@ -106,8 +112,9 @@ inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::
 class Laplacian_elimination {
 public:
   Laplacian_elimination(const Elimination& e, std::vector<double>& value, Eigen::VectorXd& pivot)
-      : e_(e), value_(value), pivot_(pivot), first_(e.row.size(), -1), next_(e.row.size(), -1),
-        at_(e.column_begin), sum_(e.row.size(), 0), weight_(e.row.size(), 0) {}
+      : e_(e), value_(value), pivot_(pivot), first_(e.row.size(), -1),
+        next_(e.block_begin.size(), -1), left_(e.block_begin.size(), 0), sum_(e.row.size(), 0),
+        weight_(e.row.size(), 0) {}
 
   // \return whether the pivot is positive, up to rounding
   bool eliminate(int k, const Eigen::SparseMatrix<double>& a, double diagonal) {
@@ -115,33 +122,67 @@ public:
       weight_[place_number(e_.neighbour[place_number(i)])] =
           -a.valuePtr()[e_.entry[place_number(i)]];
     double sum = diagonal;
-    for (int j = first_[place_number(k)]; j >= 0;) { // columns with an entry in row k
-      const int next = next_[place_number(j)], here = at_[place_number(j)];
-      const double l = value_[place_number(here)], factor = l * pivot_[j];
-      sum += l * sum_[place_number(j)];
-      for (int i = here + 1; i < e_.column_begin[place_number(j + 1)]; ++i)
-        weight_[place_number(e_.index[place_number(i)])] += value_[place_number(i)] * factor;
-      list(j, here + 1);
-      j = next;
+    for (int b = first_[place_number(k)]; b >= 0;) { // blocks with an entry in row k
+      const int next = next_[place_number(b)], left = left_[place_number(b)];
+      sum +=
+          add_columns(e_.block_begin[place_number(b)], e_.block_begin[place_number(b + 1)], left);
+      list(b, left - 1);
+      b = next;
     }
+    const int own = e_.block[place_number(k)], count = column_end(k) - column_begin(k);
+    sum += add_columns(e_.block_begin[place_number(own)], k, count + 1);
     sum_[place_number(k)] = sum;
-    return finish(k, sum);
+    const bool is_positive = finish(k, sum);
+    if (k + 1 == e_.block_begin[place_number(own + 1)]) list(own, count);
+    return is_positive;
   }
 
 private:
-  // Puts a column where its next entry is needed.
-  void list(int column, int entry) {
-    if (entry >= e_.column_begin[place_number(column + 1)]) return;
-    at_[place_number(column)] = entry;
-    const std::size_t k = place_number(e_.index[place_number(entry)]);
-    next_[place_number(column)] = first_[k];
-    first_[k] = column;
+  int column_begin(int k) const { return e_.column_begin[place_number(k)]; }
+  int column_end(int k) const { return e_.column_begin[place_number(k + 1)]; }
+
+  // Puts a block where its next entry is needed: that with so many left, itself included.
+  void list(int block, int left) {
+    left_[place_number(block)] = left;
+    if (left == 0) return;
+    const int last = e_.block_begin[place_number(block + 1)] - 1;
+    const std::size_t k = place_number(e_.index[place_number(column_end(last) - left)]);
+    next_[place_number(block)] = first_[k];
+    first_[k] = block;
+  }
+
+  // Adds what the elimination of columns, whose last `left` entries are in the same rows, adds to the weights of the first of these rows.
+  // \return what it adds to the sum of the row
+  double add_columns(int begin, int end, int left) {
+    if (begin == end) return 0;
+    const int* const rows = e_.index.data() + column_end(end - 1) - left;
+    double sum = 0;
+    const auto column = [&](int j) { return value_.data() + column_end(j) - left; };
+    const auto factor = [&](int j) {
+      const double l = *column(j);
+      sum += l * sum_[place_number(j)];
+      return l * pivot_[j];
+    };
+    double* const w = weight_.data();
+    int j = begin;
+    for (; j + 4 <= end; j += 4) { // at once, as what is added to is scattered
+      const double *const a = column(j), *const b = column(j + 1), *const c = column(j + 2),
+                          *const d = column(j + 3);
+      const double fa = factor(j), fb = factor(j + 1), fc = factor(j + 2), fd = factor(j + 3);
+      for (int i = 1; i < left; ++i)
+        w[rows[i]] += (a[i] * fa + b[i] * fb) + (c[i] * fc + d[i] * fd);
+    }
+    for (; j < end; ++j) {
+      const double* const a = column(j);
+      const double fa = factor(j);
+      for (int i = 1; i < left; ++i) w[rows[i]] += a[i] * fa;
+    }
+    return sum;
   }
 
   bool finish(int k, double sum) {
-    const int begin = e_.column_begin[place_number(k)], end = e_.column_begin[place_number(k + 1)];
     double pivot = sum, absolute = std::abs(sum);
-    for (int i = begin; i < end; ++i) {
+    for (int i = column_begin(k); i < column_end(k); ++i) {
       double& w = weight_[place_number(e_.index[place_number(i)])];
       value_[place_number(i)] = w;
       pivot += w;
@@ -149,16 +190,16 @@ private:
       w = 0;
     }
     pivot_[k] = pivot;
-    for (int i = begin; i < end; ++i) value_[place_number(i)] /= pivot;
-    list(k, begin);
+    const double inverse = 1 / pivot;
+    for (int i = column_begin(k); i < column_end(k); ++i) value_[place_number(i)] *= inverse;
     return pivot > 64 * std::numeric_limits<double>::epsilon() * absolute;
   }
 
   const Elimination& e_;
   std::vector<double>& value_;
   Eigen::VectorXd& pivot_;
-  std::vector<int> first_, next_; // columns by the row of the entry that is needed next
-  std::vector<int> at_;           // that entry
+  std::vector<int> first_, next_; // blocks by the row of the entry that is needed next
+  std::vector<int> left_;         // number of entries of a block from there on
   std::vector<double> sum_;       // of each row, when it is eliminated
   std::vector<double> weight_;    // from the place that is eliminated, by place
 };

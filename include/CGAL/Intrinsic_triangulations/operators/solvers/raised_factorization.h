@@ -11,10 +11,10 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Factors a matrix that would be positive definite, were there no rounding. Where weights are so large that it has lost the masses beside
-// them, the diagonal is raised by a part of it that is in the order of rounding errors, also in `m`.
+// them, the diagonal is raised by as small a part of it as it takes, also in `m`: as a rule in the order of rounding errors.
 template <class Scalar>
 Cholesky_factorization<Scalar> raised_factorization(Eigen::SparseMatrix<Scalar>& m) {
-  for (double raise = 0x1p-48; raise < 0x1p-20; raise *= 0x1p8) {
+  for (double raise = 0x1p-48; raise < 0x1p-4; raise *= 0x1p8) {
     try {
       return Cholesky_factorization<Scalar>(m);
     } catch (const Indefinite_matrix&) {
