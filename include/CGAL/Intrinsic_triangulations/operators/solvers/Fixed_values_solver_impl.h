@@ -133,9 +133,20 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
     if (excess.minCoeff() >= 0)
       factorization_.emplace<Laplacian_factorization>(free_part, excess);
     else
-      factorization_.emplace<Cholesky_factorization<double>>(free_part);
+      factor_with_negative_excess(free_part, excess);
   } catch (const Indefinite_matrix& error) {
     throw Indefinite_matrix(free_[static_cast<std::size_t>(error.row())]);
+  }
+}
+
+// With negative weights at fixed rows, as at the border, neither way is free of subtraction; where one fails, the other may do.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Fixed_values_solver::factor_with_negative_excess(const Eigen::SparseMatrix<double>& a,
+                                                 const Eigen::VectorXd& excess) {
+  try {
+    factorization_.emplace<Cholesky_factorization<double>>(a);
+  } catch (const Indefinite_matrix&) {
+    factorization_.emplace<Laplacian_factorization>(a, excess);
   }
 }
 
