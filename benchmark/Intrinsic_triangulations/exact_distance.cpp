@@ -4,7 +4,7 @@
 // How long do exact distances from one vertex to all take, and how much memory, compared with CGAL's
 // Surface_mesh_shortest_path? Usage: exact_distance [DIRECTORY [REPETITIONS [MODEL...]]] > distance.json
 
-#include "benchmark_support.h"
+#include "measure_models.h"
 
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
@@ -15,10 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <exception>
-#include <iostream>
 #include <new>
-#include <string>
 #include <vector>
 
 #include <malloc.h>
@@ -127,28 +124,9 @@ nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
 } // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const std::size_t repetitions = argc > 2 ? std::stoul(argv[2]) : 3;
-    std::vector<std::string> names(argv + std::min(argc, 3), argv + argc);
-    if (names.empty())
-      names = {"armadillo",
-               "camel",
-               "refined_elephant",
-               "bunny00",
-               "blade",
-               "man",
-               "fandisk_large",
-               "cylinder_locally_refined",
-               "diplodocus",
-               "ChineseDragon-10kv"};
-    nlohmann::json result;
-    for (const std::string& name : names) {
-      result[name] = measure(read_mesh(mesh_directory(argc, argv), name), repetitions);
-      std::cerr << name << ' ' << result[name].dump() << '\n';
-    }
-    std::cout << result.dump(2) << '\n';
-  } catch (const std::exception& e) {
-    std::cerr << "exact_distance: " << e.what() << '\n';
-    return 1;
-  }
+  return measure_models(argc, argv, "exact_distance", 3,
+                        {"armadillo", "camel", "refined_elephant", "bunny00", "blade", "man",
+                         "fandisk_large", "cylinder_locally_refined", "diplodocus",
+                         "ChineseDragon-10kv"},
+                        measure);
 }

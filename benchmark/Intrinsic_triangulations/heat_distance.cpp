@@ -5,12 +5,12 @@
 // from one vertex, and the distances from another vertex after that? Which share of the latter is solving with the factors?
 // Usage: heat_distance [DIRECTORY [REPETITIONS [MODEL...]]] > heat_distance.json
 
-#include "benchmark_support.h"
+#include "measure_models.h"
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
 
 #include <Eigen/Core>
 
@@ -19,9 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
-#include <iostream>
-#include <string>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -73,9 +70,7 @@ std::vector<double> run_our_heat(const Surface_mesh& mesh, Times& times) {
   times.next.push_back(watch.milliseconds());
   // two solutions with a factor of the same pattern
   const Eigen::SparseMatrix<double> l = IT::cotangent_laplacian(t);
-  Eigen::SparseMatrix<double> identity(l.rows(), l.cols());
-  identity.setIdentity();
-  const IT::Cholesky_factorization factored(Eigen::SparseMatrix<double>(l + identity));
+  const IT::Laplacian_factorization factored(l, Eigen::VectorXd::Ones(l.rows()));
   watch = Stopwatch();
   const Eigen::VectorXd x = factored.solve(factored.solve(d));
   times.solve.push_back(watch.milliseconds() + 0 * x[0]);
@@ -111,19 +106,7 @@ nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
 } // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const std::size_t repetitions = argc > 2 ? std::stoul(argv[2]) : 5;
-    std::vector<std::string> names(argv + std::min(argc, 3), argv + argc);
-    if (names.empty())
-      names = {"armadillo", "camel", "bunny00", "refined_elephant", "man", "fandisk"};
-    nlohmann::json result;
-    for (const std::string& name : names) {
-      result[name] = measure(read_mesh(mesh_directory(argc, argv), name), repetitions);
-      std::cerr << name << ' ' << result[name].dump() << '\n';
-    }
-    std::cout << result.dump(2) << '\n';
-  } catch (const std::exception& e) {
-    std::cerr << "heat_distance: " << e.what() << '\n';
-    return 1;
-  }
+  return measure_models(argc, argv, "heat_distance", 5,
+                        {"armadillo", "camel", "bunny00", "refined_elephant", "man", "fandisk"},
+                        measure);
 }

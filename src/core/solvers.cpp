@@ -5,3 +5,4 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization_impl.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver_impl.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization_impl.h>

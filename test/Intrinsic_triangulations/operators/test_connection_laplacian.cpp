@@ -15,6 +15,7 @@
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
+#include "named_inputs.h"
 #include "operator_test_meshes.h"
 #include "soups.h"
 
@@ -39,29 +40,6 @@ using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_tr
                                           IT::Integer_coordinates>;
 constexpr double pi = std::numbers::pi;
 
-struct Named_input {
-  std::string name;
-  IT::Intrinsic_input input;
-};
-
-/// Closed and bordered, covers, Delta-complexes.
-std::vector<Named_input> connection_inputs() {
-  std::vector<Named_input> all;
-  for (const auto& [name, mesh] :
-       {std::pair{"box", meshes::box(2, 3, 2)}, std::pair{"potato", meshes::potato(2, 5)},
-        std::pair{"rough grid", meshes::rough_grid(6, 4)},
-        std::pair{"terrain", meshes::integer_terrain(40, 200, 2)},
-        std::pair{"stairs", meshes::stairs(4, 3, 0.3)}})
-    all.push_back({name, mesh.input()});
-  for (const auto& [name, mesh] :
-       {std::pair{"book", soups::book()}, std::pair{"fins", soups::three_fins()},
-        std::pair{"moebius", soups::moebius_strip()}, std::pair{"klein", soups::klein_bottle()}})
-    all.push_back({name, IT::make_domain(soups::soup(mesh)).input});
-  for (const gallery::Surface& s : gallery::oriented())
-    all.push_back({s.name, operator_test::input(s)});
-  return all;
-}
-
 Eigen::VectorXd eigenvalues_of(const Complex_matrix& l) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(Eigen::MatrixXcd(l)).eigenvalues();
 }
@@ -74,7 +52,7 @@ double largest(const Complex_matrix& m) {
 }
 
 TEST(Connection_laplacian, is_hermitian_and_positive_semidefinite_everywhere) {
-  for (Named_input& n : connection_inputs())
+  for (operator_test::Named_input& n : operator_test::named_inputs())
     for (const int order : {1, 2, 4, 6}) {
       Exact t{IT::Intrinsic_input(n.input)};
       IT::flip_to_delaunay(t);
@@ -97,7 +75,7 @@ TEST(Connection_laplacian, of_order_zero_is_that_of_functions) {
 
 /// The energy of a field edge by edge, with transports asked for halfedge by halfedge.
 TEST(Connection_laplacian, is_the_energy_that_its_page_says_with_loops_and_insertions) {
-  for (Named_input& n : connection_inputs()) {
+  for (operator_test::Named_input& n : operator_test::named_inputs()) {
     Exact t{IT::Intrinsic_input(n.input)};
     IT::flip_to_delaunay(t);
     if (t.input().names().sheets == 1 && num_faces(t.mesh()) > 20)
@@ -124,7 +102,7 @@ TEST(Connection_laplacian, is_the_energy_that_its_page_says_with_loops_and_inser
 }
 
 TEST(Parallel_transport, turns_around_a_face_by_its_excess_of_scaled_angles) {
-  for (Named_input& n : connection_inputs()) {
+  for (operator_test::Named_input& n : operator_test::named_inputs()) {
     Exact t{IT::Intrinsic_input(n.input)};
     IT::flip_to_delaunay(t);
     const auto& mesh = t.mesh();

@@ -126,24 +126,19 @@ template <Connected_triangulation Triangulation>
 Connection_graph connection_graph(const Triangulation& t, const Halfedge_angles& angles) {
   const auto& mesh = t.mesh();
   const Vertex_copies<Triangulation> copies(t);
-  const typename Triangulation::Const_session session(t);
-  for (const typename Triangulation::face_descriptor f : faces(mesh))
-    if (t.metric().is_degenerate(t.index(f))) throw_degenerate_face(t, f);
   Connection_graph graph;
   graph.size = copies.size();
   graph.edges.reserve(num_edges(mesh));
   double sum = 0;
-  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+  for_each_cotangent_weight(t, [&](typename Triangulation::edge_descriptor e, double weight) {
     const auto h = halfedge(e, mesh);
-    const double weight = session.cotangent_weight(e);
-    if (!std::isfinite(weight)) throw_degenerate_face(t, smaller_face(t, e));
     const std::uint32_t i = t.numbers().halfedge(h);
     const double length = std::sqrt(t.metric().approximate_squared_length(t.index(e)));
     graph.edges.push_back({static_cast<int>(copies(source(h, mesh))),
                            static_cast<int>(copies(target(h, mesh))), std::max(0., weight), length,
                            angles[i], angles[i ^ 1U]});
     sum += length;
-  }
+  });
   const double mean = graph.edges.empty() ? 1 : sum / static_cast<double>(graph.edges.size());
   graph.squared_mean_length = mean * mean;
   add_areas(t, copies, graph);

@@ -6,16 +6,16 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -88,21 +88,12 @@ struct Face_table {
   }
 
   // the least row of the component of each row; isolated vertices are their own
-  std::vector<int> components() const {
-    std::vector<int> root(number_of_rows);
-    std::iota(root.begin(), root.end(), 0);
-    const auto find = [&root](int r) {
-      const auto at = [&root](int i) -> int& { return root[static_cast<std::size_t>(i)]; };
-      while (at(r) != r) r = at(r) = at(at(r));
-      return r;
-    };
+  std::vector<std::uint32_t> components() const {
+    Disjoint_sets rows(number_of_rows);
     for (const Table_face& f : faces)
-      for (const std::size_t k : {1U, 2U}) {
-        const int a = find(f.rows[0]), b = find(f.rows[k]);
-        root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-      }
-    for (std::size_t r = 0; r < root.size(); ++r) root[r] = find(static_cast<int>(r));
-    return root;
+      for (const std::size_t k : {1U, 2U})
+        rows.join(static_cast<std::uint32_t>(f.rows[0]), static_cast<std::uint32_t>(f.rows[k]));
+    return std::move(rows).least();
   }
 };
 

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <complex>
@@ -35,10 +36,17 @@ Scalar transport_factor(const Connection_edge& e, int order) {
     return std::polar(1., order * std::remainder(e.turn(), 2 * std::numbers::pi));
 }
 
-// The matrix `shift` + `factor` L: Hermitian bit by bit, with a diagonal entry in each row.
+// The areas at vertices, ones at isolated vertices.
+inline Eigen::VectorXd positive_masses(const Connection_graph& graph) {
+  Eigen::VectorXd masses = Eigen::Map<const Eigen::VectorXd>(
+      graph.areas.data(), static_cast<Eigen::Index>(graph.areas.size()));
+  return masses.unaryExpr([](double m) { return m > 0 ? m : 1; });
+}
+
+// The matrix `factor` L: Hermitian bit by bit, with a diagonal entry in each row.
 template <class Scalar>
-Eigen::SparseMatrix<Scalar> shifted_laplacian(const Connection_graph& graph, int order,
-                                              double factor, const std::vector<double>& shift) {
+Eigen::SparseMatrix<Scalar> scaled_laplacian(const Connection_graph& graph, int order,
+                                             double factor) {
   std::vector<Eigen::Triplet<Scalar>> entries;
   entries.reserve(graph.size + 2 * graph.edges.size());
   std::vector<double> diagonal(graph.size, 0);
@@ -63,7 +71,7 @@ Eigen::SparseMatrix<Scalar> shifted_laplacian(const Connection_graph& graph, int
     entries.emplace_back(e.source, e.target, -w * conjugate);
   }
   for (std::size_t i = 0; i < graph.size; ++i)
-    entries.emplace_back(static_cast<int>(i), static_cast<int>(i), diagonal[i] + shift[i]);
+    entries.emplace_back(static_cast<int>(i), static_cast<int>(i), diagonal[i]);
   const auto size = static_cast<Eigen::Index>(graph.size);
   Eigen::SparseMatrix<Scalar> result(size, size);
   result.setFromTriplets(entries.begin(), entries.end());
@@ -122,8 +130,7 @@ Eigen::SparseMatrix<std::complex<double>> connection_laplacian(const Triangulati
                                                                int order = 1) {
   const internal::Halfedge_angles angles(t, internal::Border_angles::half_circle);
   const internal::Connection_graph graph = internal::connection_graph(t, angles);
-  return internal::shifted_laplacian<std::complex<double>>(graph, order, 1,
-                                                           std::vector<double>(graph.size, 0));
+  return internal::scaled_laplacian<std::complex<double>>(graph, order, 1);
 }
 
 /// \cond

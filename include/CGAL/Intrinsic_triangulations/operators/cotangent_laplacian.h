@@ -46,24 +46,33 @@ typename Triangulation::face_descriptor smaller_face(const Triangulation& t,
   return f;
 }
 
-// the negative weight of each edge that joins two vertices, unless it is zero
-template <class Triangulation>
-std::vector<Symmetric_entry> cotangent_entries(const Triangulation& t) {
+// Calls `visit(e, w)` for each edge and its cotangent weight, which is finite.
+// \throws Invalid_input if a face has no area
+template <class Triangulation, class Visit>
+void for_each_cotangent_weight(const Triangulation& t, const Visit& visit) {
   const auto& mesh = t.mesh();
   const typename Triangulation::Const_session session(t);
   for (const typename Triangulation::face_descriptor f : faces(mesh))
     if (t.metric().is_degenerate(t.index(f))) throw_degenerate_face(t, f);
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const double weight = session.cotangent_weight(e);
+    if (!std::isfinite(weight)) throw_degenerate_face(t, smaller_face(t, e));
+    visit(e, weight);
+  }
+}
+
+// the negative weight of each edge that joins two vertices, unless it is zero
+template <class Triangulation>
+std::vector<Symmetric_entry> cotangent_entries(const Triangulation& t) {
+  const auto& mesh = t.mesh();
   std::vector<Symmetric_entry> entries;
   entries.reserve(num_edges(mesh));
-  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+  for_each_cotangent_weight(t, [&](typename Triangulation::edge_descriptor e, double weight) {
     const typename Triangulation::halfedge_descriptor h = halfedge(e, mesh);
     const auto i = static_cast<int>(t.input_vertex(source(h, mesh)));
     const auto j = static_cast<int>(t.input_vertex(target(h, mesh)));
-    if (i == j) continue;
-    const double weight = session.cotangent_weight(e);
-    if (!std::isfinite(weight)) throw_degenerate_face(t, smaller_face(t, e));
-    if (weight != 0) entries.push_back({i, j, -weight / t.input().names().sheets});
-  }
+    if (i != j && weight != 0) entries.push_back({i, j, -weight / t.input().names().sheets});
+  });
   return entries;
 }
 

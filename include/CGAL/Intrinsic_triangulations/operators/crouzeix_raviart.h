@@ -68,13 +68,14 @@ edge_connection_laplacian(const Face_table& table) {
     const auto weights = checked_half_cotangents(f);
     const auto frames = side_frames(f);
     for (std::size_t k = 0; k < 3; ++k) {
+      // the cotangents at the ends of a side sum to this, which is positive whatever rounding makes of them
+      const auto side = static_cast<int>(f.halfedges[k] / 2);
+      entries.emplace_back(side, side, f.squared_lengths[k] / f.area());
       // two sides meet at the corner opposite the third
       const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
       const auto i = static_cast<int>(f.halfedges[a] / 2), j = static_cast<int>(f.halfedges[b] / 2);
       const double w = 4 * weights[k];
       const Complex turn = std::conj(frames[a]) * frames[b]; // from frame b to frame a
-      entries.emplace_back(i, i, w);
-      entries.emplace_back(j, j, w);
       entries.emplace_back(i, j, -w * turn);
       entries.emplace_back(j, i, -w * std::conj(turn));
     }

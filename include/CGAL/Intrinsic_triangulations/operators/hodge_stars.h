@@ -100,14 +100,11 @@ triangulation no inner edge has a negative one.
 */
 template <MeasuredTriangulation Triangulation>
 Eigen::VectorXd hodge_star_1(const Triangulation& t) {
-  const auto& mesh = t.mesh();
-  const typename Triangulation::Const_session session(t);
-  Eigen::VectorXd star = Eigen::VectorXd::Zero(t.numbers().edge_capacity(mesh));
-  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
-    const double weight = session.cotangent_weight(e);
-    if (!std::isfinite(weight)) internal::throw_degenerate_face(t, internal::smaller_face(t, e));
-    star[t.index(e)] = weight / t.input().names().sheets;
-  }
+  Eigen::VectorXd star = Eigen::VectorXd::Zero(t.numbers().edge_capacity(t.mesh()));
+  internal::for_each_cotangent_weight(
+      t, [&](typename Triangulation::edge_descriptor e, double weight) {
+        star[t.index(e)] = weight / t.input().names().sheets;
+      });
   return star;
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>
@@ -15,9 +16,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -42,22 +43,18 @@ inline void check(const Reaction_diffusion& e) {
 template <class Triangulation>
 bool is_connected(const Triangulation& t) {
   const auto& mesh = t.mesh();
-  std::vector<std::uint32_t> root(t.number_of_vertices());
-  std::iota(root.begin(), root.end(), 0U);
-  const auto find = [&root](std::uint32_t v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
-  std::vector<char> has_edge(root.size(), 0);
+  Disjoint_sets rows(t.number_of_vertices());
+  std::vector<char> has_edge(t.number_of_vertices(), 0);
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
     const std::uint32_t i = t.input_vertex(source(h, mesh)), j = t.input_vertex(target(h, mesh));
     has_edge[i] = has_edge[j] = 1;
-    root[find(i)] = find(j);
+    rows.join(i, j);
   }
+  const std::vector<std::uint32_t> least = std::move(rows).least();
   std::size_t components = 0;
-  for (std::uint32_t v = 0; v < root.size(); ++v)
-    if (has_edge[v] != 0 && root[v] == v) ++components;
+  for (std::uint32_t v = 0; v < least.size(); ++v)
+    if (has_edge[v] != 0 && least[v] == v) ++components;
   return components <= 1;
 }
 

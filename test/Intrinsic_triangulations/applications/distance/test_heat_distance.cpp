@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -154,7 +155,8 @@ TEST(Heat_distance, of_few_sources_by_multipliers_is_that_by_elimination) {
   const Matrix l = IT::cotangent_laplacian(t);
   Vector b = random_vector(l.rows(), 3);
   b.array() -= b.mean();
-  IT::internal::Pinned_laplacian pinned(l, std::vector<int>(static_cast<std::size_t>(l.rows()), 0));
+  IT::internal::Pinned_laplacian pinned(
+      l, std::vector<std::uint32_t>(static_cast<std::size_t>(l.rows()), 0));
   for (const std::size_t pins : {1U, 2U, 5U, 8U, 9U, 30U}) {
     std::map<int, double> values;
     for (std::size_t i = 0; i < pins; ++i)
@@ -318,6 +320,25 @@ TEST(Heat_distance, is_in_the_units_of_the_input) {
   for (auto& p : s.points)
     for (double& x : p) x = std::ldexp(x, 500);
   EXPECT_EQ(distances(s), d * std::ldexp(1.0, 500));
+}
+
+struct Stop_after {
+  std::size_t steps, calls = 0;
+  bool progress(IT::Heat_step) { return ++calls < steps; }
+};
+
+TEST(Heat_distance, tells_a_visitor_of_its_steps_and_stops_when_told) {
+  const Exact t(grid(4).input());
+  for (const std::size_t steps :
+       {1U, 2U, 3U, 4U}) { // two matrices, as there is a border, then heat
+    Stop_after stop{steps};
+    IT::Heat_distance heat(t, IT::parameters::visitor(std::ref(stop)));
+    EXPECT_EQ(stop.calls, std::min<std::size_t>(steps, 2));
+    const Vector d = heat.distances(*vertices(t.mesh()).begin());
+    EXPECT_EQ(stop.calls, std::min<std::size_t>(steps, 3));
+    EXPECT_EQ(heat.status(), steps < 4 ? IT::Status::cancelled : IT::Status::done);
+    EXPECT_EQ(d.size(), steps < 4 ? 0 : 25);
+  }
 }
 
 TEST(Heat_distance, refuses_what_makes_no_sense) {

@@ -5,13 +5,18 @@
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/disk_border.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/harmonic_map.h>
+#include <CGAL/Intrinsic_triangulations/applications/parametrization/injective_harmonic_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/measure_distortion.h>
 
+#include "meshes.h"
 #include "operator_test_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/operators/hodge_stars.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+
+#include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +25,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -273,6 +279,60 @@ TEST(Map_certificate, knows_maps_that_are_locally_injective_but_overlap) {
   }
 }
 
+/// Thorns that lean to a side: the Delaunay triangulation joins tips to few of the vertices around. Blunt ones are repaired; of sharp ones every
+/// refinement has such a tip, and the status says so.
+TEST(Injective_harmonic_map, splits_edges_where_vertices_separate_others_from_the_border) {
+  std::size_t repaired = 0;
+  for (const double height : {0.2, 0.3, 0.5, 0.7, 1., 3., 30.})
+    for (const double lean : {0.5, 1., 2.}) {
+      Shape s = grid(8);
+      s.points[40][0] += lean * height;
+      s.points[40][1] += 0.3 * lean * height;
+      s.points[40][2] += height;
+      Exact t = delaunay_of(s);
+      const double area = IT::total_area(t);
+      const bool is_bad = !IT::certify_map(t, IT::harmonic_map(t)).is_injective();
+      const IT::Border_map border = IT::circular_border(t);
+      const IT::Injective_map map = IT::injective_harmonic_map(t);
+      EXPECT_EQ(map.status == IT::Status::done, map.certificate.is_injective());
+      EXPECT_EQ(IT::certify_map(t, map.uv).is_injective(), map.certificate.is_injective());
+      if (is_bad && map.certificate.is_injective()) ++repaired;
+      const double angle =
+          2 * std::numbers::pi - IT::gaussian_curvature(t, t.numbers().vertex_at(40));
+      if (angle > 2) {
+        EXPECT_EQ(map.status, IT::Status::done) << height << ' ' << lean;
+      }
+      EXPECT_EQ(map.inserted > 0, map.rounds > 0);
+      EXPECT_EQ(num_vertices(t.mesh()), s.points.size() + map.inserted);
+      EXPECT_NEAR(IT::total_area(t) / area, 1, 1e-12);
+      for (std::size_t k = 0; k < border.rows.size(); ++k) // it stays in place
+        EXPECT_EQ(map.uv.row(border.rows[k]), border.positions.row(static_cast<Eigen::Index>(k)));
+    }
+  EXPECT_GT(repaired, 0U);
+}
+
+TEST(Injective_harmonic_map, splits_faces_on_a_side_of_a_polygon) {
+  Exact t(grid(4).input());
+  const IT::Border_map border = IT::polygonal_border(t, {{0, 0}, {1, 0}, {0, 1}});
+  IT::flip_to_delaunay(t);
+  const IT::Map_certificate before = IT::certify_map(t, IT::harmonic_map(t, border));
+  EXPECT_GT(before.degenerate, 0U);
+  const IT::Injective_map map = IT::injective_harmonic_map(t, border);
+  EXPECT_EQ(map.status, IT::Status::done);
+  EXPECT_TRUE(map.certificate.is_injective());
+  EXPECT_GT(map.inserted, 0U);
+  // no refinement makes a map of a triangle to a line injective
+  Shape one;
+  one.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  one.triangles = {{0, 1, 2}};
+  Exact u(one.input());
+  IT::Border_map line = IT::circular_border(u);
+  line.positions.col(1).setZero();
+  EXPECT_EQ(IT::injective_harmonic_map(u, line).status, IT::Status::stalled);
+  EXPECT_EQ(IT::injective_harmonic_map(t, border, IT::parameters::maximum_rounds(0)).status,
+            IT::Status::done);
+}
+
 TEST(Map_distortion, of_a_linear_map_is_its_singular_values) {
   const Shape s = rough_grid(6, 0.3, 0, 8);
   const Exact t(s.input());
@@ -287,6 +347,33 @@ TEST(Map_distortion, of_a_linear_map_is_its_singular_values) {
   EXPECT_NEAR(d.maximum_area_ratio, 1, 1e-12);
   EXPECT_LE(d.maximum_angle_change, 2 * (std::atan(2) - std::atan(0.5)) + 1e-12);
   EXPECT_GT(d.mean_angle_change, 0.1);
+}
+
+TEST(Map_distortion, leaves_out_and_counts_faces_without_area) {
+  meshes::Mesh m;
+  m.points = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, -1, 0}};
+  m.triangles = {{0, 2, 3}, {2, 1, 3}, {0, 4, 1}, {0, 1, 2}}; // the last is a line
+  const Exact t(m.input());
+  Map uv(5, 2);
+  for (int v = 0; v < 5; ++v)
+    uv.row(v) << 2 * m.points[static_cast<std::size_t>(v)][0],
+        m.points[static_cast<std::size_t>(v)][1];
+  const IT::Map_distortion d = IT::measure_distortion(t, uv);
+  EXPECT_EQ(d.faces_left_out, 1U);
+  EXPECT_NEAR(d.mean_quasi_conformal, 2, 1e-14);
+  EXPECT_NEAR(d.minimum_area_ratio, 1, 1e-14);
+  EXPECT_NEAR(d.mean_area_ratio, 1, 1e-14);
+  EXPECT_TRUE(std::isfinite(d.mean_angle_change));
+  EXPECT_THROW(IT::hodge_star_1(t), IT::Invalid_input);
+  EXPECT_THROW(IT::cotangent_laplacian(t), IT::Invalid_input);
+  m.triangles = {{0, 1, 2}};
+  m.points.resize(3);
+  const IT::Map_distortion none = IT::measure_distortion(Exact(m.input()), Map(uv.topRows(3)));
+  EXPECT_EQ(none.faces_left_out, 1U);
+  EXPECT_EQ(none.mean_quasi_conformal, 1);
+  EXPECT_EQ(none.mean_area_ratio, 1);
+  uv(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(IT::measure_distortion(t, uv), std::invalid_argument);
 }
 
 template <class Function>

@@ -98,6 +98,37 @@ TEST(Karcher_mean, refuses_what_has_no_centre) {
       std::invalid_argument);
 }
 
+TEST(Karcher_mean, refuses_points_of_different_components) {
+  meshes::Mesh m = meshes::box(1, 1, 1);
+  const auto n = static_cast<std::uint32_t>(m.points.size());
+  const auto of_one = m.triangles;
+  for (std::uint32_t i = 0; i < n; ++i)
+    m.points.push_back({m.points[i][0] + 5, m.points[i][1], m.points[i][2]});
+  for (auto t : of_one) m.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  Exact t(m.input());
+  const Heat heat(t);
+  const IT::Surface_point here = at_vertex(t, 0), there = at_vertex(t, n);
+  EXPECT_THROW(IT::karcher_mean(heat, {{here, 1}, {there, 1}}), std::invalid_argument);
+  EXPECT_THROW(IT::karcher_mean(heat, {{here, 1}, {there, 2}}), std::invalid_argument);
+  EXPECT_NO_THROW(IT::karcher_mean(heat, {{here, 1}, {there, 0}}));
+  const IT::Voronoi_centres centres = IT::voronoi_centres(heat, {here}, 0);
+  for (std::uint32_t i = 0; i < 2 * n; ++i)
+    EXPECT_EQ(centres.cell[i], i < n ? 0U : IT::Gluing::none) << i;
+}
+
+TEST(Voronoi_centres, have_cells_that_are_many_hundred_edges_long) {
+  const std::uint32_t length = 4000, row = length + 1;
+  Exact t(meshes::grid(length, 2).input());
+  const IT::Voronoi_centres centres =
+      IT::voronoi_centres(Heat(t), {at_vertex(t, row + 2), at_vertex(t, 2 * row - 3)}, 0);
+  for (std::uint32_t i = 0; i < 3 * row; ++i) {
+    const std::uint32_t x = i % row;
+    if (x < 1999 || x > 2001) {
+      EXPECT_EQ(centres.cell[i], x < 2000 ? 0U : 1U) << i;
+    }
+  }
+}
+
 TEST(Voronoi_centres, in_the_plane_are_the_centroids_of_their_cells) {
   const meshes::Mesh shape = meshes::grid(16, 16);
   Exact t(shape.input());
@@ -136,6 +167,26 @@ TEST(Voronoi_centres, spread_over_the_sphere) {
     area.at(centres.cell[i]) += mass[static_cast<Eigen::Index>(i)];
   for (const double a : area) EXPECT_GT(a, mass.sum() / 8 / 2.5);
   EXPECT_THROW(IT::voronoi_centres(heat, {}), std::invalid_argument);
+}
+
+TEST(Centres, stop_when_they_are_told_to) {
+  const Exact t(meshes::grid(8, 8).input());
+  const Heat heat(t);
+  const Weighted_points points{{at_vertex(t, 0), 1}, {at_vertex(t, 8), 1}, {at_vertex(t, 40), 1}};
+  std::size_t calls = 0;
+  const auto twice = [&calls](const auto&) { return ++calls < 3; };
+  const IT::Karcher_mean mean = IT::karcher_mean(heat, points, 1e-300, 50, twice);
+  EXPECT_EQ(mean.status, IT::Status::cancelled);
+  EXPECT_EQ(calls, 3U);
+  calls = 0;
+  const std::vector<IT::Surface_point> sites{points[0].first, points[1].first};
+  const IT::Voronoi_centres stopped = IT::voronoi_centres(heat, sites, 20, 0, twice);
+  EXPECT_EQ(stopped.status, IT::Status::cancelled);
+  EXPECT_EQ(stopped.steps, 2U);
+  EXPECT_EQ(stopped.cell.size(), 81U);
+  EXPECT_EQ(IT::voronoi_centres(heat, sites, 2, 0).status, IT::Status::cap);
+  EXPECT_EQ(IT::voronoi_centres(heat, sites, 2, 1e9).status, IT::Status::done);
+  EXPECT_EQ(IT::voronoi_centres(heat, sites, 2, 1e9).steps, 1U);
 }
 
 } // namespace

@@ -18,6 +18,7 @@
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
+#include "named_inputs.h"
 #include "operator_test_meshes.h"
 #include "soups.h"
 #include "surface_mesh.h"
@@ -49,30 +50,6 @@ using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_tr
 using Fixed = std::vector<std::pair<Exact::vertex_descriptor, Complex>>;
 constexpr double pi = std::numbers::pi;
 
-struct Field_input {
-  std::string name;
-  IT::Intrinsic_input input;
-};
-
-/// Closed and bordered, of several genera, covers, Delta-complexes.
-std::vector<Field_input> field_inputs() {
-  std::vector<Field_input> all;
-  for (const auto& [name, mesh] :
-       {std::pair{"box", meshes::box(2, 3, 2)}, std::pair{"potato", meshes::potato(2, 5)},
-        std::pair{"rough grid", meshes::rough_grid(6, 4)},
-        std::pair{"terrain", meshes::integer_terrain(40, 200, 2)},
-        std::pair{"stairs", meshes::stairs(4, 3, 0.3)}})
-    all.push_back({name, mesh.input()});
-  all.push_back({"torus", operator_test::rough_torus(8, 0.3, 1).input()});
-  for (const auto& [name, mesh] :
-       {std::pair{"book", soups::book()}, std::pair{"fins", soups::three_fins()},
-        std::pair{"moebius", soups::moebius_strip()}, std::pair{"klein", soups::klein_bottle()}})
-    all.push_back({name, IT::make_domain(soups::soup(mesh)).input});
-  for (const gallery::Surface& s : gallery::oriented())
-    all.push_back({s.name, operator_test::input(s)});
-  return all;
-}
-
 /// V - E + F, without isolated vertices, with one vertex per fan.
 std::ptrdiff_t characteristic(const Exact& t) {
   const auto edges_there = edges(t.mesh());
@@ -92,7 +69,7 @@ void expect_exact_sum(const Exact& t, const IT::Direction_field& field, const st
 
 TEST(Singularities, of_any_field_sum_up_to_the_euler_characteristic_and_the_turns_of_the_border) {
   std::mt19937 random(3);
-  for (Field_input& n : field_inputs())
+  for (operator_test::Named_input& n : operator_test::named_inputs())
     for (const bool is_flipped : {false, true}) {
       Exact t{IT::Intrinsic_input(n.input)};
       if (is_flipped) IT::flip_to_delaunay(t);
@@ -114,7 +91,7 @@ TEST(Singularities, of_any_field_sum_up_to_the_euler_characteristic_and_the_turn
 }
 
 TEST(Smoothest_direction_field, exists_everywhere_with_the_right_sum_of_indices) {
-  for (Field_input& n : field_inputs()) {
+  for (operator_test::Named_input& n : operator_test::named_inputs()) {
     Exact t{IT::Intrinsic_input(n.input)};
     IT::flip_to_delaunay(t);
     for (const int degree : {1, 2, 4}) {

@@ -168,7 +168,7 @@ TEST(Vector_heat_method, converges_on_the_sphere) {
   EXPECT_LT(errors[2], 0.7 * errors[1]);
 }
 
-/// Heat underflows on the way: the rest is reached in a longer time.
+/// Heat underflows on the way: its values have exponents of their own.
 TEST(Vector_heat_method, reaches_the_far_end_of_a_long_strip_exactly) {
   const meshes::Mesh shape = meshes::grid(2000, 2);
   Exact t(shape.input());
@@ -187,6 +187,30 @@ TEST(Vector_heat_method, reaches_the_far_end_of_a_long_strip_exactly) {
   }
   using Values = std::vector<std::pair<Exact::vertex_descriptor, double>>;
   EXPECT_LE((heat.extend_scalars(Values{{v, 7}}).array() - 7).abs().maxCoeff(), 1e-9);
+}
+
+/// Tiny and huge values at the ends of a strip, both of which are lost in products with the heat in doubles.
+TEST(Vector_heat_method,
+     keeps_values_of_very_different_size_where_heat_is_below_the_range_of_doubles) {
+  const std::uint32_t length = 2000, row = length + 1;
+  Exact t(meshes::grid(length, 2).input());
+  const Heat heat(t);
+  const auto first = t.numbers().vertex_at(row + 2), last = t.numbers().vertex_at(2 * row - 3);
+  using Values = std::vector<std::pair<Exact::vertex_descriptor, double>>;
+  using Vectors = std::vector<std::pair<Exact::vertex_descriptor, Complex>>;
+  const Eigen::VectorXd values = heat.extend_scalars(Values{{first, 1e-60}, {last, 1e60}});
+  const IT::Tangent_field field = heat.transport(Vectors{{first, {0, 1e-60}}, {last, {1e60, 0}}});
+  for (std::uint32_t i = 0; i < 3 * row; ++i) {
+    const std::uint32_t x = i % row;
+    if (x > 800 && x < 1200) continue;
+    const double expected = x <= 800 ? 1e-60 : 1e60;
+    EXPECT_NEAR(values[i] / expected, 1, 1e-6) << i;
+    EXPECT_NEAR(std::abs(field[i]) / expected, 1, 1e-6) << i;
+  }
+  const Eigen::VectorXd log = heat.log_heat({0, {1, 0, 0}}); // falls by the same factor per edge
+  const double fall = log[101] - log[100];
+  EXPECT_LT(log[1900], -1500);
+  for (std::uint32_t x = 100; x < 1900; ++x) EXPECT_NEAR(log[x + 1] - log[x], fall, 1e-6) << x;
 }
 
 TEST(Vector_heat_method, extends_scalars_between_their_extremes_and_by_the_nearest_source) {
@@ -234,6 +258,8 @@ TEST(Vector_heat_method, is_zero_in_components_without_a_source_and_at_isolated_
   EXPECT_THROW(heat.extend_scalars(Values{{good, std::numeric_limits<double>::infinity()}}),
                std::invalid_argument);
   EXPECT_THROW(heat.logarithmic_map(isolated), std::invalid_argument);
+  const IT::Surface_point p{0, {0.5, 0.25, 0.25}};
+  EXPECT_THROW(heat.logarithm_at(std::vector<Complex>(2 * n), p, p), std::invalid_argument);
   EXPECT_THROW(Heat(t, 0), std::invalid_argument);
 }
 

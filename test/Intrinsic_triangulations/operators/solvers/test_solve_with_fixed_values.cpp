@@ -208,4 +208,24 @@ TEST(Solve_with_fixed_values, refuses_what_makes_no_sense) {
   EXPECT_FALSE(refused(l, zero, Rows{0}, one));
 }
 
+/// Springs in a row, whose ends are fixed at 0 and 1: each is stretched by 1 / stiffness.
+TEST(Solve_with_fixed_values, is_exact_where_weights_differ_by_many_powers_of_ten) {
+  const int n = 60;
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<double> stretched{0};
+  for (int i = 0; i + 1 < n; ++i) {
+    const double w = std::pow(10., (i * 37) % 41 - 20);
+    entries.insert(entries.end(), {{i, i, w}, {i + 1, i + 1, w}, {i, i + 1, -w}, {i + 1, i, -w}});
+    stretched.push_back(stretched.back() + 1 / w);
+  }
+  Matrix l(n, n);
+  l.setFromTriplets(entries.begin(), entries.end());
+  const Rows ends{0, static_cast<std::uint32_t>(n - 1)};
+  const Eigen::MatrixXd x = IT::solve_with_fixed_values(l, Eigen::MatrixXd::Zero(n, 1), ends,
+                                                        Eigen::MatrixXd(Eigen::Vector2d(0, 1)));
+  for (int i = 1; i + 1 < n; ++i)
+    EXPECT_NEAR(x(i, 0) / (stretched[static_cast<std::size_t>(i)] / stretched.back()), 1, 1e-12)
+        << i;
+}
+
 } // namespace

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/Chord_bound.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/Heat_solver.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
@@ -20,6 +21,18 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief observes distances by heat; the default visitor does nothing.
+*/
+struct Heat_distance_visitor {
+  /*!
+  \brief is called after each step that takes long, but the last one.
+  \param step what was done
+  \return whether to go on
+  */
+  bool progress([[maybe_unused]] Heat_step step) { return true; }
+};
 
 /*!
 \brief approximates geodesic distances from vertices, points and curves by the flow of heat (§4.10.2 of the course; Crane,
@@ -62,6 +75,7 @@ public:
     - `border_condition(c)`: how heat behaves at the border. `Heat_border::average` takes the mean of both
       conditions, as the authors recommend, at the price of a factorization more; `Heat_border::insulated` has no flux. Default: `average`.
       Without border they are the same.
+    - `visitor(v)`: see `Heat_distance_visitor`. After it has stopped this constructor, there are no distances.
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if the factor is not positive and finite
   \throws std::runtime_error if rounding has left no positive definite matrix (the message names a row)
@@ -71,14 +85,15 @@ public:
   explicit Heat_distance(const Triangulation& t, const NP& np = parameters::default_values())
       : t_(&t), positions_(internal::positions_of_rows(t)),
         solver_(internal::face_table(t), cotangent_laplacian(t), options(np),
-                t.input().names().sheets) {}
+                t.input().names().sheets, progress(np)) {}
 
   /*!
   \brief computes the distances of all vertices from sources.
   \tparam Sources one of these, or a range of them, or a range of ranges: vertices and halfedges of `t.mesh()` (edges are curves); points
     of the triangulation as `Surface_point` or `Face_location<Mesh>`; `Polyline_source`
   \param sources the sources; from the user's mesh, `vertex_on_intrinsic()` and `locate_on_intrinsic()` lead there
-  \return a distance per row of `t.input_vertex()`, in the units of the input; infinity where there is no source
+  \return a distance per row of `t.input_vertex()`, in the units of the input; infinity where there is no source. Nothing, an empty vector, if the
+    visitor has stopped it
   \throws std::invalid_argument if a point is beyond the border, or consecutive points of a polyline are not in one face
   \throws std::runtime_error if rounding has left no positive definite matrix
   \complexity that of solutions with a factored matrix, about n log n; with more than eight pinned vertices also a factorization, if they
@@ -86,12 +101,16 @@ public:
   */
   template <class Sources>
   Eigen::VectorXd distances(const Sources& sources) {
+    if (is_stopped_) return {};
     const internal::Source_places places =
         internal::Source_reader<Triangulation>(*t_, solver_.table()).read(sources);
     return solver_.distances(
         places, internal::Chord_bound(internal::source_balls(solver_.table(), places, positions_)),
         positions_);
   }
+
+  /// returns `cancelled` if the visitor has stopped what was done last, else `done`.
+  Status status() const { return solver_.is_cancelled() ? Status::cancelled : Status::done; }
 
   /// returns the time of the heat flow, in units of area of the input.
   double time() const { return solver_.time(); }
@@ -100,16 +119,23 @@ private:
   template <class NP>
   static internal::Heat_options options(const NP& np) {
     using namespace internal::tags;
-    internal::expect_names<time_factor, border_condition>(np);
+    internal::expect_names<time_factor, border_condition, visitor>(np);
     internal::Heat_options o;
     o.time_factor = internal::value_or<time_factor>(np, o.time_factor);
     o.border = internal::value_or<border_condition>(np, o.border);
     return o;
   }
 
+  template <class NP>
+  static internal::Heat_progress progress(const NP& np) {
+    return [v = internal::object_or<internal::tags::visitor>(np, Heat_distance_visitor())](
+               Heat_step step) mutable { return internal::unwrapped(v).progress(step); };
+  }
+
   const Triangulation* t_;
   std::vector<std::array<double, 3>> positions_;
   internal::Heat_solver solver_;
+  bool is_stopped_ = solver_.is_cancelled(); // before it was made
 };
 
 } // namespace CGAL::Intrinsic_triangulations

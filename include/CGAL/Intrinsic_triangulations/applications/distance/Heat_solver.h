@@ -5,10 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_HEAT_SOLVER_H
 
 #include <CGAL/Intrinsic_triangulations/applications/distance/Chord_bound.h>
-#include <CGAL/Intrinsic_triangulations/applications/distance/Diffusion.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -17,6 +17,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,7 +29,16 @@ enum class Heat_border {
   average    ///< the mean of that and of a border that is kept cold (Dirichlet)
 };
 
+/// What `Heat_distance` has done.
+enum class Heat_step {
+  heat_factored, ///< a matrix of the heat flow was factored; there are two with a border that is cold
+  heat_found     ///< heat has spread from the sources
+};
+
 namespace internal {
+
+// Is told of each step; tells whether to go on.
+using Heat_progress = std::function<bool(Heat_step)>;
 
 // What `Heat_distance` may be asked for.
 struct Heat_options {
@@ -40,19 +50,22 @@ struct Heat_options {
 class Heat_solver {
 public:
   Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-              const Heat_options& options, std::uint32_t sheets);
+              const Heat_options& options, std::uint32_t sheets, Heat_progress progress);
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
 
-  // \return by rows, in the units of the input
+  // whether the last step was one not to go on after
+  bool is_cancelled() const { return is_cancelled_; }
+
+  // \return by rows, in the units of the input; nothing if it was cancelled
   Eigen::VectorXd distances(const Source_places& sources, const Chord_bound& chord,
                             const std::vector<std::array<double, 3>>& positions);
 
 private:
   static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
-  void make_cold_border(const Eigen::SparseMatrix<double>& flow);
+  void make_cold_border(const Eigen::SparseMatrix<double>& flow, const Eigen::VectorXd& masses);
 
   Heat<double> heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const;
 
@@ -69,11 +82,13 @@ private:
   Face_table table_;
   double mean_edge_;
   double time_;
-  std::vector<int> component_;
+  std::vector<std::uint32_t> component_;
   Pinned_laplacian poisson_;
   std::optional<Diffusion<double>> insulated_, cold_;
   std::vector<int> inside_; // the rows that are not on the border
   std::uint32_t sheets_;
+  Heat_progress progress_;
+  bool is_cancelled_ = false;
 };
 
 } // namespace internal

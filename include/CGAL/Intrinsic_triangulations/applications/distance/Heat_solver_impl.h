@@ -21,44 +21,38 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The lumped mass matrix, as a diagonal.
+// The lumped mass matrix, as a diagonal; ones at isolated vertices.
 inline Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_rows));
   for (const Table_face& f : table.faces)
     for (const int row : f.rows) areas[row] += f.area() / 3 / sheets;
-  return areas;
-}
-
-// Adds to a diagonal, in which zeros become ones: rows of isolated vertices.
-inline Eigen::SparseMatrix<double> plus_diagonal(Eigen::SparseMatrix<double> m,
-                                                 const Eigen::VectorXd& diagonal) {
-  for (int r = 0; r < m.cols(); ++r) {
-    double& d = m.coeffRef(r, r);
-    d += diagonal[r];
-    if (d == 0) d = 1;
-  }
-  return m;
+  return areas.unaryExpr([](double m) { return m > 0 ? m : 1; });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Heat_solver::Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-                         const Heat_options& options, std::uint32_t sheets)
+                         const Heat_options& options, std::uint32_t sheets, Heat_progress progress)
     : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
       time_(options.time_factor * mean_edge_ * mean_edge_), component_(table_.components()),
-      poisson_(laplacian, component_), sheets_(sheets) {
+      poisson_(laplacian, component_), sheets_(sheets), progress_(std::move(progress)) {
   if (!(options.time_factor > 0) || !std::isfinite(time_))
     throw std::invalid_argument("the time factor must be positive and finite");
-  const Eigen::SparseMatrix<double> flow =
-      plus_diagonal(time_ * laplacian, row_areas(table_, sheets));
-  insulated_.emplace(flow);
-  if (options.border == Heat_border::average) make_cold_border(flow);
+  const Eigen::SparseMatrix<double> flow = time_ * laplacian;
+  const Eigen::VectorXd masses = row_areas(table_, sheets);
+  insulated_.emplace(flow, masses);
+  poisson_.share_order(insulated_->factorization());
+  is_cancelled_ = !progress_(Heat_step::heat_factored);
+  if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(flow, masses);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
 Heat_solver::distances(const Source_places& sources, const Chord_bound& chord,
                        const std::vector<std::array<double, 3>>& positions) {
   const Pinned_laplacian::Pins pins = distances_near_sources(table_, sources);
-  Eigen::VectorXd d = poisson_.solve(divergence(heat(sources, pins)), pins);
+  const Heat<double> found = heat(sources, pins);
+  is_cancelled_ = !progress_(Heat_step::heat_found);
+  if (is_cancelled_) return {};
+  Eigen::VectorXd d = poisson_.solve(divergence(found), pins);
   for (Eigen::Index r = 0; r < d.size(); ++r) {
     if (pins.count(static_cast<int>(r)) == 0) {
       double bound = 0;
@@ -73,32 +67,34 @@ Heat_solver::distances(const Source_places& sources, const Chord_bound& chord,
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow) {
+Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow,
+                              const Eigen::VectorXd& masses) {
   std::vector<char> is_inside(table_.number_of_rows, 1);
   table_.for_each_border_side([&](const Table_face& f, std::size_t k) {
     is_inside[number(f.rows[k])] = is_inside[number(f.rows[(k + 1) % 3])] = 0;
   });
   for (std::size_t r = 0; r < is_inside.size(); ++r)
     if (is_inside[r] != 0) inside_.push_back(static_cast<int>(r));
-  if (inside_.size() < is_inside.size() && !inside_.empty())
-    cold_.emplace(principal_submatrix(flow, inside_));
+  if (inside_.size() == is_inside.size() || inside_.empty()) return;
+  cold_.emplace(principal_submatrix(flow, inside_), principal_diagonal(flow, masses, inside_));
+  is_cancelled_ = !progress_(Heat_step::heat_factored);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Heat<double>
 Heat_solver::heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const {
   std::vector<char> is_reached(table_.number_of_rows, 0);
-  for (const auto& [row, value] : pins) is_reached[number(component_[number(row)])] = 1;
-  for (std::size_t r = 0; r < is_reached.size(); ++r)
-    is_reached[r] = is_reached[number(component_[r])];
+  for (const auto& [row, value] : pins) is_reached[component_[number(row)]] = 1;
+  for (std::size_t r = 0; r < is_reached.size(); ++r) is_reached[r] = is_reached[component_[r]];
   const Eigen::VectorXd start = initial_heat(sources);
   Heat<double> all = (*insulated_)(start, is_reached);
   if (cold_) {
     std::vector<char> reached_inside;
     for (const int r : inside_) reached_inside.push_back(is_reached[number(r)]);
     const Heat<double> inside = (*cold_)(start(inside_), reached_inside);
+    const double unit = std::ldexp(1.0, inside.exponent - all.exponent);
     for (std::size_t i = 0; i < inside_.size(); ++i)
       all.value[inside_[i]] +=
-          inside.at(static_cast<Eigen::Index>(i), all.level[number(inside_[i])]);
+          unit * inside.at(static_cast<Eigen::Index>(i), all.level[number(inside_[i])]);
   }
   return all;
 }

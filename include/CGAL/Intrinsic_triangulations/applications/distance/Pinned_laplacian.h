@@ -4,14 +4,15 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_H
 
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
-#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,13 +32,17 @@ public:
   using Pins = std::map<int, double>; // by rows
 
   // \param component of each row, as the least of its rows
-  Pinned_laplacian(const Eigen::SparseMatrix<double>& laplacian, std::vector<int> component)
+  Pinned_laplacian(const Eigen::SparseMatrix<double>& laplacian,
+                   std::vector<std::uint32_t> component)
       : laplacian_(laplacian), component_(std::move(component)) {}
+
+  // Takes the order of another matrix with entries in the same places.
+  void share_order(const Laplacian_factorization& same_pattern) { ordered_ = same_pattern; }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const Pins& pins);
 
 private:
-  using Factorization = Cholesky_factorization<double>;
+  using Factorization = Laplacian_factorization;
 
   static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
   const Factorization& factorization();
@@ -48,10 +53,10 @@ private:
                  const std::vector<char>& is_reached);
 
   Eigen::SparseMatrix<double> laplacian_;
-  std::vector<int> component_;
-  std::unique_ptr<Factorization> factored_;
+  std::vector<std::uint32_t> component_;
+  std::optional<Factorization> ordered_, factored_;
   std::vector<int> eliminated_rows_, free_rows_;
-  std::unique_ptr<Factorization> eliminated_;
+  std::optional<Factorization> eliminated_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

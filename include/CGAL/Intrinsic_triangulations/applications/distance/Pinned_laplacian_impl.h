@@ -11,9 +11,9 @@
 #include <Eigen/LU>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -25,12 +25,11 @@ inline constexpr std::size_t few_pins = 8;
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
 Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pins) {
   std::vector<char> is_reached(component_.size(), 0); // of the least rows
-  for (const auto& [row, value] : pins) is_reached[number(component_[number(row)])] = 1;
+  for (const auto& [row, value] : pins) is_reached[component_[number(row)]] = 1;
   Eigen::VectorXd x =
       pins.size() <= few_pins ? solve_for_few(b, pins) : solve_by_elimination(b, pins, is_reached);
   for (Eigen::Index r = 0; r < x.size(); ++r)
-    if (is_reached[number(component_[number(r)])] == 0)
-      x[r] = std::numeric_limits<double>::infinity();
+    if (is_reached[component_[number(r)]] == 0) x[r] = std::numeric_limits<double>::infinity();
   for (const auto& [row, value] : pins) x[row] = value;
   return x;
 }
@@ -40,13 +39,16 @@ Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pins) {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE const Pinned_laplacian::Factorization&
 Pinned_laplacian::factorization() {
   if (!factored_) {
-    Eigen::SparseMatrix<double> regular = laplacian_;
-    for (int r = 0; r < regular.cols(); ++r)
-      if (component_[number(r)] == r) {
-        double& diagonal = regular.coeffRef(r, r);
-        diagonal = diagonal > 0 ? 2 * diagonal : 1;
+    Eigen::VectorXd added = Eigen::VectorXd::Zero(laplacian_.cols());
+    for (int r = 0; r < laplacian_.cols(); ++r)
+      if (component_[number(r)] == static_cast<std::uint32_t>(r)) {
+        const double diagonal = laplacian_.coeff(r, r);
+        added[r] = diagonal > 0 ? diagonal : 1;
       }
-    factored_ = std::make_unique<Factorization>(regular);
+    if (ordered_)
+      factored_.emplace(laplacian_, added, *ordered_);
+    else
+      factored_.emplace(laplacian_, added);
   }
   return *factored_;
 }
@@ -72,7 +74,7 @@ inline Eigen::VectorXd correction_by_strengths(const Eigen::MatrixXd& solved, Ei
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
 Pinned_laplacian::solve_for_few(const Eigen::VectorXd& b, const Pins& pins) {
-  std::map<int, std::vector<int>> rows; // the pins of each component
+  std::map<std::uint32_t, std::vector<int>> rows; // the pins of each component
   for (const auto& [row, value] : pins) rows[component_[number(row)]].push_back(row);
   std::vector<int> sources; // rows with an unknown strength: not of single pins
   for (const auto& [root, of_component] : rows)
@@ -105,12 +107,13 @@ Pinned_laplacian::eliminate(const std::vector<int>& rows, const Pins& pins,
                             const std::vector<char>& is_reached) {
   free_rows_.clear();
   for (int r = 0; r < laplacian_.cols(); ++r)
-    if (is_reached[number(component_[number(r)])] != 0 && pins.count(r) == 0)
-      free_rows_.push_back(r);
+    if (is_reached[component_[number(r)]] != 0 && pins.count(r) == 0) free_rows_.push_back(r);
   eliminated_rows_.clear();
   eliminated_.reset();
   if (!free_rows_.empty())
-    eliminated_ = std::make_unique<Factorization>(principal_submatrix(laplacian_, free_rows_));
+    eliminated_.emplace(
+        principal_submatrix(laplacian_, free_rows_),
+        principal_diagonal(laplacian_, Eigen::VectorXd::Zero(laplacian_.cols()), free_rows_));
   eliminated_rows_ = rows; // at the end: a matrix may not be factored
 }
 

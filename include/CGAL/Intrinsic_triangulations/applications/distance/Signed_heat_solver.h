@@ -4,10 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_SIGNED_HEAT_SOLVER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_SIGNED_HEAT_SOLVER_H
 
-#include <CGAL/Intrinsic_triangulations/applications/distance/Diffusion.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -15,6 +15,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -30,7 +31,7 @@ public:
                      double time_factor)
       : table_(std::move(table)), time_(time_factor * std::pow(table_.mean_edge_length(), 2)),
         component_(table_.components()), poisson_(laplacian, component_),
-        flow_(flow_matrix(time_factor)) {}
+        flow_(flow_matrix(time_factor), edge_masses()) {}
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
@@ -42,6 +43,7 @@ private:
   static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
   Eigen::SparseMatrix<Complex> flow_matrix(double time_factor) const;
+  Eigen::VectorXd edge_masses() const;
 
   // The normals on the right of the curves, diffused.
   Heat<Complex> normals(const Source_places& curves, const Pinned_laplacian::Pins& pins) const;
@@ -55,7 +57,7 @@ private:
 
   Face_table table_;
   double time_;
-  std::vector<int> component_;
+  std::vector<std::uint32_t> component_;
   Pinned_laplacian poisson_;
   Diffusion<Complex> flow_;
 };

@@ -39,10 +39,13 @@ Signed_heat_solver::flow_matrix(double time_factor) const {
   if (!(time_factor > 0) || !std::isfinite(time_))
     throw std::invalid_argument("the time factor must be positive and finite");
   Eigen::SparseMatrix<Complex> m = time_ * edge_connection_laplacian(table_);
-  const Eigen::VectorXd areas = edge_areas(table_);
-  for (int e = 0; e < m.cols(); ++e) m.coeffRef(e, e) += areas[e] > 0 ? areas[e] : 1;
+  for (int e = 0; e < m.cols(); ++e) m.coeffRef(e, e); // stored
   m.makeCompressed();
   return m;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd Signed_heat_solver::edge_masses() const {
+  return edge_areas(table_).unaryExpr([](double m) { return m > 0 ? m : 1; });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Heat<std::complex<double>>
@@ -68,10 +71,10 @@ Signed_heat_solver::normals(const Source_places& curves, const Pinned_laplacian:
     }
   }
   std::vector<char> has_curve(table_.number_of_rows, 0), is_reached(table_.number_of_edges, 0);
-  for (const auto& [row, value] : pins) has_curve[number(component_[number(row)])] = 1;
+  for (const auto& [row, value] : pins) has_curve[component_[number(row)]] = 1;
   for (const Table_face& f : table_.faces)
     for (const std::uint32_t h : f.halfedges)
-      is_reached[h / 2] = has_curve[number(component_[number(f.rows[0])])];
+      is_reached[h / 2] = has_curve[component_[number(f.rows[0])]];
   return flow_(start, is_reached);
 }
 

@@ -92,7 +92,9 @@ private:
       static_assert(
           std::ranges::range<const Source>,
           "sources are vertices and halfedges of t.mesh(), objects Surface_point, Face_location or "
-          "Polyline_source, or ranges of them");
+          "Polyline_source, or ranges of them; a vertex of the user's mesh is "
+          "vertex_on_intrinsic(t, "
+          "v, mesh), a place on it locate_on_intrinsic(t, place, mesh)");
       for (const auto& s : source) add(s);
     }
   }

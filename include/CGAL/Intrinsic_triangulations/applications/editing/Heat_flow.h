@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>
@@ -44,7 +44,8 @@ public:
   */
   template <MeasuredTriangulation Triangulation>
   Heat_flow(const Triangulation& t, double time)
-      : mass_(lumped_mass_matrix(t).diagonal()), solver_(operator_of(t, mass_, time)) {}
+      : mass_(lumped_mass_matrix(t).diagonal()),
+        solver_(checked(time) * cotangent_laplacian(t), positive(mass_)) {}
 
   /*!
   \brief lets the heat flow.
@@ -60,20 +61,20 @@ public:
   }
 
 private:
-  template <class Triangulation>
-  static Eigen::SparseMatrix<double> operator_of(const Triangulation& t, Eigen::VectorXd& mass,
-                                                 double time) {
+  static double checked(double time) {
     if (!(time >= 0) || !std::isfinite(time))
       throw std::invalid_argument("the time must be finite and not negative");
+    return time;
+  }
+
+  static const Eigen::VectorXd& positive(Eigen::VectorXd& mass) {
     for (double& m : mass)
       if (!(m > 0)) m = 1; // any: nothing flows to or from isolated vertices
-    Eigen::SparseMatrix<double> a = time * cotangent_laplacian(t);
-    a.diagonal() += mass;
-    return a;
+    return mass;
   }
 
   Eigen::VectorXd mass_;
-  Cholesky_factorization<double> solver_;
+  Laplacian_factorization solver_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

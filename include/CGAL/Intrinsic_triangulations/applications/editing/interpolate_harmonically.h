@@ -6,7 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <Eigen/Core>
 
@@ -16,17 +18,6 @@
 #include <stdexcept>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-inline bool has_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
-  for (int c = 0; c < a.outerSize(); ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
-      if (i.value() > 0 && i.row() != c) return true;
-  return false;
-}
-
-} // namespace internal
 
 /*!
 \brief interpolates values at some vertices by the harmonic function: that with the least Dirichlet energy, the integral of |grad x|^2.
@@ -50,10 +41,14 @@ Eigen::VectorXd interpolate_harmonically(const Triangulation& t,
     throw std::invalid_argument("there must be a value per row that has one");
   const Eigen::SparseMatrix<double> l = cotangent_laplacian(t);
   Eigen::VectorXd x = Fixed_values_solver(l, rows).solve(Eigen::VectorXd::Zero(l.rows()), values);
-  if (rows.size() > 0 && !internal::has_positive_entry_off_diagonal(l))
+  if (rows.size() > 0 && internal::has_no_positive_entry_off_diagonal(l))
     x = x.cwiseMax(values.minCoeff()).cwiseMin(values.maxCoeff());
   return x;
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(interpolate_harmonically)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

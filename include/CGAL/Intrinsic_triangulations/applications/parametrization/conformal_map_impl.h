@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
 
 #include <Eigen/Dense>
 
@@ -78,7 +78,8 @@ least_squares_conformal_map(const Face_table& table, const Eigen::SparseMatrix<d
   for (int r = 0; r < c.rows(); ++r)
     if (r != first && r != second) free.push_back(r);
   if (!free.empty()) {
-    const Cholesky_factorization factored(principal_submatrix(c, free));
+    Complex_matrix of_free = principal_submatrix(c, free);
+    const Cholesky_factorization factored = raised_factorization(of_free);
     const Eigen::VectorXcd solved = factored.solve(Eigen::VectorXcd(right(free)));
     w(free) = solved;
   }
@@ -91,7 +92,8 @@ least_squares_conformal_map(const Face_table& table, const Eigen::SparseMatrix<d
 class Border_spectrum {
 public:
   Border_spectrum(const Complex_matrix& c, const Disk_border& border)
-      : weight_(Eigen::VectorXd::Zero(c.rows())), matrix_(shifted(c, border)), factored_(matrix_) {}
+      : weight_(Eigen::VectorXd::Zero(c.rows())), matrix_(shifted(c, border)),
+        factored_(raised_factorization(matrix_)) {}
 
   Eigen::VectorXcd first() const {
     const Eigen::Index n = std::min<Eigen::Index>(vectors, (weight_.array() > 0).count() - 1);

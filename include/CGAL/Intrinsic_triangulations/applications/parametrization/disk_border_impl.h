@@ -38,9 +38,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Disk_border disk_border(const Face_table& t
   for (const Table_face& f : table.faces) rows.insert(f.rows.begin(), f.rows.end());
   std::ptrdiff_t edges = 0;
   table.for_each_edge([&](const Table_face&, std::size_t) { ++edges; });
-  const std::vector<int> component = table.components();
+  const std::vector<std::uint32_t> component = table.components();
   for (const int row : rows)
-    if (component[static_cast<std::size_t>(row)] != *rows.begin())
+    if (component[static_cast<std::size_t>(row)] != static_cast<std::uint32_t>(*rows.begin()))
       throw_no_disk("is not connected");
   std::map<int, std::pair<int, double>> next;
   table.for_each_border_side([&](const Table_face& f, std::size_t k) {

@@ -26,7 +26,7 @@ Each vertex inside is the mean of its neighbours, weighted by cotangents. Of a D
 border is convex, no vertex inside leaves it, and by Tutte and Floater faces are not turned around. They may be *degenerate*,
 where the tessellation, that is the triangulation without the edges of weight zero, is not 3-connected: two vertices
 separate a part from the border, or a face has three vertices on one side of a polygon; and by rounding, where parts are mapped to less
-than its size. `certify_map()` tells, exactly.
+than its size. `certify_map()` tells, exactly, and `injective_harmonic_map()` refines the triangulation until there are none.
 
 On `t.mesh()` as it is built, before `flip_to_delaunay()`, the map is defined as well, without that guarantee.
 

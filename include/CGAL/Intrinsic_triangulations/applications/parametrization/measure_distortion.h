@@ -16,12 +16,16 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief says how a map to the plane changes angles and areas. A face is mapped linearly, with stretches s1 >= s2 in two directions at right
 angles.
+
+A face of the triangulation that has no area, or so little that its stretches are beyond the range of doubles, has none that are defined: it is left
+out of all figures, and counted. No figure is NaN; one that no face defines is that of the identity.
 */
 struct Map_distortion {
   double mean_quasi_conformal =
@@ -34,6 +38,7 @@ struct Map_distortion {
   double maximum_area_ratio = 1; ///< the greatest
   double mean_area_ratio =
       1; ///< mean by area of the greater of the ratio and its inverse: 1 at best
+  std::size_t faces_left_out = 0; ///< number of faces without area
 };
 
 namespace internal {
@@ -41,28 +46,56 @@ namespace internal {
 // Stretches and angles of one face.
 struct Face_distortion {
   double quasi_conformal = 1;
-  double area_ratio = 1; // signed, not divided by its mean
+  double area = 0, image_area = 0; // the latter signed
   std::array<double, 3> angle_changes{};
 
-  Face_distortion(const Table_face& f, const std::array<std::complex<double>, 3>& w) {
-    double sum = 0; // of squared stretches
-    for (std::size_t k = 0; k < 3; ++k)
-      sum += f.half_cotangent(k) * std::norm(w[(k + 1) % 3] - w[k]) / f.area();
-    const auto corners = f.layout();
-    area_ratio = std::imag(std::conj(w[1] - w[0]) * (w[2] - w[0])) / (2 * f.area());
-    const double product = std::abs(area_ratio), plus = std::sqrt(std::max(0.0, sum + 2 * product)),
-                 minus = std::sqrt(std::max(0.0, sum - 2 * product));
-    quasi_conformal = product > 0 ? (plus + minus) * (plus + minus) / (4 * product)
-                                  : std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k)
-      angle_changes[k] = std::abs(angle(corners, k) - angle(w, k));
+  // The map is a z + b conj(z) with the vertices in the face as complex numbers, s1, s2 = |a| +- |b|.
+  Face_distortion(const Table_face& f, const std::array<std::complex<double>, 3>& w)
+      : area(f.area()), image_area(std::imag(std::conj(w[1] - w[0]) * (w[2] - w[0])) / 2) {
+    const auto z = f.layout();
+    const std::complex<double> along = (w[1] - w[0]) / z[1].real(), // z[0] = 0, z[1] is real
+        across = (w[2] - w[0] - z[2].real() * along) / z[2].imag();
+    const std::complex<double> i(0, 1), a = (along - i * across) / 2.,
+                                        b = (along + i * across) / 2.;
+    const double s1 = std::abs(a) + std::abs(b);
+    is_defined = area > 0 && std::isfinite(s1 * s1);
+    const double s2 = std::abs(image_area) / area / s1; // s1 s2 is the ratio of areas
+    quasi_conformal = s2 > 0 ? s1 / s2 : std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) angle_changes[k] = std::abs(angle(z, k) - angle(w, k));
   }
+
+  bool is_defined = false;
 
 private:
   static double angle(const std::array<std::complex<double>, 3>& w, std::size_t k) {
     return std::abs(std::arg((w[(k + 2) % 3] - w[k]) * std::conj(w[(k + 1) % 3] - w[k])));
   }
 };
+
+inline Map_distortion summed_distortion(const std::vector<Face_distortion>& faces, double area,
+                                        double of_image, std::size_t left_out) {
+  Map_distortion d;
+  d.faces_left_out = left_out;
+  if (faces.empty()) return d;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  d.mean_quasi_conformal = d.mean_area_ratio = 0;
+  d.minimum_area_ratio = infinity;
+  d.maximum_area_ratio = -infinity;
+  for (const Face_distortion& face : faces) {
+    const double share = face.area / area,
+                 ratio = of_image != 0 ? face.image_area / face.area * (area / of_image) : 0;
+    if (share > 0) d.mean_quasi_conformal += share * face.quasi_conformal;
+    d.maximum_quasi_conformal = std::max(d.maximum_quasi_conformal, face.quasi_conformal);
+    for (const double change : face.angle_changes) {
+      d.mean_angle_change += change / (3 * static_cast<double>(faces.size()));
+      d.maximum_angle_change = std::max(d.maximum_angle_change, change);
+    }
+    d.minimum_area_ratio = std::min(d.minimum_area_ratio, ratio);
+    d.maximum_area_ratio = std::max(d.maximum_area_ratio, ratio);
+    if (share > 0) d.mean_area_ratio += share * (ratio > 0 ? std::max(ratio, 1 / ratio) : infinity);
+  }
+  return d;
+}
 
 } // namespace internal
 
@@ -72,7 +105,7 @@ private:
 \param t the triangulation
 \param uv a point per row of `t.input_vertex()`
 \return the figures, in doubles
-\throws std::invalid_argument if a row is missing
+\throws std::invalid_argument if a row is missing, or a coordinate is not finite
 \complexity linear
 */
 template <NumberedTriangulation Triangulation>
@@ -80,35 +113,19 @@ Map_distortion measure_distortion(const Triangulation& t, const Eigen::MatrixX2d
   const internal::Face_table table = internal::face_table(t);
   if (uv.rows() < static_cast<Eigen::Index>(table.number_of_rows))
     throw std::invalid_argument("the map must have a point per vertex");
+  if (!uv.allFinite()) throw std::invalid_argument("the coordinates of a map must be finite");
+  std::vector<internal::Face_distortion> faces;
   double area = 0, of_image = 0;
-  Map_distortion d{
-      0, 1, 0, 0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-      0};
-  const auto measure = [&](const internal::Table_face& f) {
+  for (const internal::Table_face& f : table.faces) {
     std::array<std::complex<double>, 3> w;
     for (std::size_t k = 0; k < 3; ++k) w[k] = {uv(f.rows[k], 0), uv(f.rows[k], 1)};
-    return internal::Face_distortion(f, w);
-  };
-  for (const internal::Table_face& f : table.faces) {
-    area += f.area();
-    of_image += measure(f).area_ratio * f.area();
+    const internal::Face_distortion face(f, w);
+    if (!face.is_defined) continue;
+    faces.push_back(face);
+    area += face.area;
+    of_image += face.image_area;
   }
-  for (const internal::Table_face& f : table.faces) {
-    const internal::Face_distortion face = measure(f);
-    const double share = f.area() / area,
-                 ratio = of_image != 0 ? face.area_ratio * area / of_image : 0;
-    d.mean_quasi_conformal += share * face.quasi_conformal;
-    d.maximum_quasi_conformal = std::max(d.maximum_quasi_conformal, face.quasi_conformal);
-    for (const double change : face.angle_changes) {
-      d.mean_angle_change += change / (3 * static_cast<double>(table.faces.size()));
-      d.maximum_angle_change = std::max(d.maximum_angle_change, change);
-    }
-    d.minimum_area_ratio = std::min(d.minimum_area_ratio, ratio);
-    d.maximum_area_ratio = std::max(d.maximum_area_ratio, ratio);
-    d.mean_area_ratio +=
-        share * (ratio > 0 ? std::max(ratio, 1 / ratio) : std::numeric_limits<double>::infinity());
-  }
-  return d;
+  return internal::summed_distortion(faces, area, of_image, table.faces.size() - faces.size());
 }
 
 } // namespace CGAL::Intrinsic_triangulations

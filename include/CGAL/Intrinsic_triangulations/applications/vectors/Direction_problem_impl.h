@@ -5,12 +5,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_DIRECTION_PROBLEM_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Direction_problem.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/factored_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/graph_parts.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -19,6 +18,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <utility>
 #include <vector>
@@ -56,7 +56,7 @@ private:
   Eigen::Index part(Eigen::Index i) const {
     return static_cast<Eigen::Index>(part_[static_cast<std::size_t>(i)]);
   }
-  double mass(Eigen::Index i) const { return masses_[static_cast<std::size_t>(i)]; }
+  double mass(Eigen::Index i) const { return masses_[i]; }
 
   // The factored matrix, with ones for what is fixed; sets the right side.
   Cholesky_factorization<Complex> factored(const Direction_problem& problem) {
@@ -68,11 +68,10 @@ private:
       is_fixed_[i] = 1;
       values[static_cast<Eigen::Index>(i)] = z;
     }
-    std::vector<double> shifts = masses_;
-    for (double& s : shifts) s *= shift;
-    return factored_laplacian<Complex>(
-        graph_, problem.degree, 1, shifts,
-        [&](Eigen::SparseMatrix<Complex>& m) { eliminate(values, m); });
+    Eigen::SparseMatrix<Complex> m = scaled_laplacian<Complex>(graph_, problem.degree, 1);
+    for (int i = 0; i < m.cols(); ++i) m.coeffRef(i, i) += shift * mass(i);
+    eliminate(values, m);
+    return raised_factorization(m);
   }
 
   void eliminate(const Eigen::VectorXcd& values, Eigen::SparseMatrix<Complex>& m) {
@@ -160,8 +159,8 @@ private:
   }
 
   const Connection_graph& graph_;
-  std::vector<std::size_t> part_;
-  std::vector<double> masses_;
+  std::vector<std::uint32_t> part_;
+  Eigen::VectorXd masses_;
   std::vector<char> is_fixed_;
   Eigen::VectorXcd right_;
   Cholesky_factorization<Complex> factor_;

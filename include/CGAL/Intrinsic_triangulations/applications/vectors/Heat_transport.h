@@ -5,15 +5,14 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_HEAT_TRANSPORT_H
 
 #include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
 
 #include <Eigen/Core>
 
 #include <complex>
 #include <cstddef>
-#include <memory>
+#include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -43,13 +42,15 @@ struct Source_corner {
 class Heat_transport {
 public:
   // \param time_scale the time, in squares of the mean length of edges
-  Heat_transport(Connection_graph graph, double time_scale)
-      : Heat_transport(std::make_shared<const Connection_graph>(std::move(graph)), time_scale) {}
+  Heat_transport(Connection_graph graph, double time_scale);
 
-  const Connection_graph& graph() const { return *graph_; }
+  const Connection_graph& graph() const { return graph_; }
+
+  // for each vertex, one that stands for all that heat connects it with
+  const std::vector<std::uint32_t>& parts() const { return part_; }
 
   // the heat that comes from a source
-  Eigen::VectorXd heat(const std::vector<Source_corner>& source) const;
+  Heat<double> heat(const std::vector<Source_corner>& source) const;
   // the mean of the values at sources, by the heat that comes from each
   Eigen::VectorXd extended(const Vector_sources& sources) const;
   // the vectors from sources, with the mean of their lengths
@@ -60,31 +61,26 @@ public:
   Eigen::VectorXcd polar_logarithm(const std::vector<Source_corner>& source) const;
 
 private:
-  Heat_transport(std::shared_ptr<const Connection_graph> graph, double time_scale);
-
-  Eigen::MatrixXd diffused(const Eigen::MatrixXd& b) const;
-  Eigen::MatrixXcd diffused(const Eigen::MatrixXcd& b) const;
-  Eigen::MatrixXd heats(const Vector_sources& sources) const;
+  const Diffusion<double>& functions() const;
+  const Diffusion<std::complex<double>>& vectors() const;
+  std::vector<char> reached(const Eigen::VectorXd& weights) const;
   Eigen::VectorXd weights(const std::vector<Source_corner>& source) const;
-  Eigen::MatrixXcd polar_fields(const std::vector<Source_corner>& source) const;
   Eigen::VectorXcd parallel_frames(const std::vector<Source_corner>& source) const;
   Eigen::VectorXcd outward_vectors(const std::vector<Source_corner>& source) const;
+  Heat<std::complex<double>> positions_at_neighbours(const std::vector<Source_corner>& source,
+                                                     const Heat<double>& heat) const;
   Eigen::VectorXd distances(const std::vector<Source_corner>& source,
                             const Eigen::VectorXcd& radial) const;
-  std::vector<double> pins() const;
-  template <class Values, class Ask>
-  void ask_longer(Values& values, const Eigen::VectorXd& heat, const Eigen::VectorXd& weights,
-                  const Ask& ask) const;
+  Eigen::VectorXd pins() const;
 
-  std::shared_ptr<const Connection_graph> graph_;
-  std::vector<std::size_t> part_; // of each vertex, see graph_parts()
-  double time_scale_, time_;
+  Connection_graph graph_;
+  std::vector<std::uint32_t> part_;
+  double time_;
   std::vector<std::complex<double>> at_source_, at_target_; // directions of edges
-  std::vector<double> masses_;                              // areas, ones at isolated vertices
-  mutable std::optional<Cholesky_factorization<double>> functions_, poisson_;
-  mutable std::optional<Cholesky_factorization<std::complex<double>>> vectors_;
-  mutable std::shared_ptr<const Heat_transport>
-      longer_; // by a longer time, for where no heat arrives
+  Eigen::VectorXd masses_;                                  // areas, ones at isolated vertices
+  mutable std::optional<Laplacian_factorization> poisson_;
+  mutable std::optional<Diffusion<double>> functions_;
+  mutable std::optional<Diffusion<std::complex<double>>> vectors_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

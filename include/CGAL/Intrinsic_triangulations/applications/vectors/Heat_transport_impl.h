@@ -5,10 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_HEAT_TRANSPORT_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/factored_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/graph_parts.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
 
 #include <Eigen/Core>
 
@@ -16,104 +16,108 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <memory>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What is less than this may have lost digits.
-inline constexpr double least_heat = 1e-270;
-
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Heat_transport::Heat_transport(std::shared_ptr<const Connection_graph> graph, double time_scale)
-    : graph_(std::move(graph)), part_(graph_parts(*graph_)), time_scale_(time_scale),
-      time_(time_scale * graph_->squared_mean_length), masses_(positive_masses(*graph_)) {
-  at_source_.reserve(graph_->edges.size());
-  at_target_.reserve(graph_->edges.size());
-  for (const Connection_edge& e : graph_->edges) {
+Heat_transport::Heat_transport(Connection_graph graph, double time_scale)
+    : graph_(std::move(graph)), part_(graph_parts(graph_)),
+      time_(time_scale * graph_.squared_mean_length), masses_(positive_masses(graph_)) {
+  at_source_.reserve(graph_.edges.size());
+  at_target_.reserve(graph_.edges.size());
+  for (const Connection_edge& e : graph_.edges) {
     at_source_.push_back(std::polar(1., e.source_angle));
     at_target_.push_back(std::polar(1., e.target_angle));
   }
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Eigen::MatrixXd Heat_transport::diffused(const Eigen::MatrixXd& b) const {
-  if (!functions_) functions_.emplace(factored_laplacian<double>(*graph_, 0, time_, masses_));
-  return functions_->solve(b);
+const Diffusion<double>& Heat_transport::functions() const {
+  if (!functions_) functions_.emplace(scaled_laplacian<double>(graph_, 0, time_), masses_);
+  return *functions_;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Eigen::MatrixXcd Heat_transport::diffused(const Eigen::MatrixXcd& b) const {
+const Diffusion<std::complex<double>>& Heat_transport::vectors() const {
   if (!vectors_)
-    vectors_.emplace(factored_laplacian<std::complex<double>>(*graph_, 1, time_, masses_));
-  return vectors_->solve(b);
+    vectors_.emplace(scaled_laplacian<std::complex<double>>(graph_, 1, time_), masses_);
+  return *vectors_;
+}
+
+// Whether there is a source in the part of each vertex.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::vector<char> Heat_transport::reached(const Eigen::VectorXd& weights) const {
+  std::vector<char> result(graph_.size, 0);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (weights[static_cast<Eigen::Index>(i)] > 0) result[part_[i]] = 1;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[part_[i]];
+  return result;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Eigen::VectorXd Heat_transport::heat(const std::vector<Source_corner>& source) const {
-  return diffused(Eigen::MatrixXd(weights(source)));
+Heat<double> Heat_transport::heat(const std::vector<Source_corner>& source) const {
+  const Eigen::VectorXd start = weights(source);
+  return functions()(start, reached(start));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXd Heat_transport::weights(const std::vector<Source_corner>& source) const {
-  Eigen::VectorXd w = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(graph_->size));
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(graph_.size));
   for (const Source_corner& c : source) w[c.vertex] += c.weight;
   return w;
 }
 
-// Heat falls by a constant factor per edge, and below what doubles hold after some hundred of them. Replaces the values there by those that
-// `ask` finds with a longer time.
-template <class Values, class Ask>
-void Heat_transport::ask_longer(Values& values, const Eigen::VectorXd& heat,
-                                const Eigen::VectorXd& weights, const Ask& ask) const {
-  std::vector<char> is_reached(graph_->size, 0); // by part
-  const auto part = [this](Eigen::Index i) { return part_[static_cast<std::size_t>(i)]; };
-  for (Eigen::Index i = 0; i < weights.size(); ++i)
-    if (weights[i] > 0) is_reached[part(i)] = 1;
-  std::vector<Eigen::Index> missing;
-  for (Eigen::Index i = 0; i < heat.size(); ++i)
-    if (is_reached[part(i)] != 0 && !(heat[i] > least_heat)) missing.push_back(i);
-  if (missing.empty() || time_scale_ > 1e9) return;
-  if (!longer_) longer_.reset(new Heat_transport(graph_, 64 * time_scale_));
-  const Values others = ask(*longer_);
-  for (const Eigen::Index i : missing) values.row(i) = others.row(i);
-}
-
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXd Heat_transport::extended(const Vector_sources& sources) const {
-  const Eigen::MatrixXd heat = heats(sources);
-  Eigen::VectorXd result = heat.col(0);
-  ask_longer(result, heat.col(1), sources.weights,
-             [&](const Heat_transport& longer) { return longer.extended(sources); });
+  const std::vector<Heat<double>> heat = functions().all(
+      {Heat<double>(sources.lengths), Heat<double>(sources.weights)}, reached(sources.weights));
+  Eigen::VectorXd result(sources.weights.size());
+  for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = heat_ratio(heat[0], heat[1], i);
   return result;
-}
-
-// The mean of the lengths of sources, and the heat.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Eigen::MatrixXd Heat_transport::heats(const Vector_sources& sources) const {
-  Eigen::MatrixXd b(sources.weights.size(), 2);
-  b << sources.lengths, sources.weights;
-  Eigen::MatrixXd heat = diffused(b);
-  for (Eigen::Index i = 0; i < b.rows(); ++i)
-    heat(i, 0) = heat(i, 1) > least_heat ? heat(i, 0) / heat(i, 1) : 0;
-  return heat;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::transported(const Vector_sources& sources) const {
-  const Eigen::MatrixXd heat = heats(sources);
-  Eigen::VectorXcd z = diffused(Eigen::MatrixXcd(sources.vectors));
-  for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = unit_vector(z[i]) * heat(i, 0);
-  ask_longer(z, heat.col(1), sources.weights,
-             [&](const Heat_transport& longer) { return longer.transported(sources); });
-  return z;
+  const Eigen::VectorXd lengths = extended(sources);
+  const auto z = vectors()(sources.vectors, reached(sources.weights));
+  return z.value.unaryExpr(&unit_vector).cwiseProduct(lengths.cast<std::complex<double>>());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::parallel_frames(const std::vector<Source_corner>& source) const {
-  Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_->size));
+  Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_.size));
   for (const Source_corner& c : source) b[c.vertex] += c.weight * c.frame;
+  return b;
+}
+
+// What edges add to positions that cross them, and positions at the corners of the source: with the exponents of the heat, as much as
+// comes from a neighbour.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Heat<std::complex<double>>
+Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source,
+                                        const Heat<double>& heat) const {
+  Heat<std::complex<double>> b(Eigen::VectorXcd::Zero(heat.value.size()));
+  b.level = heat.level;
+  b.exponent = heat.exponent;
+  const auto number = [](int i) { return static_cast<std::size_t>(i); };
+  for (const Connection_edge& e : graph_.edges) {
+    if (e.weight == 0) continue;
+    int &s = b.level[number(e.source)], &t = b.level[number(e.target)];
+    s = std::min(s, heat.level[number(e.target)]);
+    t = std::min(t, heat.level[number(e.source)]);
+  }
+  const double unit = std::ldexp(1., -heat.exponent);
+  for (const Source_corner& c : source) b.value[c.vertex] -= unit * c.weight * c.frame * c.offset;
+  for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+    const Connection_edge& e = graph_.edges[i];
+    if (e.weight == 0) continue;
+    const double w = time_ * e.weight * e.length;
+    b.value[e.source] += w * heat.at(e.target, b.level[number(e.source)]) * at_source_[i];
+    b.value[e.target] += w * heat.at(e.source, b.level[number(e.target)]) * at_target_[i];
+  }
   return b;
 }
 
@@ -121,23 +125,14 @@ Eigen::VectorXcd Heat_transport::parallel_frames(const std::vector<Source_corner
 // whose vectors are moved by the edge that they cross: exactly, on any triangulation.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corner>& source) const {
-  const auto size = static_cast<Eigen::Index>(graph_->size);
-  Eigen::MatrixXcd b = Eigen::MatrixXcd::Zero(size, 2); // positions, frames
-  b.col(1) = parallel_frames(source);
-  for (const Source_corner& c : source) b(c.vertex, 0) -= c.weight * c.frame * c.offset;
-  const Eigen::VectorXd heat = this->heat(source);
-  for (std::size_t i = 0; i < graph_->edges.size(); ++i) {
-    const Connection_edge& e = graph_->edges[i];
-    const double w = time_ * e.weight * e.length;
-    b(e.source, 0) += w * heat[e.target] * at_source_[i];
-    b(e.target, 0) += w * heat[e.source] * at_target_[i];
-  }
-  const Eigen::MatrixXcd z = diffused(b);
-  Eigen::VectorXcd result = Eigen::VectorXcd::Zero(size);
-  for (Eigen::Index i = 0; i < size; ++i)
-    if (heat[i] > least_heat) result[i] = -z(i, 0) / heat[i] * std::conj(unit_vector(z(i, 1)));
-  ask_longer(result, heat, weights(source),
-             [&](const Heat_transport& longer) { return longer.affine_logarithm(source); });
+  using Vectors = Heat<std::complex<double>>;
+  const Heat<double> heat = this->heat(source);
+  const std::vector<Vectors> z =
+      vectors().all({positions_at_neighbours(source, heat), Vectors(parallel_frames(source))},
+                    reached(weights(source)));
+  Eigen::VectorXcd result(heat.value.size());
+  for (Eigen::Index i = 0; i < result.size(); ++i)
+    result[i] = -heat_ratio(z[0], heat, i) * std::conj(unit_vector(z[1].value[i]));
   for (const Source_corner& c : source) result[c.vertex] = c.offset;
   return result;
 }
@@ -146,9 +141,9 @@ Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corne
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner>& source) const {
   const Eigen::VectorXd at = weights(source);
-  Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_->size));
-  for (std::size_t i = 0; i < graph_->edges.size(); ++i) {
-    const Connection_edge& e = graph_->edges[i];
+  Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_.size));
+  for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+    const Connection_edge& e = graph_.edges[i];
     if (e.source == e.target) continue;
     if (at[e.source] > 0) b[e.target] -= at[e.source] * e.weight * at_target_[i];
     if (at[e.target] > 0) b[e.source] -= at[e.target] * e.weight * at_source_[i];
@@ -158,10 +153,10 @@ Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner
 
 // What makes a matrix definite that has constants in its kernel: a vertex in each part that edges connect.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::vector<double> Heat_transport::pins() const {
-  std::vector<double> pins(graph_->size, 0);
-  for (std::size_t i = 0; i < graph_->size; ++i)
-    if (part_[i] == i) pins[i] = 1;
+Eigen::VectorXd Heat_transport::pins() const {
+  Eigen::VectorXd pins(static_cast<Eigen::Index>(graph_.size));
+  for (std::size_t i = 0; i < graph_.size; ++i)
+    pins[static_cast<Eigen::Index>(i)] = part_[i] == i ? 1 : 0;
   return pins;
 }
 
@@ -169,10 +164,10 @@ std::vector<double> Heat_transport::pins() const {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& source,
                                           const Eigen::VectorXcd& radial) const {
-  if (!poisson_) poisson_.emplace(factored_laplacian<double>(*graph_, 0, 1, pins()));
+  if (!poisson_) poisson_.emplace(scaled_laplacian<double>(graph_, 0, 1), pins());
   Eigen::VectorXd b = Eigen::VectorXd::Zero(radial.size());
-  for (std::size_t i = 0; i < graph_->edges.size(); ++i) {
-    const Connection_edge& e = graph_->edges[i];
+  for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+    const Connection_edge& e = graph_.edges[i];
     const std::complex<double>&x = radial[e.source], &y = radial[e.target];
     const double ends = (x == 0. ? 0 : 1) + (y == 0. ? 0 : 1);
     if (ends == 0) continue;
@@ -189,26 +184,18 @@ Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& sour
   return r;
 }
 
-// Unit vectors away from the source, and parallel to its real axis.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Eigen::MatrixXcd Heat_transport::polar_fields(const std::vector<Source_corner>& source) const {
-  Eigen::MatrixXcd b(static_cast<Eigen::Index>(graph_->size), 2);
-  b << outward_vectors(source), parallel_frames(source);
-  Eigen::MatrixXcd z = diffused(b).unaryExpr(&unit_vector);
-  ask_longer(z, heat(source), weights(source),
-             [&](const Heat_transport& longer) { return longer.polar_fields(source); });
-  return z;
-}
-
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::polar_logarithm(const std::vector<Source_corner>& source) const {
-  const Eigen::MatrixXcd z = polar_fields(source);
-  Eigen::VectorXcd radial = z.col(0);
+  using Vectors = Heat<std::complex<double>>;
+  const std::vector<Vectors> z = // away from the source, and parallel to its real axis
+      vectors().all({Vectors(outward_vectors(source)), Vectors(parallel_frames(source))},
+                    reached(weights(source)));
+  Eigen::VectorXcd radial = z[0].value.unaryExpr(&unit_vector);
   for (const Source_corner& c : source) radial[c.vertex] = unit_vector(c.frame * c.offset);
   const Eigen::VectorXd r = distances(source, radial);
   Eigen::VectorXcd result(radial.size());
   for (Eigen::Index i = 0; i < result.size(); ++i)
-    result[i] = std::max(0., r[i]) * radial[i] * std::conj(z(i, 1));
+    result[i] = std::max(0., r[i]) * radial[i] * std::conj(unit_vector(z[1].value[i]));
   for (const Source_corner& c : source) result[c.vertex] = c.offset;
   return result;
 }

@@ -43,7 +43,7 @@ triangulations, which other ones should be made first.
 Vectors at vertices are those of a `Tangent_field`; at border vertices, whose angles are not scaled inside, a vector that points
 out of the surface is kept in the half of the circle beyond the border. Points are places on the triangulation with vectors in the
 frame of their halfedge, as `Tangent_vector`; `surface_point(t, face_location)` makes one. Components without a source have zeros. Heat falls with distance, below what doubles hold after some
-hundred edges; farther away the time is 64 times as long, and so on.
+hundred edges; values have exponents of their own, so that any distance and lengths of any size will do.
 
 Functions that are const factor matrices at first: threads must not call them at once before.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
@@ -77,12 +77,22 @@ public:
   }
 
   /*!
-  \brief returns the heat at all vertices that comes from a point: most of it comes from the nearest of several points.
+  \brief returns the logarithm of the heat at all vertices that comes from a point: most of it comes from the nearest of several points.
   \param p the point
-  \return positive numbers, by the numbers of a `Tangent_field`; zero where none arrives in doubles: beyond about 700 edges with the default time
-  \complexity that of solving with one factored real matrix
+  \return natural logarithms, by the numbers of a `Tangent_field`; minus infinity where none arrives: on other components
+  \complexity that of solving with one factored real matrix; once more for each 700 edges or so from the point
   */
-  Eigen::VectorXd heat(const Surface_point& p) const { return heat_.heat(frames_.corners(p)); }
+  Eigen::VectorXd log_heat(const Surface_point& p) const {
+    const internal::Heat<double> heat = heat_.heat(frames_.corners(p));
+    Eigen::VectorXd result(heat.value.size());
+    for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = internal::log_heat(heat, i);
+    return result;
+  }
+
+  /// tells whether points are on one component of the surface, so that heat goes from one to the other. \complexity constant
+  bool are_connected(const Surface_point& p, const Surface_point& q) const {
+    return part(p) == part(q);
+  }
 
   /// returns a third of the area of the faces at each vertex, by the numbers of a `Tangent_field`, up to a factor.
   const std::vector<double>& relative_areas() const { return heat_.graph().areas; }
@@ -194,13 +204,22 @@ public:
   \param p a point
   \param q another point; in the same face, the result is exact
   \return the vector to `q`, in the frame of `p.halfedge`
+  \throws std::invalid_argument if `log` has not a vector per vertex
   */
   Complex logarithm_at(const std::vector<Complex>& log, const Surface_point& p,
                        const Surface_point& q) const {
+    if (log.size() != heat_.graph().size)
+      throw std::invalid_argument("a logarithmic map has a vector per vertex, " +
+                                  std::to_string(heat_.graph().size) + ", not " +
+                                  std::to_string(log.size()));
     return frames_.interpolated(log, p, q);
   }
 
 private:
+  std::uint32_t part(const Surface_point& p) const {
+    return heat_.parts()[static_cast<std::size_t>(frames_.corners(p)[0].vertex)];
+  }
+
   static double checked(double time_scale) {
     if (!(time_scale > 0) || !std::isfinite(time_scale))
       throw std::invalid_argument("the time of diffusion must be positive, not " +

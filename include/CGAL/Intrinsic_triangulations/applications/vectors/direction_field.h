@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <Eigen/Core>
 
@@ -192,6 +193,11 @@ directions_along_path(const Triangulation& t,
   if (!path.empty()) add(target(path.back(), t.mesh()), back(path.back()));
   return result;
 }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(smoothest_direction_field)
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(aligned_direction_field)
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

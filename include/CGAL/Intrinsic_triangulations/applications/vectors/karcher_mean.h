@@ -12,7 +12,9 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,7 +28,8 @@ struct Karcher_mean {
   double residual = 0;   ///< length of the mean of the vectors to the points, zero at a centre
   double energy = 0;     ///< mean of the squared distances
   std::size_t steps = 0; ///< number of logarithmic maps that were found
-  Status status = Status::done; ///< `cap`: the number of steps did not suffice
+  Status status =
+      Status::done; ///< `cap`: the number of steps did not suffice; `cancelled` by the caller
 };
 
 namespace internal {
@@ -47,6 +50,12 @@ public:
     }
     if (!(greatest_ > 0))
       throw std::invalid_argument("there must be a point with a positive weight");
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].second > 0 && !heat.are_connected(points[i].first, heaviest_))
+        throw std::invalid_argument(
+            "point " + std::to_string(i) +
+            " is on another component of the surface than the heaviest one, "
+            "so that they have no mean; give the points of one component");
   }
 
   // the one of greatest weight
@@ -84,14 +93,17 @@ thousandth of an edge.
 \param points points of it, and their weights
 \param tolerance the residual to reach, in mean lengths of edges
 \param maximum_steps the number of steps after which to give up
+\param progress is called with what was reached after each logarithmic map but the last, if given; tells whether to go on
 \return the centre
-\throws std::invalid_argument if there are no points, or a weight is negative or not finite, or all are zero
+\throws std::invalid_argument if there are no points, a weight is negative or not finite, or all are zero, or points of positive weight are on different
+  components of the surface
 \complexity for each step, that of a logarithmic map and of tracing a geodesic
 */
 template <internal::Connected_triangulation Triangulation>
 Karcher_mean karcher_mean(const Vector_heat_method<Triangulation>& heat,
                           const std::vector<std::pair<Surface_point, double>>& points,
-                          double tolerance = 1e-4, std::size_t maximum_steps = 50) {
+                          double tolerance = 1e-4, std::size_t maximum_steps = 50,
+                          const std::function<bool(const Karcher_mean&)>& progress = {}) {
   const internal::Weighted_points<Triangulation> seen(heat, points);
   Karcher_mean mean;
   mean.point = internal::off_vertex(seen.heaviest());
@@ -103,6 +115,10 @@ Karcher_mean karcher_mean(const Vector_heat_method<Triangulation>& heat,
   for (mean.steps = 1; mean.residual > enough && part >= 0x1p-10; ++mean.steps) {
     if (mean.steps >= maximum_steps) {
       mean.status = Status::cap;
+      break;
+    }
+    if (progress && !progress(mean)) {
+      mean.status = Status::cancelled;
       break;
     }
     const Surface_point there = internal::off_vertex(

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <Eigen/Core>
@@ -15,6 +16,8 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -26,10 +29,12 @@ namespace CGAL::Intrinsic_triangulations {
 */
 struct Voronoi_centres {
   std::vector<Surface_point> sites; ///< the points
-  /// Of each vertex, by the numbers of a `Tangent_field`, the nearest site; `Gluing::none` where no heat arrives from any.
+  /// Of each vertex, by the numbers of a `Tangent_field`, the nearest site; `Gluing::none` on components without one.
   std::vector<std::uint32_t> cell;
   double largest_move = 0; ///< by which a site moved in the last step
   std::size_t steps = 0;   ///< number of steps
+  Status status =
+      Status::done; ///< `cap`: sites still moved in the last step; `cancelled` by the caller
 };
 
 namespace internal {
@@ -41,8 +46,9 @@ std::vector<std::uint32_t> voronoi_cells(const Vector_heat_method<Triangulation>
   Eigen::VectorXd most;
   std::vector<std::uint32_t> cell(heat.relative_areas().size(), Gluing::none);
   for (std::uint32_t s = 0; s < sites.size(); ++s) {
-    const Eigen::VectorXd from = heat.heat(sites[s]);
-    if (s == 0) most = Eigen::VectorXd::Zero(from.size());
+    const Eigen::VectorXd from = heat.log_heat(sites[s]);
+    if (s == 0)
+      most = Eigen::VectorXd::Constant(from.size(), -std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < cell.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       if (!(from[k] > most[k])) continue;
@@ -65,6 +71,7 @@ thousandth of an edge.
 \param sites points of it, where to start
 \param maximum_steps the number of steps
 \param tolerance the move of all sites at which to stop, in mean lengths of edges
+\param progress is called with what was reached before each step, if given; tells whether to go on
 \return the sites and their cells
 \throws std::invalid_argument if there are no sites
 \complexity for each step and site, that of a logarithmic map and of solving with a factored matrix
@@ -72,13 +79,19 @@ thousandth of an edge.
 template <internal::Connected_triangulation Triangulation>
 Voronoi_centres voronoi_centres(const Vector_heat_method<Triangulation>& heat,
                                 std::vector<Surface_point> sites, std::size_t maximum_steps = 20,
-                                double tolerance = 0.01) {
+                                double tolerance = 0.01,
+                                const std::function<bool(const Voronoi_centres&)>& progress = {}) {
   if (sites.empty()) throw std::invalid_argument("there must be a site");
   for (Surface_point& p : sites) p = internal::off_vertex(p);
-  Voronoi_centres result{std::move(sites), {}, 0, 0};
+  Voronoi_centres result{std::move(sites), {}, 0, 0, Status::done};
   result.cell = internal::voronoi_cells(heat, result.sites);
   const std::vector<double>& areas = heat.relative_areas();
-  for (; result.steps < maximum_steps; ++result.steps) {
+  result.status = Status::cap;
+  while (result.steps < maximum_steps) {
+    if (progress && !progress(result)) {
+      result.status = Status::cancelled;
+      break;
+    }
     result.largest_move = 0;
     for (std::uint32_t s = 0; s < result.sites.size(); ++s) {
       const std::vector<std::complex<double>> log = heat.logarithmic_map(result.sites[s]);
@@ -95,7 +108,10 @@ Voronoi_centres voronoi_centres(const Vector_heat_method<Triangulation>& heat,
       result.largest_move = std::max(result.largest_move, g.length);
     }
     result.cell = internal::voronoi_cells(heat, result.sites);
-    if (result.largest_move <= tolerance * heat.mean_edge_length()) break;
+    ++result.steps;
+    if (result.largest_move > tolerance * heat.mean_edge_length()) continue;
+    result.status = Status::done;
+    break;
   }
   return result;
 }

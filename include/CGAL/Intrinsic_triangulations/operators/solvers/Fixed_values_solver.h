@@ -5,13 +5,14 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_FIXED_VALUES_SOLVER_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <cstdint>
-#include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -26,7 +27,8 @@ values may then be given many times. No condition on the border is the natural o
 
 With `a` the cotangent Laplacian and `b` zero, x is the harmonic function with these values; with `b` the mass matrix
 times f, the solution of a Poisson problem. With a row of `rows_with_constant_kernel()` fixed at zero it is solved up to a constant in each
-component. Rows are those of vertices, `t.input_vertex(v)`, inserted ones included.
+component. A Laplacian is factored without subtraction, as far as its weights are not negative, see `Laplacian_factorization`: it stays definite, and solutions
+accurate, whatever the weights are. Rows are those of vertices, `t.input_vertex(v)`, inserted ones included.
 */
 class Fixed_values_solver {
 public:
@@ -53,13 +55,17 @@ public:
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const;
 
 private:
+  void factor_with_negative_excess(const Eigen::SparseMatrix<double>& a,
+                                   const Eigen::VectorXd& excess);
   Eigen::MatrixXd fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const;
 
-  std::vector<std::uint32_t> rows_;                             // fixed ones, as they were given
-  Eigen::SparseMatrix<double> coupling_;                        // A_fc, a column for every row
-  std::vector<int> free_;                                       // the free rows
-  double sign_ = 1;                                             // -1: negative definite
-  std::optional<Cholesky_factorization<double>> factorization_; // none: all rows are fixed
+  std::vector<std::uint32_t> rows_;      // fixed ones, as they were given
+  Eigen::SparseMatrix<double> coupling_; // A_fc, a column for every row
+  std::vector<int> free_;                // the free rows
+  double sign_ = 1;                      // -1: negative definite
+  // nothing, if all rows are fixed
+  std::variant<std::monostate, Laplacian_factorization, Cholesky_factorization<double>>
+      factorization_;
 };
 
 /*!

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -65,6 +66,24 @@ inline Eigen::SparseMatrix<double> free_selection(const std::vector<int>& place,
   return s;
 }
 
+// What the rows of free ones sum to, with minus the entries of fixed ones: the diagonal beside which the rest is a Laplacian. What rounding leaves of
+// rows that sum to zero is left out.
+inline Eigen::VectorXd row_excess(const Eigen::SparseMatrix<double>& coupling,
+                                  const std::vector<int>& free) {
+  std::vector<char> is_free(static_cast<std::size_t>(coupling.cols()), 0);
+  for (const int r : free) is_free[static_cast<std::size_t>(r)] = 1;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(coupling.rows()), absolute = sum, to_fixed = sum;
+  for (int c = 0; c < coupling.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(coupling, c); i; ++i) {
+      sum[i.row()] += i.value();
+      absolute[i.row()] += std::abs(i.value());
+      if (is_free[static_cast<std::size_t>(c)] == 0) to_fixed[i.row()] -= i.value();
+    }
+  for (Eigen::Index r = 0; r < sum.size(); ++r)
+    if (std::abs(sum[r]) > 0x1p-46 * absolute[r]) to_fixed[r] += sum[r];
+  return to_fixed;
+}
+
 [[noreturn]] inline void throw_no_value_in_component(int row) {
   throw std::invalid_argument("no value is fixed in the component of row " + std::to_string(row) +
                               ", where constants may be added to any solution; fix one there");
@@ -109,10 +128,25 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
     sign_ = -1;
     free_part = -free_part;
   }
+  const Eigen::VectorXd excess = internal::row_excess(sign_ * coupling_, free_);
   try {
-    factorization_.emplace(free_part);
+    if (excess.minCoeff() >= 0)
+      factorization_.emplace<Laplacian_factorization>(free_part, excess);
+    else
+      factor_with_negative_excess(free_part, excess);
   } catch (const Indefinite_matrix& error) {
     throw Indefinite_matrix(free_[static_cast<std::size_t>(error.row())]);
+  }
+}
+
+// With negative weights at fixed rows, as at the border, neither way is free of subtraction; where one fails, the other may do.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Fixed_values_solver::factor_with_negative_excess(const Eigen::SparseMatrix<double>& a,
+                                                 const Eigen::VectorXd& excess) {
+  try {
+    factorization_.emplace<Cholesky_factorization<double>>(a);
+  } catch (const Indefinite_matrix&) {
+    factorization_.emplace<Laplacian_factorization>(a, excess);
   }
 }
 
@@ -141,11 +175,15 @@ Fixed_values_solver::fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd&
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::MatrixXd
 Fixed_values_solver::solve(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const {
   Eigen::MatrixXd x = fixed_part(b, values);
-  if (!factorization_) return x;
+  if (std::holds_alternative<std::monostate>(factorization_)) return x;
   Eigen::MatrixXd right = -(coupling_ * x);
   for (std::size_t i = 0; i < free_.size(); ++i)
     right.row(static_cast<Eigen::Index>(i)) += b.row(free_[i]);
-  const Eigen::MatrixXd solution = factorization_->solve(sign_ * right);
+  right *= sign_;
+  const auto* laplacian = std::get_if<Laplacian_factorization>(&factorization_);
+  const Eigen::MatrixXd solution =
+      laplacian != nullptr ? laplacian->solve(right)
+                           : std::get<Cholesky_factorization<double>>(factorization_).solve(right);
   for (std::size_t i = 0; i < free_.size(); ++i)
     x.row(free_[i]) = solution.row(static_cast<Eigen::Index>(i));
   return x;

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_PRINCIPAL_SUBMATRIX_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_PRINCIPAL_SUBMATRIX_H
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <cstddef>
@@ -31,6 +32,22 @@ Eigen::SparseMatrix<Scalar> principal_submatrix(const Eigen::SparseMatrix<Scalar
   }
   part.finalize();
   return part;
+}
+
+// What belongs to the rows that are kept of a Laplacian and a diagonal, when the others are fixed: their diagonal has the weights to those as well.
+inline Eigen::VectorXd principal_diagonal(const Eigen::SparseMatrix<double>& laplacian,
+                                          const Eigen::VectorXd& diagonal,
+                                          const std::vector<int>& kept) {
+  std::vector<char> is_kept(static_cast<std::size_t>(laplacian.cols()), 0);
+  for (const int r : kept) is_kept[static_cast<std::size_t>(r)] = 1;
+  Eigen::VectorXd result(static_cast<Eigen::Index>(kept.size()));
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    double sum = diagonal[kept[k]];
+    for (Eigen::SparseMatrix<double>::InnerIterator i(laplacian, kept[k]); i; ++i)
+      if (is_kept[static_cast<std::size_t>(i.row())] == 0) sum -= i.value();
+    result[static_cast<Eigen::Index>(k)] = sum;
+  }
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

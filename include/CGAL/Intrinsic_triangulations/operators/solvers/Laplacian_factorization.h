@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_H
+
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// In which order the rows of a symmetric matrix are eliminated, and where its factor has entries: of the pattern alone.
+struct Elimination {
+  explicit Elimination(const Eigen::SparseMatrix<double>& a);
+
+  std::vector<int> row; // at each place of the order
+  // Of each place: later places joined to it, and where `a` has their values.
+  std::vector<int> begin, neighbour, entry;
+  // The places below the diagonal of each column of the factor, ascending.
+  std::vector<int> column_begin, index;
+  // Blocks of columns that end alike, each with the next one as its first entry: where they begin, and of each column.
+  std::vector<int> block_begin, block;
+};
+
+// Whether no weight is negative.
+inline bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
+  for (int c = 0; c < a.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
+      if (i.value() > 0 && i.row() != c) return false;
+  return true;
+}
+
+} // namespace internal
+
+/*!
+\brief factors L + D with the Laplacian L of a weighted graph and a diagonal D that is not negative, without any subtraction.
+
+Off its diagonal L is minus the weights, and its rows sum to zero; the diagonal is not read, and D is given apart: rounding does not lose a D of 1e-15 beside
+weights of 1e15, as it does in their sum. Where no weight is negative, neither is any number that is met: the factor, and solutions for
+right sides that are not negative, have full relative accuracy entry by entry, whatever the condition of the matrix is (Grassmann, Taksar and
+Heyman 1985; Alfa, Xue and Ye 2002). The matrix is then definite if D is not zero in each component, and rounding cannot make it
+indefinite. Few negative weights, as at the border, are no harm.
+
+Rows are ordered by approximate minimum degree. Another matrix with entries at the same places shares the order and the places of the factor. Copies share the
+factor. Different threads may solve at once.
+*/
+class Laplacian_factorization {
+public:
+  using Matrix = Eigen::SparseMatrix<double>; ///< what is factored
+
+  /*!
+  \brief factors a matrix.
+  \param laplacian the matrix L, compressed, both triangles of it
+  \param diagonal D, a number per row
+  \throws std::invalid_argument if L is not square and symmetric in its pattern, sizes do not fit, or an entry is not finite
+  \throws Indefinite_matrix if it is not positive definite; it names a row
+  \complexity for matrices of a surface with n vertices about \f$n^{3/2}\f$, and memory for \f$n \log n\f$ numbers
+  */
+  Laplacian_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal);
+
+  /*!
+  \brief factors a matrix in the order of another one, which is not found again.
+  \param same_pattern another matrix that was factored
+  \pre both matrices have entries off the diagonal in the same places, and on it as well
+  */
+  Laplacian_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
+                          const Laplacian_factorization& same_pattern);
+
+  /// returns the number of rows.
+  Eigen::Index size() const { return factor_->pivot.size(); }
+
+  /*!
+  \brief solves `(L + D) x = b`.
+  \param b right sides, a column each
+  \return the solutions, a column each
+  \throws std::invalid_argument if b does not have a row per row of the matrix
+  \complexity linear in the number of entries of the factor, for each column
+  */
+  template <class Right_sides>
+  typename Right_sides::PlainObject solve(const Eigen::MatrixBase<Right_sides>& b) const {
+    return solved(b);
+  }
+
+private:
+  // The unit triangular factor is minus `value` below its diagonal.
+  struct Factor {
+    std::shared_ptr<const internal::Elimination> elimination;
+    std::vector<double> value;
+    Eigen::VectorXd pivot;
+  };
+
+  void factor(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
+              std::shared_ptr<const internal::Elimination> elimination);
+  Eigen::MatrixXd solved(const Eigen::MatrixXd& b) const;
+
+  std::shared_ptr<const Factor> factor_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_H

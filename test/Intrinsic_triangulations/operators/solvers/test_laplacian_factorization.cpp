@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
+
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+
+#include <Eigen/Dense>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+namespace laplacian_factorizations {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Matrix = Eigen::SparseMatrix<double>;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+struct Edge {
+  int i, j;
+  double weight;
+};
+
+Matrix laplacian_of(int size, const std::vector<Edge>& edges) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Edge& e : edges) {
+    entries.emplace_back(e.i, e.j, -e.weight);
+    entries.emplace_back(e.j, e.i, -e.weight);
+    entries.emplace_back(e.i, e.i, e.weight);
+    entries.emplace_back(e.j, e.j, e.weight);
+  }
+  Matrix m(size, size);
+  m.setFromTriplets(entries.begin(), entries.end());
+  return m;
+}
+
+// Squares with a diagonal each; weights as given.
+template <class Weight>
+Matrix grid_laplacian(int n, const Weight& weight) {
+  std::vector<Edge> edges;
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      const int v = n * y + x;
+      if (x + 1 < n) edges.push_back({v, v + 1, weight()});
+      if (y + 1 < n) edges.push_back({v, v + n, weight()});
+      if (x + 1 < n && y + 1 < n) edges.push_back({v, v + n + 1, weight()});
+    }
+  return laplacian_of(n * n, edges);
+}
+
+TEST(Laplacian_factorization, solves_what_cholesky_solves) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> positive(0.1, 1), any(-0.05, 1);
+  for (const int n : {1, 2, 7, 40})
+    for (const bool is_signed : {false, true}) {
+      const Matrix l =
+          grid_laplacian(n, [&] { return is_signed ? any(random) : positive(random); });
+      const Eigen::VectorXd d = Eigen::VectorXd::Constant(n * n, 0.5);
+      const Matrix a = l + Matrix(d.asDiagonal());
+      const Eigen::MatrixXd b = Eigen::MatrixXd::Random(n * n, 3);
+      const IT::Laplacian_factorization factored(l, d);
+      EXPECT_EQ(factored.size(), n * n);
+      EXPECT_LE((a * factored.solve(b) - b).norm(), 1e3 * epsilon * b.norm()) << n;
+      EXPECT_LE((factored.solve(b) - IT::Cholesky_factorization(a).solve(b)).norm(),
+                1e3 * epsilon * b.norm());
+      // in the same order
+      const IT::Laplacian_factorization again(2 * l, 3 * d, factored);
+      const Matrix other = 2 * l + Matrix((3 * d).asDiagonal());
+      EXPECT_LE((other * again.solve(b) - b).norm(), 1e3 * epsilon * b.norm()) << n;
+    }
+}
+
+// Springs in a row from a wall, pulled at the end: each is stretched by 1 / weight.
+TEST(Laplacian_factorization, has_full_relative_accuracy_whatever_the_weights) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> exponent(-60, 60);
+  const int n = 200;
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<Edge> edges;
+    Eigen::VectorXd wall = Eigen::VectorXd::Zero(n);
+    wall[0] = std::pow(10, exponent(random));
+    std::vector<long double> expected{1.0L / wall[0]};
+    for (int i = 0; i + 1 < n; ++i) {
+      edges.push_back({i, i + 1, std::pow(10, exponent(random))});
+      expected.push_back(expected.back() + 1.0L / edges.back().weight);
+    }
+    const Matrix l = laplacian_of(n, edges);
+    const Eigen::VectorXd x = IT::Laplacian_factorization(l, wall).solve(
+        Eigen::VectorXd(Eigen::VectorXd::Unit(n, n - 1)));
+    for (int i = 0; i < n; ++i)
+      EXPECT_NEAR(static_cast<double>(x[i] / expected[static_cast<std::size_t>(i)]), 1,
+                  20 * n * epsilon);
+    EXPECT_THROW(IT::Cholesky_factorization(Matrix(l + Matrix(wall.asDiagonal()))),
+                 IT::Indefinite_matrix);
+  }
+}
+
+// Random walks on a grid: their probabilities of leaving sum to 1, and are computed without any cancellation.
+TEST(Laplacian_factorization, of_weights_that_differ_by_many_powers_of_ten_keeps_sums) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> exponent(-30, 30);
+  const int n = 20;
+  const Matrix l = grid_laplacian(n, [&] { return std::pow(10, exponent(random)); });
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(n * n);
+  for (int i = 0; i < n * n; i += 37) d[i] = std::pow(10, exponent(random));
+  const Eigen::VectorXd x = IT::Laplacian_factorization(l, d).solve(d);
+  for (const double p : x) EXPECT_NEAR(p, 1, 1e3 * epsilon); // (L + D) 1 = D 1
+}
+
+TEST(Laplacian_factorization, names_a_row_of_a_component_without_diagonal) {
+  const Matrix l = laplacian_of(5, {{0, 1, 1}, {1, 2, 1e-9}, {3, 4, 3}});
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(5);
+  d[1] = 1e-300;
+  try {
+    IT::Laplacian_factorization(l, d);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const IT::Indefinite_matrix& e) {
+    EXPECT_GE(e.row(), 3);
+  }
+  d[4] = 1e-30;
+  EXPECT_NO_THROW(IT::Laplacian_factorization(l, d));
+  EXPECT_THROW(IT::Laplacian_factorization(l, Eigen::VectorXd::Ones(4)), std::invalid_argument);
+  d[4] = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(IT::Laplacian_factorization(l, d), std::invalid_argument);
+  const Matrix lower = l.triangularView<Eigen::Lower>();
+  EXPECT_THROW(IT::Laplacian_factorization(lower, Eigen::VectorXd::Ones(5)), std::invalid_argument);
+  const IT::Laplacian_factorization good(l, Eigen::VectorXd::Ones(5));
+  EXPECT_THROW(good.solve(Eigen::VectorXd(Eigen::VectorXd::Ones(4))), std::invalid_argument);
+}
+
+} // namespace laplacian_factorizations
+
+} // namespace
