@@ -14,7 +14,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // them, the diagonal is raised by as small a part of it as it takes, also in `m`: as a rule in the order of rounding errors.
 template <class Scalar>
 Cholesky_factorization<Scalar> raised_factorization(Eigen::SparseMatrix<Scalar>& m) {
-  for (double raise = 0x1p-48; raise < 0x1p-4; raise *= 0x1p8) {
+  for (double raise = 0x1p-48; raise < 0x1p-10; raise *= 0x1p8) {
     try {
       return Cholesky_factorization<Scalar>(m);
     } catch (const Indefinite_matrix&) {
