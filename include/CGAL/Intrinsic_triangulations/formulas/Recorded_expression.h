@@ -47,7 +47,13 @@ namespace CGAL::Intrinsic_triangulations {
 class Expression_steps {
 public:
   /// What a step does.
-  enum class Operation : std::uint32_t { constant, sum, difference, product, quotient };
+  enum class Operation : std::uint32_t {
+    constant,   ///< gives a number that the expression has in it
+    sum,        ///< adds
+    difference, ///< subtracts
+    product,    ///< multiplies
+    quotient    ///< divides
+  };
 
   /// constructs a list without steps, of an expression in so many values.
   explicit Expression_steps(std::uint32_t number_of_values) : values_(number_of_values) {}
