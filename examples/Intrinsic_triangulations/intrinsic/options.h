@@ -4,12 +4,10 @@
 #ifndef INTRINSIC_OPTIONS_H
 #define INTRINSIC_OPTIONS_H
 
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -106,26 +104,13 @@ struct Options {
 };
 
 /// tells whether the output is the common subdivision, not the intrinsic triangulation
-inline bool is_mesh_output(const Options& options) {
-  return !options.output.empty() && CGAL::Intrinsic_triangulations::is_common_subdivision_extension(
-                                        std::filesystem::path(options.output).extension().string());
-}
-
+bool is_mesh_output(const Options& options);
 /// tells whether edges of the input are kept.
-inline bool has_constraints(const Options& options) {
-  return options.sharp_angle || !options.constraints.empty();
-}
-
+bool has_constraints(const Options& options);
 /// tells whether anything is written of the common subdivision.
-inline bool needs_subdivision(const Options& options) {
-  return is_mesh_output(options) || !options.view.empty() || !options.interpolation.empty() ||
-         !options.input_interpolation.empty();
-}
-
+bool needs_subdivision(const Options& options);
 /// tells whether it must be known where the intrinsic triangulation lies on the input.
-inline bool needs_correspondence(const Options& options) {
-  return needs_subdivision(options) || !options.sizes.empty() || options.adaptive.is_asked_for;
-}
+bool needs_correspondence(const Options& options);
 
 } // namespace program
 

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "options.h"
+
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+
+#include <filesystem>
+
+namespace program {
+
+bool is_mesh_output(const Options& options) {
+  return !options.output.empty() && CGAL::Intrinsic_triangulations::is_common_subdivision_extension(
+                                        std::filesystem::path(options.output).extension().string());
+}
+
+bool has_constraints(const Options& options) {
+  return options.sharp_angle || !options.constraints.empty();
+}
+
+bool needs_subdivision(const Options& options) {
+  return is_mesh_output(options) || !options.view.empty() || !options.interpolation.empty() ||
+         !options.input_interpolation.empty();
+}
+
+bool needs_correspondence(const Options& options) {
+  return needs_subdivision(options) || !options.sizes.empty() || options.adaptive.is_asked_for;
+}
+
+} // namespace program
