@@ -56,6 +56,21 @@ Matrix grid_laplacian(int n, const Weight& weight) {
   return laplacian_of(n * n, edges);
 }
 
+// One stray entry in each triangle, so that both have as many.
+TEST(Laplacian_factorization, patterns_that_are_not_symmetric_are_refused) {
+  Matrix m = laplacian_of(4, {{0, 1, 1.}, {1, 2, 1.}, {2, 3, 1.}});
+  m.coeffRef(0, 2) = -1;
+  m.coeffRef(3, 1) = -1;
+  m.makeCompressed();
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(4);
+  EXPECT_THROW(IT::Laplacian_factorization(m, ones), std::invalid_argument);
+  // nor is the order shared by a matrix with other entries
+  const IT::Laplacian_factorization chain(laplacian_of(4, {{0, 1, 1.}, {1, 2, 1.}, {2, 3, 1.}}),
+                                          ones);
+  EXPECT_THROW(IT::Laplacian_factorization(laplacian_of(4, {{0, 1, 1.}, {1, 2, 1.}}), ones, chain),
+               std::invalid_argument);
+}
+
 TEST(Laplacian_factorization, solves_what_cholesky_solves) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> positive(0.1, 1), any(-0.05, 1);

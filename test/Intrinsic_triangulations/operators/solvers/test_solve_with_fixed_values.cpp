@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -226,6 +227,55 @@ TEST(Solve_with_fixed_values, is_exact_where_weights_differ_by_many_powers_of_te
   for (int i = 1; i + 1 < n; ++i)
     EXPECT_NEAR(x(i, 0) / (stretched[static_cast<std::size_t>(i)] / stretched.back()), 1, 1e-12)
         << i;
+}
+
+// A chain of equal springs, of which each mass but the first is tied to zero by a weak one: all numbers are in the matrix exactly.
+TEST(Solve_with_fixed_values, weak_diagonals_beside_strong_weights_count) {
+  const int n = 301;
+  const double strong = 0x1p49, weak = 10, tie = 100;
+  std::vector<Eigen::Triplet<double>> entries{{0, 0, tie}, {1, 1, tie}, {0, 1, -tie}, {1, 0, -tie}};
+  for (int i = 1; i + 1 < n; ++i)
+    entries.insert(entries.end(), {{i, i, strong},
+                                   {i + 1, i + 1, strong},
+                                   {i, i + 1, -strong},
+                                   {i + 1, i, -strong},
+                                   {i + 1, i + 1, weak}});
+  Matrix a(n, n);
+  a.setFromTriplets(entries.begin(), entries.end());
+  const Rows first{0};
+  const Eigen::MatrixXd x = IT::solve_with_fixed_values(a, Eigen::MatrixXd::Zero(n, 1), first,
+                                                        Eigen::MatrixXd::Ones(1, 1));
+  // the chain is stiff: tie (1 - x) = weak (n - 2) x
+  EXPECT_NEAR(x(n - 1, 0), tie / (tie + weak * (n - 2)), 1e-9);
+}
+
+TEST(Solve_with_fixed_values, values_reach_rows_by_weights_that_rounding_loses_beside_others) {
+  Matrix a(4, 4);
+  std::vector<Eigen::Triplet<double>> entries;
+  const std::array<double, 3> weights{1e-20, 1, 1e-20};
+  for (int i = 0; i < 3; ++i)
+    for (const auto& [r, c, s] : {std::array{i, i, 1}, std::array{i + 1, i + 1, 1},
+                                  std::array{i, i + 1, -1}, std::array{i + 1, i, -1}})
+      entries.emplace_back(r, c, s * weights[static_cast<std::size_t>(i)]);
+  a.setFromTriplets(entries.begin(), entries.end());
+  const Rows ends{0, 3};
+  const Eigen::MatrixXd x = IT::solve_with_fixed_values(a, Eigen::MatrixXd::Zero(4, 1), ends,
+                                                        Eigen::MatrixXd(Eigen::Vector2d(0, 1)));
+  EXPECT_NEAR(x(1, 0), 0.5, 1e-12);
+  EXPECT_NEAR(x(2, 0), 0.5, 1e-12);
+}
+
+TEST(Solve_with_fixed_values, definite_matrices_need_not_be_laplacians) {
+  const double s = 1e14;
+  Matrix a(2, 2);
+  const std::vector<Eigen::Triplet<double>> entries{
+      {0, 0, 1.3}, {0, 1, .7 * s}, {1, 0, .7 * s}, {1, 1, 1.1 * s * s}};
+  a.setFromTriplets(entries.begin(), entries.end());
+  // of the solution (1, 1 / s)
+  const Eigen::MatrixXd b = Eigen::Vector2d(1.3 + .7, .7 * s + 1.1 * s);
+  const Eigen::MatrixXd x = IT::solve_with_fixed_values(a, b, Rows{}, Eigen::MatrixXd(0, 1));
+  EXPECT_NEAR(x(0, 0), 1, 1e-12);
+  EXPECT_NEAR(x(1, 0) * s, 1, 1e-12);
 }
 
 } // namespace

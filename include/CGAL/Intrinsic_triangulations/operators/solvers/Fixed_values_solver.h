@@ -55,8 +55,7 @@ public:
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const;
 
 private:
-  void factor_with_negative_excess(const Eigen::SparseMatrix<double>& a,
-                                   const Eigen::VectorXd& excess);
+  void factor_with_subtraction(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& excess);
   Eigen::MatrixXd fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const;
 
   std::vector<std::uint32_t> rows_;      // fixed ones, as they were given

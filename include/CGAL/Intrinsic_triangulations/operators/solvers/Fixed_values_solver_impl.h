@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -66,22 +67,68 @@ inline Eigen::SparseMatrix<double> free_selection(const std::vector<int>& place,
   return s;
 }
 
-// What the rows of free ones sum to, with minus the entries of fixed ones: the diagonal beside which the rest is a Laplacian. What rounding leaves of
-// rows that sum to zero is left out.
-inline Eigen::VectorXd row_excess(const Eigen::SparseMatrix<double>& coupling,
-                                  const std::vector<int>& free) {
-  std::vector<char> is_free(static_cast<std::size_t>(coupling.cols()), 0);
-  for (const int r : free) is_free[static_cast<std::size_t>(r)] = 1;
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(coupling.rows()), absolute = sum, to_fixed = sum;
-  for (int c = 0; c < coupling.outerSize(); ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(coupling, c); i; ++i) {
-      sum[i.row()] += i.value();
-      absolute[i.row()] += std::abs(i.value());
-      if (is_free[static_cast<std::size_t>(c)] == 0) to_fixed[i.row()] -= i.value();
+// Sums of the rows of a symmetric matrix, and what rounding may make of them where they are zero: of the entries on the diagonal, which were
+// summed, and of the sums.
+struct Row_sums {
+  explicit Row_sums(const Eigen::SparseMatrix<double>& a)
+      : sum(Eigen::VectorXd::Zero(a.rows())), bound(sum) {
+    Eigen::VectorXd count = sum;
+    for (int c = 0; c < a.outerSize(); ++c)
+      for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i) {
+        sum[i.row()] += i.value();
+        bound[i.row()] += std::abs(i.value());
+        count[i.row()] += 1;
+      }
+    bound = 0x1p-52 * count.cwiseProduct(bound);
+  }
+  bool may_be_zero(Eigen::Index row) const { return std::abs(sum[row]) <= bound[row]; }
+
+  Eigen::VectorXd sum, bound;
+};
+
+// Marks the components, at their least rows, of which all rows may sum to zero.
+inline std::vector<char> laplacian_components(const Row_sums& sums,
+                                              const std::vector<std::uint32_t>& component) {
+  std::vector<char> result(component.size(), 1);
+  for (std::size_t r = 0; r < component.size(); ++r)
+    if (!sums.may_be_zero(static_cast<Eigen::Index>(r))) result[component[r]] = 0;
+  return result;
+}
+
+// The diagonal beside which the free part is a Laplacian: what the rows sum to, with minus the entries of fixed ones. Where all sums of a
+// component are zero but for rounding, they are.
+struct Free_excess {
+  Free_excess(const Eigen::SparseMatrix<double>& coupling, const std::vector<int>& free,
+              const std::vector<std::uint32_t>& component)
+      : excess(Eigen::VectorXd::Zero(coupling.rows())) {
+    std::vector<char> is_fixed(static_cast<std::size_t>(coupling.cols()), 1);
+    for (const int r : free) is_fixed[static_cast<std::size_t>(r)] = 0;
+    for (int c = 0; c < coupling.outerSize(); ++c)
+      if (is_fixed[static_cast<std::size_t>(c)] != 0)
+        for (Eigen::SparseMatrix<double>::InnerIterator i(coupling, c); i; ++i)
+          excess[i.row()] -= i.value();
+    const Row_sums sums(coupling);
+    const std::vector<char> is_laplacian_there = laplacian_components(sums, component);
+    for (std::size_t r = 0; r < component.size(); ++r) {
+      if (is_laplacian_there[component[r]] != 0) continue;
+      is_laplacian = false;
+      excess[static_cast<Eigen::Index>(r)] += sums.sum[static_cast<Eigen::Index>(r)];
     }
-  for (Eigen::Index r = 0; r < sum.size(); ++r)
-    if (std::abs(sum[r]) > 0x1p-46 * absolute[r]) to_fixed[r] += sum[r];
-  return to_fixed;
+  }
+
+  Eigen::VectorXd excess;
+  bool is_laplacian = true; // whether that is so in all components
+};
+
+// The least row of a component without any excess, to all solutions in which constants may be added.
+inline std::optional<std::uint32_t>
+row_without_excess(const Eigen::VectorXd& excess, const std::vector<std::uint32_t>& component) {
+  std::vector<char> has_excess(component.size(), 0);
+  for (std::size_t r = 0; r < component.size(); ++r)
+    if (excess[static_cast<Eigen::Index>(r)] != 0) has_excess[component[r]] = 1;
+  for (std::uint32_t r = 0; r < component.size(); ++r)
+    if (component[r] == r && has_excess[r] == 0) return r;
+  return std::nullopt;
 }
 
 [[noreturn]] inline void throw_no_value_in_component(int row) {
@@ -94,15 +141,8 @@ inline Eigen::VectorXd row_excess(const Eigen::SparseMatrix<double>& coupling,
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::uint32_t>
 rows_with_constant_kernel(const Eigen::SparseMatrix<double>& a) {
   const std::vector<std::uint32_t> component = components_of_matrix(a);
-  std::vector<char> has_kernel(component.size(), 1);
-  for (int c = 0; c < a.outerSize(); ++c) {
-    double sum = 0, absolute = 0;
-    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i) {
-      sum += i.value();
-      absolute += std::abs(i.value());
-    }
-    if (std::abs(sum) > 0x1p-46 * absolute) has_kernel[component[static_cast<std::size_t>(c)]] = 0;
-  }
+  const std::vector<char> has_kernel =
+      internal::laplacian_components(internal::Row_sums(a), component);
   std::vector<std::uint32_t> rows;
   for (std::uint32_t r = 0; r < component.size(); ++r)
     if (component[r] == r && has_kernel[r] != 0) rows.push_back(r);
@@ -122,27 +162,29 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
   coupling_ = selection.transpose() * a;
   if (free_.empty()) return;
   Eigen::SparseMatrix<double> free_part = coupling_ * selection;
-  if (const auto kernel = rows_with_constant_kernel(free_part); !kernel.empty())
-    internal::throw_no_value_in_component(free_[kernel.front()]);
-  if (free_part.coeff(0, 0) < 0) {
-    sign_ = -1;
-    free_part = -free_part;
-  }
-  const Eigen::VectorXd excess = internal::row_excess(sign_ * coupling_, free_);
+  if (free_part.coeff(0, 0) < 0) sign_ = -1;
+  const Eigen::SparseMatrix<double> transposed = free_part.transpose();
+  free_part =
+      sign_ * 0.5 * (free_part + transposed); // what rounding left in one triangle is in both
+  const std::vector<std::uint32_t> component = components_of_matrix(free_part);
+  const internal::Free_excess found(sign_ * coupling_, free_, component);
+  if (const auto row = internal::row_without_excess(found.excess, component))
+    internal::throw_no_value_in_component(free_[*row]);
   try {
-    if (excess.minCoeff() >= 0)
-      factorization_.emplace<Laplacian_factorization>(free_part, excess);
+    if (found.excess.minCoeff() >= 0 &&
+        (found.is_laplacian || internal::has_no_positive_entry_off_diagonal(free_part)))
+      factorization_.emplace<Laplacian_factorization>(free_part, found.excess);
     else
-      factor_with_negative_excess(free_part, excess);
+      factor_with_subtraction(free_part, found.excess);
   } catch (const Indefinite_matrix& error) {
     throw Indefinite_matrix(free_[static_cast<std::size_t>(error.row())]);
   }
 }
 
-// With negative weights at fixed rows, as at the border, neither way is free of subtraction; where one fails, the other may do.
+// With negative weights, as at the border, neither way is free of subtraction; where one fails, the other may do.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Fixed_values_solver::factor_with_negative_excess(const Eigen::SparseMatrix<double>& a,
-                                                 const Eigen::VectorXd& excess) {
+Fixed_values_solver::factor_with_subtraction(const Eigen::SparseMatrix<double>& a,
+                                             const Eigen::VectorXd& excess) {
   try {
     factorization_.emplace<Cholesky_factorization<double>>(a);
   } catch (const Indefinite_matrix&) {

@@ -20,6 +20,7 @@ namespace internal {
 struct Elimination {
   explicit Elimination(const Eigen::SparseMatrix<double>& a);
 
+  Eigen::Index entries_of_matrix;
   std::vector<int> row; // at each place of the order
   // Of each place: later places joined to it, and where `a` has their values.
   std::vector<int> begin, neighbour, entry;

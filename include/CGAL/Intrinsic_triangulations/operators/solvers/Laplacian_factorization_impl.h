@@ -9,10 +9,13 @@
 
 #include <Eigen/OrderingMethods>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <new>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -45,13 +48,24 @@ void for_each_factor_entry(const std::vector<int>& begin, const std::vector<int>
 }
 
 inline std::vector<int> begins_of(const std::vector<int>& counts) {
+  if (std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) >
+      std::numeric_limits<int>::max())
+    throw std::bad_alloc(); // a factor of more than 26 GB
   std::vector<int> begin(counts.size() + 1, 0);
   std::partial_sum(counts.begin(), counts.end(), begin.begin() + 1);
   return begin;
 }
 
+inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
+  const Eigen::SparseMatrix<double> b = a.transpose();
+  return std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Elimination::Elimination(const Eigen::SparseMatrix<double>& a) {
+Elimination::Elimination(const Eigen::SparseMatrix<double>& a) : entries_of_matrix(a.nonZeros()) {
+  if (!has_symmetric_pattern(a))
+    throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
   const int n = static_cast<int>(a.cols());
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
   if (n > 0) Eigen::AMDOrdering<int>()(a.selfadjointView<Eigen::Lower>(), order);
@@ -69,8 +83,6 @@ Elimination::Elimination(const Eigen::SparseMatrix<double>& a) {
   neighbour.resize(place_number(begin.back()));
   entry.resize(neighbour.size());
   std::vector<int> earlier(place_number(begin_before.back()));
-  if (earlier.size() != neighbour.size())
-    throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
   for (int k = 0; k < n; ++k) {
     int to_later = begin[place_number(k)], to_before = begin_before[place_number(k)];
     const int c = row[place_number(k)];
@@ -225,7 +237,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
 Laplacian_factorization::factor(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
                                 std::shared_ptr<const internal::Elimination> elimination) {
   const internal::Elimination& e = *elimination;
-  if (static_cast<Eigen::Index>(e.row.size()) != laplacian.cols())
+  if (static_cast<Eigen::Index>(e.row.size()) != laplacian.cols() ||
+      e.entries_of_matrix != laplacian.nonZeros())
     throw std::invalid_argument("the matrices must have the same pattern");
   auto result = std::make_shared<Factor>();
   result->value.resize(e.index.size());
