@@ -27,8 +27,9 @@ values may then be given many times. No condition on the border is the natural o
 
 With `a` the cotangent Laplacian and `b` zero, x is the harmonic function with these values; with `b` the mass matrix
 times f, the solution of a Poisson problem. With a row of `rows_with_constant_kernel()` fixed at zero it is solved up to a constant in each
-component. A Laplacian is factored without subtraction, as far as its weights are not negative, see `Laplacian_factorization`: it stays definite, and solutions
-accurate, whatever the weights are. Rows are those of vertices, `t.input_vertex(v)`, inserted ones included.
+component. The Laplacian of a graph without negative weights is factored without subtraction, see `Laplacian_factorization`: it stays definite, and solutions
+accurate, whatever the weights are. Row sums that rounding may have made, in components where all are such, count as zero. Negative weights, as those of squares of
+Laplacians, carry no promise beyond that of a Cholesky factorization. Rows are those of vertices, `t.input_vertex(v)`, inserted ones included.
 */
 class Fixed_values_solver {
 public:
