@@ -298,10 +298,22 @@ private:
   Expression_steps steps_;
 };
 
-/// records an expression; one without data once for all.
+namespace internal {
+
+// those of the library depend on nothing but the values; another one without data may still read what changes
+template <class Expression>
+inline constexpr bool is_recorded_once =
+    std::is_same_v<Expression, Delaunay_expression> ||
+    std::is_same_v<Expression, Left_area_expression> ||
+    std::is_same_v<Expression, Convexity_at_source_expression> ||
+    std::is_same_v<Expression, Convexity_at_target_expression>;
+
+} // namespace internal
+
+/// records an expression; each of the library once for all.
 template <DiamondExpression Expression>
 decltype(auto) recorded(const Expression& expression) {
-  if constexpr (std::is_empty_v<Expression>) {
+  if constexpr (internal::is_recorded_once<Expression>) {
     static const Recorded_diamond_expression once(expression);
     return (once);
   } else
