@@ -6,11 +6,10 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_steps.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
 #include <CGAL/Interval_nt.h>
-
-#include <boost/container/small_vector.hpp>
 
 #include <array>
 #include <concepts>
@@ -18,7 +17,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -40,82 +38,6 @@ not true.
 */
 
 namespace CGAL::Intrinsic_triangulations {
-
-/*!
-\brief lists the operations of an expression in order.
-*/
-class Expression_steps {
-public:
-  /// What a step does.
-  enum class Operation : std::uint32_t {
-    constant,   ///< gives a number that the expression has in it
-    sum,        ///< adds
-    difference, ///< subtracts
-    product,    ///< multiplies
-    quotient    ///< divides
-  };
-
-  /// constructs a list without steps, of an expression in so many values.
-  explicit Expression_steps(std::uint32_t number_of_values) : values_(number_of_values) {}
-
-  /// adds a step. \return the number of its result, where the first numbers are those of the values
-  std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double constant = 0) {
-    steps_.push_back({operation, a, b, constant});
-    return values_ + static_cast<std::uint32_t>(steps_.size()) - 1;
-  }
-  /// makes a value or the result of a step the result of all.
-  void finish(std::uint32_t result) { result_ = result; }
-
-  /// tells whether there are sums, differences and products only.
-  bool is_polynomial() const {
-    for (const Step& s : steps_)
-      if (s.operation == Operation::constant || s.operation == Operation::quotient) return false;
-    return true;
-  }
-
-  /*!
-  \brief repeats the steps.
-  \tparam FT a ring; a field made of doubles too, unless `is_polynomial()`
-  \param values as many as the expression depends on
-  */
-  template <class FT>
-  FT run(std::span<const FT* const> values) const {
-    boost::container::small_vector<FT, 12> results;
-    results.reserve(steps_.size());
-    const auto at = [&](std::uint32_t n) -> const FT& {
-      return n < values.size() ? *values[n] : results[n - values.size()];
-    };
-    for (const Step& s : steps_) switch (s.operation) {
-      case Operation::sum:
-        results.push_back(at(s.a) + at(s.b));
-        break;
-      case Operation::difference:
-        results.push_back(at(s.a) - at(s.b));
-        break;
-      case Operation::product:
-        results.push_back(at(s.a) * at(s.b));
-        break;
-      default:
-        if constexpr (std::is_constructible_v<FT, double> && requires(const FT& x) { x / x; })
-          results.push_back(s.operation == Operation::constant ? FT(s.constant)
-                                                               : FT(at(s.a) / at(s.b)));
-        else
-          throw std::logic_error("an expression that is no polynomial is evaluated in a ring");
-      }
-    return at(result_);
-  }
-
-private:
-  struct Step {
-    Operation operation;
-    std::uint32_t a, b;
-    double constant;
-  };
-
-  std::uint32_t values_;
-  std::uint32_t result_ = 0;
-  boost::container::small_vector<Step, 12> steps_;
-};
 
 /*!
 \brief is a number of which nothing is known but how it is computed: from values, and constants.
