@@ -40,6 +40,7 @@ public:
   friend Counted_number operator-(const Counted_number& a, const Counted_number& b) {
     return a.value() - b.value();
   }
+  friend Counted_number operator-(const Counted_number& a) { return -a.value(); }
   friend Counted_number operator*(const Counted_number& a, const Counted_number& b) {
     return a.value() * b.value();
   }
@@ -91,5 +92,24 @@ TEST(Recorded_expression, keeps_results_that_are_used_again) {
   const IT::Diamond_values<double> d{1.5, 1.25, 1, 1, 1, 1, 1};
   EXPECT_EQ(IT::recorded(e)(d), e(d));
 }
+
+TEST(Recorded_expression, has_the_degree_of_what_it_negates) {
+  const auto e = [](const auto& d) { return -d.ij * d.area_f - -(d.jk * d.area_g); };
+  const auto expected = [](const auto& d) { return d.jk * d.area_g - d.ij * d.area_f; };
+  const IT::Diamond_values<double> d{1.5, 1.25, 1, 1, 1, 3, 7};
+  EXPECT_EQ(IT::recorded(e)(d), expected(d));
+  const auto degree = IT::recorded(e).degree();
+  ASSERT_TRUE(degree);
+  EXPECT_EQ(degree->total, 2U);
+  EXPECT_EQ(degree->areas, 1U);
+  EXPECT_EQ(degree->terms, 2);
+  EXPECT_TRUE(degree->is_linear_in_areas());
+}
+
+#ifndef CGAL_NO_PRECONDITIONS
+TEST(Recorded_expression, has_no_static_numbers) {
+  EXPECT_THROW(IT::Recorded_number(), CGAL::Precondition_exception);
+}
+#endif
 
 } // namespace

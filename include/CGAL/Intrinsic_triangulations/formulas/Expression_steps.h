@@ -26,6 +26,7 @@ public:
     constant,   ///< gives a number that the expression has in it
     sum,        ///< adds
     difference, ///< subtracts
+    negation,   ///< changes the sign of the first operand; there is no second one
     product,    ///< multiplies
     quotient    ///< divides
   };
@@ -44,7 +45,7 @@ public:
     if (steps_.size() > few_steps) find_last_uses();
   }
 
-  /// tells whether there are sums, differences and products only.
+  /// tells whether there are neither constants nor quotients.
   bool is_polynomial() const {
     for (const Step& s : steps_)
       if (s.operation == Operation::constant || s.operation == Operation::quotient) return false;
@@ -70,6 +71,9 @@ public:
         break;
       case Operation::difference:
         results.push_back(at(s.a) - at(s.b));
+        break;
+      case Operation::negation:
+        results.push_back(-at(s.a));
         break;
       case Operation::product:
         results.push_back(at(s.a) * at(s.b));
@@ -108,7 +112,7 @@ private:
     for (auto s = steps_.rbegin(); s != steps_.rend(); ++s) {
       if (s->operation == Operation::constant) continue;
       s->is_last_of_a = is_last(s->a);
-      s->is_last_of_b = is_last(s->b);
+      if (s->operation != Operation::negation) s->is_last_of_b = is_last(s->b);
     }
   }
 

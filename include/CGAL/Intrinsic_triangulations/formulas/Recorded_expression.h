@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
 #include <CGAL/Interval_nt.h>
+#include <CGAL/assertions.h>
 
 #include <array>
 #include <concepts>
@@ -27,7 +28,8 @@ What may be asked of a metric: signs of expressions.
 
 An expression is a functor with a template `operator()`, from the values of a diamond or of a span of faces
 to one value, that computes by the operations of a field, `+ - * /`, constants made of `int` or `double` included. It
-gives the same result in every field, so it neither compares nor branches on values. Its sign is decided
+gives the same result in every field, so it neither compares nor branches on values, and has no static numbers and no state
+that changes. Its sign is decided
 exactly, whatever its degree.
 
 Intervals of doubles, which decide nearly all signs, evaluate an expression as it is written. For what they leave open it is
@@ -43,6 +45,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a number of which nothing is known but how it is computed: from values, and constants.
 
 Operations add a step to the recording that goes on in this thread.
+\pre there is one: numbers are neither made before it nor kept after it
 \cgalModels{Field}
 */
 class Recorded_number {
@@ -51,7 +54,7 @@ public:
   Recorded_number() : Recorded_number(0.0) {}
   /// constructs a constant.
   Recorded_number(double x) // NOLINT(google-explicit-constructor)
-      : number_(recording()->add(Operation::constant, 0, 0, x)) {}
+      : number_(add(Operation::constant, 0, 0, x)) {}
 
   /// adds
   friend Recorded_number operator+(const Recorded_number& a, const Recorded_number& b) {
@@ -61,6 +64,8 @@ public:
   friend Recorded_number operator-(const Recorded_number& a, const Recorded_number& b) {
     return {Operation::difference, a, b};
   }
+  /// negates
+  friend Recorded_number operator-(const Recorded_number& a) { return {Operation::negation, a, a}; }
   /// multiplies
   friend Recorded_number operator*(const Recorded_number& a, const Recorded_number& b) {
     return {Operation::product, a, b};
@@ -98,7 +103,13 @@ private:
 
   Recorded_number(std::uint32_t number, Value_tag) : number_(number) {}
   Recorded_number(Operation operation, const Recorded_number& a, const Recorded_number& b)
-      : number_(recording()->add(operation, a.number_, b.number_)) {}
+      : number_(add(operation, a.number_, b.number_)) {}
+
+  static std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double x = 0) {
+    CGAL_precondition_msg(recording() != nullptr, "numbers of an expression are made while it is "
+                                                  "recorded: it has no static numbers");
+    return recording()->add(operation, a, b, x);
+  }
 
   static Expression_steps*& recording() {
     thread_local Expression_steps* steps = nullptr;
