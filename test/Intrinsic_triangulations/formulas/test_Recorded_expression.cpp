@@ -106,7 +106,7 @@ TEST(Recorded_expression, has_the_degree_of_what_it_negates) {
   EXPECT_TRUE(degree->is_linear_in_areas());
 }
 
-#ifndef CGAL_NO_PRECONDITIONS
+#if CGAL_PRECONDITIONS_ENABLED
 TEST(Recorded_expression, has_no_static_numbers) {
   EXPECT_THROW(IT::Recorded_number(), CGAL::Precondition_exception);
 }
