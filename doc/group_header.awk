@@ -52,6 +52,7 @@ BEGIN {
   group["exact/unfolding/"]                                  = "ref_unfolding"
   group["formulas/"]                                         = "ref_formulas"
   group["formulas/Expression_degree.h"]                      = "ref_exact"
+  group["formulas/Expression_steps.h"]                       = "ref_exact"
   group["formulas/Recorded_expression.h"]                    = "ref_exact"
   group["formulas/compensated_arithmetic.h"]                 = "ref_numbers"
   group["formulas/nonnegative_intervals.h"]                  = "ref_exact"

@@ -49,6 +49,13 @@ struct Right_corner {
     return (d.ij + d.ki - d.jk) * (d.ij + d.im - d.mj) - d.area_f * d.area_g;
   }
 };
+/// The same value, of which parts are negated.
+struct Negated_corner {
+  template <class FT>
+  constexpr FT operator()(const IT::Diamond_values<FT>& d) const {
+    return -(-(-d.area_f * d.area_g) - (d.ij + d.ki - d.jk) * (d.ij + d.im - d.mj));
+  }
+};
 /// The same value, not as a polynomial: divided by one.
 struct Right_corner_over_one : Right_corner {
   template <class FT>
@@ -372,6 +379,7 @@ void check_diamonds(Known_triangulation& k, Programs& programs, std::mt19937& ra
     const Of_diamond constant{Programs::minus_constant(e, 7, c)};
     ++(expect_sign(k, geometry, h, constant, constant(values).sign()) == 0 ? n.zeros : n.others);
     expect_sign(k, geometry, h, Right_corner(), Right_corner()(values).sign());
+    expect_sign(k, geometry, h, Negated_corner(), Right_corner()(values).sign());
     expect_sign(k, geometry, h, Right_corner_over_one(), Right_corner()(values).sign());
   }
 }

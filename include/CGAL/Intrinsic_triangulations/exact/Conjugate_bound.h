@@ -36,6 +36,8 @@ struct Height {
   }
   /// bounds a difference.
   friend Height operator-(const Height& a, const Height& b) { return a + b; }
+  /// bounds a negated number.
+  friend Height operator-(const Height& a) { return a; }
   /// bounds a product.
   friend Height operator*(const Height& a, const Height& b) {
     Height product{a.bits + b.bits, a.degrees};

@@ -18,7 +18,7 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief tells of what kind a polynomial in squared lengths and quadruple areas is.
 
-Sums, differences and products of degrees belong to those of polynomials.
+Sums, differences, negations and products of degrees belong to those of polynomials.
 */
 struct Expression_degree {
   unsigned total;  ///< degree of a term in lengths and areas together, which scale alike
@@ -52,6 +52,8 @@ struct Expression_degree {
                                                const Expression_degree& b) {
     return a + b;
   }
+  /// negates
+  friend constexpr Expression_degree operator-(const Expression_degree& a) { return a; }
   /// multiplies
   friend constexpr Expression_degree operator*(const Expression_degree& a,
                                                const Expression_degree& b) {

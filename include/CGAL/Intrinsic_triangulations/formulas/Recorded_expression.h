@@ -6,11 +6,11 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_steps.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
 #include <CGAL/Interval_nt.h>
-
-#include <boost/container/small_vector.hpp>
+#include <CGAL/assertions.h>
 
 #include <array>
 #include <concepts>
@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -29,7 +28,8 @@ What may be asked of a metric: signs of expressions.
 
 An expression is a functor with a template `operator()`, from the values of a diamond or of a span of faces
 to one value, that computes by the operations of a field, `+ - * /`, constants made of `int` or `double` included. It
-gives the same result in every field, so it neither compares nor branches on values. Its sign is decided
+gives the same result in every field, so it neither compares nor branches on values, and has no static numbers and no state
+that changes. Its sign is decided
 exactly, whatever its degree.
 
 Intervals of doubles, which decide nearly all signs, evaluate an expression as it is written. For what they leave open it is
@@ -42,85 +42,10 @@ not true.
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief lists the operations of an expression in order.
-*/
-class Expression_steps {
-public:
-  /// What a step does.
-  enum class Operation : std::uint32_t {
-    constant,   ///< gives a number that the expression has in it
-    sum,        ///< adds
-    difference, ///< subtracts
-    product,    ///< multiplies
-    quotient    ///< divides
-  };
-
-  /// constructs a list without steps, of an expression in so many values.
-  explicit Expression_steps(std::uint32_t number_of_values) : values_(number_of_values) {}
-
-  /// adds a step. \return the number of its result, where the first numbers are those of the values
-  std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double constant = 0) {
-    steps_.push_back({operation, a, b, constant});
-    return values_ + static_cast<std::uint32_t>(steps_.size()) - 1;
-  }
-  /// makes a value or the result of a step the result of all.
-  void finish(std::uint32_t result) { result_ = result; }
-
-  /// tells whether there are sums, differences and products only.
-  bool is_polynomial() const {
-    for (const Step& s : steps_)
-      if (s.operation == Operation::constant || s.operation == Operation::quotient) return false;
-    return true;
-  }
-
-  /*!
-  \brief repeats the steps.
-  \tparam FT a ring; a field made of doubles too, unless `is_polynomial()`
-  \param values as many as the expression depends on
-  */
-  template <class FT>
-  FT run(std::span<const FT* const> values) const {
-    boost::container::small_vector<FT, 12> results;
-    results.reserve(steps_.size());
-    const auto at = [&](std::uint32_t n) -> const FT& {
-      return n < values.size() ? *values[n] : results[n - values.size()];
-    };
-    for (const Step& s : steps_) switch (s.operation) {
-      case Operation::sum:
-        results.push_back(at(s.a) + at(s.b));
-        break;
-      case Operation::difference:
-        results.push_back(at(s.a) - at(s.b));
-        break;
-      case Operation::product:
-        results.push_back(at(s.a) * at(s.b));
-        break;
-      default:
-        if constexpr (std::is_constructible_v<FT, double> && requires(const FT& x) { x / x; })
-          results.push_back(s.operation == Operation::constant ? FT(s.constant)
-                                                               : FT(at(s.a) / at(s.b)));
-        else
-          throw std::logic_error("an expression that is no polynomial is evaluated in a ring");
-      }
-    return at(result_);
-  }
-
-private:
-  struct Step {
-    Operation operation;
-    std::uint32_t a, b;
-    double constant;
-  };
-
-  std::uint32_t values_;
-  std::uint32_t result_ = 0;
-  boost::container::small_vector<Step, 12> steps_;
-};
-
-/*!
 \brief is a number of which nothing is known but how it is computed: from values, and constants.
 
 Operations add a step to the recording that goes on in this thread.
+\pre there is one: numbers are neither made before it nor kept after it
 \cgalModels{Field}
 */
 class Recorded_number {
@@ -129,7 +54,7 @@ public:
   Recorded_number() : Recorded_number(0.0) {}
   /// constructs a constant.
   Recorded_number(double x) // NOLINT(google-explicit-constructor)
-      : number_(recording()->add(Operation::constant, 0, 0, x)) {}
+      : number_(add(Operation::constant, 0, 0, x)) {}
 
   /// adds
   friend Recorded_number operator+(const Recorded_number& a, const Recorded_number& b) {
@@ -139,6 +64,8 @@ public:
   friend Recorded_number operator-(const Recorded_number& a, const Recorded_number& b) {
     return {Operation::difference, a, b};
   }
+  /// negates
+  friend Recorded_number operator-(const Recorded_number& a) { return {Operation::negation, a, a}; }
   /// multiplies
   friend Recorded_number operator*(const Recorded_number& a, const Recorded_number& b) {
     return {Operation::product, a, b};
@@ -176,7 +103,13 @@ private:
 
   Recorded_number(std::uint32_t number, Value_tag) : number_(number) {}
   Recorded_number(Operation operation, const Recorded_number& a, const Recorded_number& b)
-      : number_(recording()->add(operation, a.number_, b.number_)) {}
+      : number_(add(operation, a.number_, b.number_)) {}
+
+  static std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double x = 0) {
+    CGAL_precondition_msg(recording() != nullptr, "numbers of an expression are made while it is "
+                                                  "recorded: it has no static numbers");
+    return recording()->add(operation, a, b, x);
+  }
 
   static Expression_steps*& recording() {
     thread_local Expression_steps* steps = nullptr;
@@ -298,10 +231,22 @@ private:
   Expression_steps steps_;
 };
 
-/// records an expression; one without data once for all.
+namespace internal {
+
+// those of the library depend on nothing but the values; another one without data may still read what changes
+template <class Expression>
+inline constexpr bool is_recorded_once =
+    std::is_same_v<Expression, Delaunay_expression> ||
+    std::is_same_v<Expression, Left_area_expression> ||
+    std::is_same_v<Expression, Convexity_at_source_expression> ||
+    std::is_same_v<Expression, Convexity_at_target_expression>;
+
+} // namespace internal
+
+/// records an expression; each of the library once for all.
 template <DiamondExpression Expression>
 decltype(auto) recorded(const Expression& expression) {
-  if constexpr (std::is_empty_v<Expression>) {
+  if constexpr (internal::is_recorded_once<Expression>) {
     static const Recorded_diamond_expression once(expression);
     return (once);
   } else

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
 
+#include "gallery.h"
 #include "meshes.h"
 #include "places.h"
 #include "subdivision_oracle.h"
@@ -22,6 +23,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <random>
 #include <vector>
 
 // Where points of faces are on the input: in the plane by rational numbers, elsewhere by signposts, which find the
@@ -312,6 +314,55 @@ TYPED_TEST(Unfolded_face, places_points_of_surfaces_where_signposts_find_them) {
         EXPECT_NEAR(CGAL::to_double(v.quadruple_areas[k]), w[(k + 2) % 3] * area, 1e-9);
     }
   }
+}
+
+// the directions of the sides of an input face from the first one
+std::array<double, 3> directions_of_sides(const IT::Input& input, std::uint32_t h) {
+  const auto [ij, jk, ki] = IT::squared_lengths_of_face(input, h);
+  const double at_source = std::acos((ij + ki - jk) / (2 * std::sqrt(ij * ki))),
+               at_target = std::acos((ij + jk - ki) / (2 * std::sqrt(ij * jk)));
+  return {0, std::numbers::pi - at_target, std::numbers::pi + at_source};
+}
+
+// Points near a curve are put on it, where they are seen from its halfedge, and beside it, where they are seen from
+// the first side of their triangle.
+TYPED_TEST(Unfolded_face, tells_the_sides_of_an_edge_apart_that_one_triangle_has_both_of) {
+  using T = Exact<TypeParam>;
+  gallery::Surface s = gallery::doubled_self_folded_cone();
+  for (const std::size_t base : {0U, 3U}) s.squared_length_of_side[base] = 3.6;
+  T t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> weight;
+  int glued = 0;
+  for (int round = 0; round < 40; ++round) {
+    t.flip_edge({2 * static_cast<std::uint32_t>(random() % t.mesh().number_of_edges())});
+    const IT::Input& input = t.correspondence().input();
+    const IT::Intrinsic_view<T> view(t);
+    for (std::uint32_t h = 0; h < 2 * t.mesh().number_of_edges(); ++h) {
+      IT::Unfolded_face<double> face;
+      face.unfold(view, t.correspondence(), h, IT::approximate_values(input));
+      for (int i = 0; i < 100; ++i) {
+        const double a = weight(random), b = weight(random), c = weight(random), sum = a + b + c;
+        const Weights w{a / sum, b / sum, c / sum};
+        const auto on = face.place(input, w, 0.02), beside = face.place(input, w);
+        if (!on || !on->region.is_on_curve || !beside || beside->region.is_on_curve) continue;
+        const IT::Seen_corner seen = face.farthest_corner(input, *on),
+                              expected = face.farthest_corner(input, *beside);
+        if (on->triangle != beside->triangle || seen.corner != expected.corner) continue;
+        const std::uint32_t first = beside->location.halfedge;
+        std::uint32_t side = first;
+        std::size_t k = 0;
+        for (; on->weights[(k + 2) % 3] != 0; ++k) side = input.next(side);
+        const double turn = directions_of_sides(input, first)[k] +
+                            (side == on->location.halfedge ? 0 : std::numbers::pi);
+        EXPECT_LT(
+            std::abs(std::remainder(seen.angle + turn - expected.angle, 2 * std::numbers::pi)),
+            0.15);
+        glued += side / 2 == input.next(side) / 2 || side / 2 == input.next(input.next(side)) / 2;
+      }
+    }
+  }
+  EXPECT_GT(glued, 100);
 }
 
 } // namespace

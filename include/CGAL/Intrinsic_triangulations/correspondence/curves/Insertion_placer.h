@@ -135,15 +135,16 @@ public:
   /// returns the values at the vertex that was placed last, if the metric of its triangulation is exact.
   const Vertex_move_values<FT>& values() const { return values_; }
 
-  /// returns the corner of the face that is seen best from the place that was found last, for such a metric.
+  /// returns the corner of the face that is seen best from the place that was found last, for such a metric; nothing if
+  /// intervals are too wide to tell its direction, and were not needed in more bits.
   /// \pre rounding is upwards, and the face has not changed
-  Seen_corner seen_corner(const Input& input) const {
+  std::optional<Seen_corner> seen_corner(const Input& input) const {
     const auto seen_in = [&](const auto& face) {
       return face.farthest_corner(input, {{}, triangle_, in_triangle_, location_});
     };
-    if (face_.is_vague() && short_.is_unfolded)
-      return internal::to_nearest([&] { return seen_in(short_.face); });
-    return seen_in(face_);
+    if (!face_.is_vague()) return seen_in(face_);
+    if (!short_.is_unfolded) return std::nullopt;
+    return internal::to_nearest([&] { return seen_in(short_.face); });
   }
 
 private:

@@ -132,7 +132,7 @@ public:
 
   /// returns the corner of the face that is farthest from a place: its direction is the most accurate one.
   Seen_corner farthest_corner(const Input& input, const Place& p) const {
-    const Plane_point<double> axis = along(input, p.triangle, p.location.halfedge);
+    const Plane_point<double> axis = along(input, p);
     Seen_corner result;
     double farthest = 0;
     for (unsigned k = 0; k < 3; ++k) {
@@ -264,14 +264,19 @@ private:
     r.right_of_fan = std::clamp(m - curves_.cutting[first_], 0, curves_.emanating[fan_]);
   }
 
-  // the direction of an input halfedge that is a side of a triangle, or opposite one
-  Plane_point<double> along(const Input& input, std::uint32_t t, std::uint32_t halfedge) const {
-    std::uint32_t side = triangles_[t].halfedge;
+  // the direction of the halfedge of the location; where the triangle has both sides of its edge, at the one that the
+  // place is on
+  Plane_point<double> along(const Input& input, const Place& p) const {
+    const bool is_on_edge = p.location.weights[2] == 0;
+    const auto is_side = [&](std::uint32_t side, std::size_t k) {
+      return side / 2 == p.location.halfedge / 2 && !(is_on_edge && p.weights[(k + 2) % 3] != 0);
+    };
+    const Triangle& t = triangles_[p.triangle];
+    std::uint32_t side = t.halfedge;
     std::size_t k = 0;
-    for (; side / 2 != halfedge / 2 && k < 2; ++k) side = input.next(side);
-    const Plane_point<double> a = approximate(triangles_[t].point[k]),
-                              b = approximate(triangles_[t].point[(k + 1) % 3]);
-    return side == halfedge ? b - a : a - b;
+    for (; k < 2 && !is_side(side, k); ++k) side = input.next(side);
+    const Plane_point<double> a = approximate(t.point[k]), b = approximate(t.point[(k + 1) % 3]);
+    return side == p.location.halfedge ? b - a : a - b;
   }
 
   static std::array<double, 3> barycentric(const Triangle& t, const Plane_point<double>& p) {

@@ -154,8 +154,8 @@ public:
 
   /// returns the place of that vertex.
   const Surface_point& inserted_place() const { return insertion_.location; }
-  /// returns the corner of its face that is seen best from there. \pre the metric is defined by places
-  Seen_corner inserted_direction() const { return placer_.seen_corner(*input_); }
+  /// returns the corner of its face that is seen best from there, if known. \pre the metric is defined by places
+  std::optional<Seen_corner> inserted_direction() const { return placer_.seen_corner(*input_); }
 
   /// follows the insertion of a vertex on the border.
   template <class Triangulation>

@@ -44,6 +44,8 @@ public:
   friend Ball operator-(const Ball& a, const Ball& b) {
     return {a.center_ - b.center_, a.radius_ + b.radius_};
   }
+  /// returns the negated number.
+  friend Ball operator-(const Ball& a) { return Ball() - a; }
   /// returns the product.
   friend Ball operator*(const Ball& a, const Ball& b) {
     return {a.center_ * b.center_,

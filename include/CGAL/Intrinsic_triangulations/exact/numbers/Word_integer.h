@@ -76,6 +76,8 @@ public:
     }
     return difference;
   }
+  /// negates, modulo the range.
+  friend constexpr Word_integer operator-(const Word_integer& a) { return Word_integer() - a; }
   /// multiplies, modulo the range.
   friend constexpr Word_integer operator*(const Word_integer& a, const Word_integer& b) {
     Word_integer product;

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_EXPRESSION_STEPS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_EXPRESSION_STEPS_H
+
+#include <boost/container/small_vector.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief lists the operations of an expression in order.
+*/
+class Expression_steps {
+public:
+  /// What a step does.
+  enum class Operation : std::uint32_t {
+    constant,   ///< gives a number that the expression has in it
+    sum,        ///< adds
+    difference, ///< subtracts
+    negation,   ///< changes the sign of the first operand; there is no second one
+    product,    ///< multiplies
+    quotient    ///< divides
+  };
+
+  /// constructs a list without steps, of an expression in so many values.
+  explicit Expression_steps(std::uint32_t number_of_values) : values_(number_of_values) {}
+
+  /// adds a step. \return the number of its result, where the first numbers are those of the values
+  std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double constant = 0) {
+    steps_.push_back({operation, a, b, false, false, constant});
+    return values_ + static_cast<std::uint32_t>(steps_.size()) - 1;
+  }
+  /// makes a value or the result of a step the result of all.
+  void finish(std::uint32_t result) {
+    result_ = result;
+    if (steps_.size() > few_steps) find_last_uses();
+  }
+
+  /// tells whether there are neither constants nor quotients.
+  bool is_polynomial() const {
+    for (const Step& s : steps_)
+      if (s.operation == Operation::constant || s.operation == Operation::quotient) return false;
+    return true;
+  }
+
+  /*!
+  \brief repeats the steps. Results of many are kept until their last use only: numbers may grow with every step.
+  \tparam FT a ring; a field made of doubles too, unless `is_polynomial()`
+  \param values as many as the expression depends on
+  */
+  template <class FT>
+  FT run(std::span<const FT* const> values) const {
+    boost::container::small_vector<FT, 12> results;
+    results.reserve(steps_.size());
+    const auto at = [&](std::uint32_t n) -> const FT& {
+      return n < values.size() ? *values[n] : results[n - values.size()];
+    };
+    for (const Step& s : steps_) {
+      switch (s.operation) {
+      case Operation::sum:
+        results.push_back(at(s.a) + at(s.b));
+        break;
+      case Operation::difference:
+        results.push_back(at(s.a) - at(s.b));
+        break;
+      case Operation::negation:
+        results.push_back(-at(s.a));
+        break;
+      case Operation::product:
+        results.push_back(at(s.a) * at(s.b));
+        break;
+      default:
+        if constexpr (std::is_constructible_v<FT, double> && requires(const FT& x) { x / x; })
+          results.push_back(s.operation == Operation::constant ? FT(s.constant)
+                                                               : FT(at(s.a) / at(s.b)));
+        else
+          throw std::logic_error("an expression that is no polynomial is evaluated in a ring");
+      }
+      if constexpr (std::is_default_constructible_v<FT>) {
+        if (s.is_last_of_a) results[s.a - values.size()] = FT();
+        if (s.is_last_of_b) results[s.b - values.size()] = FT();
+      }
+    }
+    return at(result_);
+  }
+
+private:
+  struct Step {
+    Operation operation;
+    std::uint32_t a, b;
+    bool is_last_of_a, is_last_of_b; // uses of results of steps; left out where there are few
+    double constant;
+  };
+
+  static constexpr std::size_t few_steps = 32; // whose results are not worth freeing
+
+  void find_last_uses() {
+    std::vector<char> is_used_later(steps_.size());
+    const auto is_last = [&](std::uint32_t n) {
+      return n >= values_ && !std::exchange(is_used_later[n - values_], 1);
+    };
+    is_last(result_);
+    for (auto s = steps_.rbegin(); s != steps_.rend(); ++s) {
+      if (s->operation == Operation::constant) continue;
+      s->is_last_of_a = is_last(s->a);
+      if (s->operation != Operation::negation) s->is_last_of_b = is_last(s->b);
+    }
+  }
+
+  std::uint32_t values_;
+  std::uint32_t result_ = 0;
+  boost::container::small_vector<Step, 12> steps_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_EXPRESSION_STEPS_H
