@@ -399,6 +399,21 @@ TEST(Map_distortion, of_a_linear_map_is_its_singular_values) {
   EXPECT_GT(d.mean_angle_change, 0.1);
 }
 
+TEST(Map_distortion, does_not_depend_on_the_unit_of_the_map) {
+  const Exact t = delaunay_of(rough_grid(6, 0.3, 0.5, 8));
+  const Map uv = IT::harmonic_map(t);
+  const IT::Map_distortion expected = IT::measure_distortion(t, uv);
+  EXPECT_GT(expected.mean_quasi_conformal, 1.01);
+  for (const int e : {-900, -540, 540, 1000}) {
+    const IT::Map_distortion d = IT::measure_distortion(t, Map(uv * std::ldexp(1., e)));
+    EXPECT_EQ(d.faces_left_out, 0U);
+    EXPECT_EQ(d.mean_quasi_conformal, expected.mean_quasi_conformal) << e;
+    EXPECT_EQ(d.mean_angle_change, expected.mean_angle_change) << e;
+    EXPECT_EQ(d.minimum_area_ratio, expected.minimum_area_ratio) << e;
+    EXPECT_EQ(d.mean_area_ratio, expected.mean_area_ratio) << e;
+  }
+}
+
 TEST(Map_distortion, leaves_out_and_counts_faces_without_area) {
   meshes::Mesh m;
   m.points = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, -1, 0}};
