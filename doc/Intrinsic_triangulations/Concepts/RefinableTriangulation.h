@@ -21,6 +21,7 @@ remove and move them. Its `Session` does that; its predicates bound the shapes o
 | \itf{delaunay_refine}, \itf{adaptive_refine} | `Session::insert_vertex`, `Session::split_edge`, `Session::remove_vertex`, `Metric::sign` |
 | \itf{insert_polyline}, \itf{insert_traced_path} | `Session::insert_vertex`, `Session::split_edge` |
 | \itf{odt_optimize} | `Session::split_edge`, `Session::reposition_vertex` |
+| \itf{injective_harmonic_map} | `Session::split_edge` |
 
 \cgalHeading{Invariants}
 

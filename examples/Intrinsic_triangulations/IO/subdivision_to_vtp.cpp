@@ -57,5 +57,4 @@ int main(int argc, char* argv[]) {
                  has("Name=\"height\"")
              ? 0
              : 1;
-  return 0;
 }

@@ -61,5 +61,4 @@ int main(int argc, char* argv[]) {
                  flip<IT::Euclidean_traits<double>>("double", mesh)
              ? 0
              : 1;
-  return 0;
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/harmonic_map.h>
+#include <CGAL/Intrinsic_triangulations/applications/parametrization/injective_harmonic_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/direction_field.h>
@@ -108,6 +109,20 @@ TEST(Archetypes_of_applications, measured_and_numbered_triangulation_is_enough_f
   EXPECT_EQ(IT::measure_distortion(numbered, uv).mean_quasi_conformal,
             IT::measure_distortion(all, uv).mean_quasi_conformal);
   EXPECT_EQ(IT::circular_border(numbered).positions, IT::circular_border(all).positions);
+}
+
+TEST(Archetypes_of_applications, refinable_triangulation_is_enough_for_injective_maps) {
+  // in a triangle, faces with all corners on a side are split
+  archetypes::Wrapped first = sheet(), second = sheet();
+  archetypes::Refinable_triangulation t(first);
+  const auto map = [](auto& x) {
+    return IT::injective_harmonic_map(x, IT::polygonal_border(x, {{0, 0}, {1, 0}, {0, 1}}));
+  };
+  const IT::Injective_map m = map(t), expected = map(second);
+  EXPECT_GT(m.inserted, 0U);
+  EXPECT_EQ(m.inserted, expected.inserted);
+  EXPECT_EQ(m.status, expected.status);
+  EXPECT_EQ(m.uv, expected.uv);
 }
 
 TEST(Archetypes_of_applications, measured_triangulation_is_enough_for_editing) {

@@ -33,6 +33,7 @@ concept RefinableTriangulation = IntrinsicTriangulation<Triangulation> &&
   { t.metric().sign(faces, Long_side_expression()) } -> std::same_as<Sign>;
   { s.insert_vertex(h, weights).status } -> std::convertible_to<Move_status>;
   { s.insert_vertex(h, weights).vertex } -> std::convertible_to<decltype(v)>;
+  { s.split_edge(h, x).status } -> std::convertible_to<Move_status>;
   { s.split_edge(h, x).vertex } -> std::convertible_to<decltype(v)>;
   { s.remove_vertex(v) } -> std::same_as<Move_status>;
   { s.reposition_vertex(v, h, weights).vertex } -> std::convertible_to<decltype(v)>;

@@ -333,6 +333,56 @@ TEST(Injective_harmonic_map, splits_faces_on_a_side_of_a_polygon) {
             IT::Status::done);
 }
 
+// A tube of 60 rings of hexagons, closed at its end, that opens in a plane; there a vertex is pulled out. Faces of the tube come first.
+Shape tube_with_thorn(double height, double lean) {
+  constexpr std::uint32_t m = 6, rings = 60, all = rings + 5;
+  Shape s;
+  s.points.push_back({0, 0, rings});
+  for (std::uint32_t k = 0; k < all; ++k) {
+    const double r = k <= rings ? 1 : k - rings + 1, z = k <= rings ? rings - k : 0;
+    for (std::uint32_t i = 0; i < m; ++i) {
+      const double angle = 2 * std::numbers::pi * i / m;
+      s.points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+    }
+  }
+  for (std::uint32_t i = 0; i < m; ++i) s.triangles.push_back({0, 1 + i, 1 + (i + 1) % m});
+  for (std::uint32_t k = 0; k + 1 < all; ++k)
+    for (std::uint32_t i = 0; i < m; ++i) {
+      const std::uint32_t a = 1 + k * m + i, b = 1 + k * m + (i + 1) % m;
+      s.triangles.push_back({a, a + m, b});
+      s.triangles.push_back({b, a + m, b + m});
+    }
+  auto& tip = s.points[1 + (rings + 2) * m];
+  tip = {tip[0] + lean * height, tip[1] + 0.3 * lean * height, height};
+  return s;
+}
+
+/// Of the tube a hundred faces and more are smaller than rounding, which leaves nothing to do there; the thorn is repaired nevertheless.
+TEST(Injective_harmonic_map, splits_large_faces_whose_numbers_come_after_many_of_rounding_size) {
+  std::size_t repaired = 0;
+  for (const double height : {1.5, 2.})
+    for (const double lean : {1., 2.}) {
+      Exact t = delaunay_of(tube_with_thorn(height, lean));
+      const auto large = [&t](const Map& uv) {
+        const IT::Map_certificate c = IT::internal::complete_certificate(t, uv);
+        EXPECT_EQ(c.bad_faces.size(), c.flipped + c.degenerate);
+        EXPECT_GT(c.bad_faces.size(), 100U);
+        return IT::internal::large_faces(t, c.bad_faces, uv).size();
+      };
+      const bool is_bad = large(IT::harmonic_map(t)) > 0;
+      const IT::Injective_map map = IT::injective_harmonic_map(t);
+      EXPECT_EQ(map.certificate.bad_faces.size(), 100U);
+      EXPECT_EQ(map.inserted > 0, is_bad);
+      if (map.status == IT::Status::inaccurate) {
+        EXPECT_EQ(large(map.uv), 0U);
+        if (is_bad) ++repaired;
+      } else {
+        EXPECT_EQ(map.status, IT::Status::cap);
+      }
+    }
+  EXPECT_GE(repaired, 2U);
+}
+
 TEST(Map_distortion, of_a_linear_map_is_its_singular_values) {
   const Shape s = rough_grid(6, 0.3, 0, 8);
   const Exact t(s.input());
@@ -347,6 +397,21 @@ TEST(Map_distortion, of_a_linear_map_is_its_singular_values) {
   EXPECT_NEAR(d.maximum_area_ratio, 1, 1e-12);
   EXPECT_LE(d.maximum_angle_change, 2 * (std::atan(2) - std::atan(0.5)) + 1e-12);
   EXPECT_GT(d.mean_angle_change, 0.1);
+}
+
+TEST(Map_distortion, does_not_depend_on_the_unit_of_the_map) {
+  const Exact t = delaunay_of(rough_grid(6, 0.3, 0.5, 8));
+  const Map uv = IT::harmonic_map(t);
+  const IT::Map_distortion expected = IT::measure_distortion(t, uv);
+  EXPECT_GT(expected.mean_quasi_conformal, 1.01);
+  for (const int e : {-900, -540, 540, 1000}) {
+    const IT::Map_distortion d = IT::measure_distortion(t, Map(uv * std::ldexp(1., e)));
+    EXPECT_EQ(d.faces_left_out, 0U);
+    EXPECT_EQ(d.mean_quasi_conformal, expected.mean_quasi_conformal) << e;
+    EXPECT_EQ(d.mean_angle_change, expected.mean_angle_change) << e;
+    EXPECT_EQ(d.minimum_area_ratio, expected.minimum_area_ratio) << e;
+    EXPECT_EQ(d.mean_area_ratio, expected.mean_area_ratio) << e;
+  }
 }
 
 TEST(Map_distortion, leaves_out_and_counts_faces_without_area) {

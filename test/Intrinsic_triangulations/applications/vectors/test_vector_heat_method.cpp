@@ -198,17 +198,23 @@ TEST(Vector_heat_method,
   const auto first = t.numbers().vertex_at(row + 2), last = t.numbers().vertex_at(2 * row - 3);
   using Values = std::vector<std::pair<Exact::vertex_descriptor, double>>;
   using Vectors = std::vector<std::pair<Exact::vertex_descriptor, Complex>>;
-  const Eigen::VectorXd values = heat.extend_scalars(Values{{first, 1e-60}, {last, 1e60}});
-  const IT::Tangent_field field = heat.transport(Vectors{{first, {0, 1e-60}}, {last, {1e60, 0}}});
-  for (std::uint32_t i = 0; i < 3 * row; ++i) {
-    const std::uint32_t x = i % row;
-    if (x > 800 && x < 1200) continue;
-    const double expected = x <= 800 ? 1e-60 : 1e60;
-    EXPECT_NEAR(values[i] / expected, 1, 1e-6) << i;
-    EXPECT_NEAR(std::abs(field[i]) / expected, 1, 1e-6) << i;
-  }
   const Eigen::VectorXd log = heat.log_heat({0, {1, 0, 0}}); // falls by the same factor per edge
   const double fall = log[101] - log[100];
+  for (const double large : {1e60, 1e162, 1e200, 1e300}) {
+    const double small = 1 / large; // their ratio in doubles or not
+    const Eigen::VectorXd values = heat.extend_scalars(Values{{first, small}, {last, large}});
+    const IT::Tangent_field field =
+        heat.transport(Vectors{{first, {0, small}}, {last, {large, 0}}});
+    // a value arrives where heat of the other by so much less does not count
+    const double reach = length / 2 + (std::log(large) + 10) / fall;
+    for (std::uint32_t i = 0; i < 3 * row; ++i) {
+      const std::uint32_t x = i % row;
+      if (x > reach && x < 1200) continue;
+      const double expected = x <= reach ? small : large;
+      EXPECT_NEAR(values[i] / expected, 1, 1e-6) << i << ' ' << large;
+      EXPECT_NEAR(std::abs(field[i]) / expected, 1, 1e-6) << i << ' ' << large;
+    }
+  }
   EXPECT_LT(log[1900], -1500);
   for (std::uint32_t x = 100; x < 1900; ++x) EXPECT_NEAR(log[x + 1] - log[x], fall, 1e-6) << x;
 }

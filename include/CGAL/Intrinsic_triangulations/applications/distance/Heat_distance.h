@@ -47,7 +47,8 @@ The matrices are those of the triangulation, and are factored when this object i
 for: afterwards distances from other sources take the time of two solutions. Errors are in the order of the
 length of edges; they are large where edges are not Delaunay: call `flip_to_delaunay()` before, and for more accuracy
 `delaunay_refine()`. Weights that are not negative give matrices of which the factors are so too, off their diagonals:
-heat is computed without any subtraction, to full relative accuracy where it is as little as 10^-1000.
+heat is computed without any subtraction, to full relative accuracy, where it is above 2^-800 of the greatest. Below, as far as 10^-1000 and less, it
+is found from its values at that limit, which takes differences there, once for each 2^-800.
 
 **What is certain.** Distances of sources are zero, at corners of faces that contain a source the distances
 within the face. No distance is negative. No distance is less than the *chord*, the distance in space, if the vertex and the sources
@@ -75,7 +76,8 @@ public:
     - `border_condition(c)`: how heat behaves at the border. `Heat_border::average` takes the mean of both
       conditions, as the authors recommend, at the price of a factorization more; `Heat_border::insulated` has no flux. Default: `average`.
       Without border they are the same.
-    - `visitor(v)`: see `Heat_distance_visitor`. After it has stopped this constructor, there are no distances.
+    - `visitor(v)`: see `Heat_distance_visitor`. After it has stopped this constructor, there are no distances. It is kept for later calls: what
+      `std::ref(v)` refers to must outlive this object.
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if the factor is not positive and finite
   \throws std::runtime_error if rounding has left no positive definite matrix (the message names a row)

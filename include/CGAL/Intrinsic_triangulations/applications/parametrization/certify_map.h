@@ -43,12 +43,33 @@ struct Map_certificate {
 
 namespace internal {
 
+// Lists all bad faces.
 Map_certificate certify_map(const std::vector<std::array<std::uint32_t, 3>>& faces,
                             const std::vector<std::uint32_t>& face_numbers,
                             const std::vector<std::uint32_t>& border, const Eigen::MatrixX2d& uv);
 // The border of triangles that are a disk; empty if they are not.
 std::vector<std::uint32_t>
 border_of_triangles(const std::vector<std::array<std::uint32_t, 3>>& faces);
+
+// The certificate with all bad faces.
+template <class Triangulation>
+Map_certificate complete_certificate(const Triangulation& t, const Eigen::MatrixX2d& uv) {
+  const Face_table table = face_table(t);
+  std::vector<std::array<std::uint32_t, 3>> faces(table.faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      faces[f][k] = static_cast<std::uint32_t>(table.faces[f].rows[k]);
+  std::vector<std::uint32_t> numbers(faces.size());
+  for (std::uint32_t i = 0; i < table.slot.size(); ++i)
+    if (table.slot[i] != Gluing::none) numbers[table.slot[i]] = i;
+  return certify_map(faces, numbers, disk_border(table, t.input().names().sheets).rows, uv);
+}
+
+// Keeps as many bad faces as a certificate lists.
+inline Map_certificate shortened(Map_certificate c) {
+  if (c.bad_faces.size() > 100) c.bad_faces.resize(100);
+  return c;
+}
 
 } // namespace internal
 
@@ -64,16 +85,7 @@ border_of_triangles(const std::vector<std::array<std::uint32_t, 3>>& faces);
 */
 template <NumberedTriangulation Triangulation>
 Map_certificate certify_map(const Triangulation& t, const Eigen::MatrixX2d& uv) {
-  const internal::Face_table table = internal::face_table(t);
-  std::vector<std::array<std::uint32_t, 3>> faces(table.faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k)
-      faces[f][k] = static_cast<std::uint32_t>(table.faces[f].rows[k]);
-  std::vector<std::uint32_t> numbers(faces.size());
-  for (std::uint32_t i = 0; i < table.slot.size(); ++i)
-    if (table.slot[i] != Gluing::none) numbers[table.slot[i]] = i;
-  return internal::certify_map(faces, numbers,
-                               internal::disk_border(table, t.input().names().sheets).rows, uv);
+  return internal::shortened(internal::complete_certificate(t, uv));
 }
 
 /*!
@@ -87,7 +99,8 @@ is another one between the vertices.
 */
 inline Map_certificate certify_map(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                    const Eigen::MatrixX2d& uv) {
-  return internal::certify_map(triangles, {}, internal::border_of_triangles(triangles), uv);
+  return internal::shortened(
+      internal::certify_map(triangles, {}, internal::border_of_triangles(triangles), uv));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -44,7 +44,6 @@ certify_map(const std::vector<std::array<std::uint32_t, 3>>& faces,
                                                     : face_numbers[f]);
   }
   std::sort(result.bad_faces.begin(), result.bad_faces.end());
-  if (result.bad_faces.size() > 100) result.bad_faces.resize(100);
   std::vector<Kernel::Point_2> polygon;
   for (const std::uint32_t v : border) polygon.push_back(point(v));
   result.border_is_simple =

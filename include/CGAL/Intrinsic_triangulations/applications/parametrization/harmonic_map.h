@@ -36,7 +36,7 @@ On `t.mesh()` as it is built, before `flip_to_delaunay()`, the map is defined as
 \return a point, x and y, per row of `t.input_vertex()`; given positions are there bit by bit; isolated vertices are at (0, 0)
 \throws Invalid_input if a face has no area
 \throws std::invalid_argument if rows and positions do not fit, or no value is fixed on a component
-\throws std::runtime_error if rounding has left no definite matrix (the message names a row)
+\throws Indefinite_matrix (a `std::runtime_error`) if rounding has left no definite matrix; it names a row
 \complexity that of a sparse factorization
 */
 template <MeasuredTriangulation Triangulation>

@@ -27,8 +27,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief holds a harmonic map of a triangulation that was refined for it.
 */
 struct Injective_map {
-  /// `done`: the map is injective; `cap`: it is not after that many rounds; `inaccurate`: what is not turned counterclockwise is so
-  /// small that rounding decides; `stalled`: no edge of these faces can be split.
+  /// `done`: the map is injective; `cap`: it is not after that many rounds; `inaccurate`: all that is not turned counterclockwise is so
+  /// small that rounding decides; `stalled`: some of it is not, but no edge of these faces can be split.
   Status status = Status::done;
   Eigen::MatrixX2d uv;         ///< a point per row, see `harmonic_map()`
   Map_certificate certificate; ///< of that map
@@ -38,14 +38,16 @@ struct Injective_map {
 
 namespace internal {
 
-// Of the faces that are bad, those whose image is large enough for doubles to tell how it is turned.
+// Of some faces, those whose image is large enough for doubles to tell how it is turned.
 template <class Triangulation>
-std::vector<std::uint32_t> large_bad_faces(const Triangulation& t, const Injective_map& map) {
-  const double least = 0x1p-40 * map.uv.cwiseAbs().maxCoeff();
+std::vector<std::uint32_t> large_faces(const Triangulation& t,
+                                       const std::vector<std::uint32_t>& faces,
+                                       const Eigen::MatrixX2d& uv) {
+  const double least = 0x1p-40 * uv.cwiseAbs().maxCoeff();
   std::vector<std::uint32_t> result;
-  for (const std::uint32_t f : map.certificate.bad_faces) {
+  for (const std::uint32_t f : faces) {
     const auto h = halfedge(t.numbers().face_at(f), t.mesh());
-    const auto at = [&](auto side) { return map.uv.row(t.input_vertex(target(side, t.mesh()))); };
+    const auto at = [&](auto side) { return uv.row(t.input_vertex(target(side, t.mesh()))); };
     const auto g = next(h, t.mesh());
     if ((at(g) - at(h)).norm() > least || (at(next(g, t.mesh())) - at(h)).norm() > least)
       result.push_back(f);
@@ -96,13 +98,14 @@ moves.
 `cap` or `inaccurate`. Maps of long parts shrink exponentially along them, with ten times their width to 10^-27. Where parts are mapped to less than the size of rounding, refinement
 does not help, and faces are not split: then the status is `inaccurate`.
 \tparam Triangulation a model of `RefinableTriangulation`
-\param t the triangulation of a disk
+\param t the triangulation of a disk; it stays refined, whatever the status, and if an exception is thrown
 \param border where its border goes, see `circular_border()` and `polygonal_border()`: a convex polygon
 \param np optional named parameters:
   - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 20.
 \return the map, its certificate and status
 \throws Invalid_input if a face has no area, or the surface is no disk
 \throws std::invalid_argument as `harmonic_map()` does
+\throws Indefinite_matrix (a `std::runtime_error`) if rounding has left no definite matrix, as of `harmonic_map()`
 \complexity that of a harmonic map per round; as a rule there are few, or none
 */
 template <RefinableTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
@@ -114,15 +117,16 @@ Injective_map injective_harmonic_map(Triangulation& t, const Border_map& border,
   for (;; ++result.rounds) {
     flip_to_delaunay(t);
     result.uv = harmonic_map(t, border);
-    result.certificate = certify_map(t, result.uv);
-    if (result.certificate.is_injective()) return result;
+    const Map_certificate complete = internal::complete_certificate(t, result.uv);
+    result.certificate = internal::shortened(complete);
+    if (complete.is_injective()) return result;
     if (result.rounds == cap) break;
-    const std::vector<std::uint32_t> bad = internal::large_bad_faces(t, result);
+    const std::vector<std::uint32_t> bad = internal::large_faces(t, complete.bad_faces, result.uv);
     const std::size_t split = internal::split_longest_inner_edges(t, bad);
     result.inserted += split;
     if (split == 0) {
       result.status =
-          bad.size() < result.certificate.bad_faces.size() ? Status::inaccurate : Status::stalled;
+          bad.empty() && !complete.bad_faces.empty() ? Status::inaccurate : Status::stalled;
       return result;
     }
   }

@@ -24,8 +24,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief says how a map to the plane changes angles and areas. A face is mapped linearly, with stretches s1 >= s2 in two directions at right
 angles.
 
-A face of the triangulation that has no area, or so little that its stretches are beyond the range of doubles, has none that are defined: it is left
-out of all figures, and counted. No figure is NaN; one that no face defines is that of the identity.
+The figures do not depend on the unit of the map. A face of the triangulation that has no area, or so little that its stretches or their products are beyond the range of doubles, has none
+that are defined: it is left out of all figures, and counted. No figure is NaN; one that no face defines is that of the identity.
 */
 struct Map_distortion {
   double mean_quasi_conformal =
@@ -58,6 +58,7 @@ struct Face_distortion {
     const std::complex<double> i(0, 1), a = (along - i * across) / 2.,
                                         b = (along + i * across) / 2.;
     const double s1 = std::abs(a) + std::abs(b);
+    // squared, as areas are stretched
     is_defined = area > 0 && std::isfinite(s1 * s1);
     const double s2 = std::abs(image_area) / area / s1; // s1 s2 is the ratio of areas
     quasi_conformal = s2 > 0 ? s1 / s2 : std::numeric_limits<double>::infinity();
@@ -71,6 +72,14 @@ private:
     return std::abs(std::arg((w[(k + 2) % 3] - w[k]) * std::conj(w[(k + 1) % 3] - w[k])));
   }
 };
+
+// Multiplies by a power of two that makes the greatest coordinate about 1, so that areas stay in the range of doubles.
+inline Eigen::MatrixX2d scaled_to_one(const Eigen::MatrixX2d& uv) {
+  const double greatest = uv.size() == 0 ? 0 : uv.cwiseAbs().maxCoeff();
+  if (!(greatest > 0)) return uv;
+  const int e = std::ilogb(greatest);
+  return uv.unaryExpr([e](double x) { return std::ldexp(x, -e); });
+}
 
 inline Map_distortion summed_distortion(const std::vector<Face_distortion>& faces, double area,
                                         double of_image, std::size_t left_out) {
@@ -114,11 +123,12 @@ Map_distortion measure_distortion(const Triangulation& t, const Eigen::MatrixX2d
   if (uv.rows() < static_cast<Eigen::Index>(table.number_of_rows))
     throw std::invalid_argument("the map must have a point per vertex");
   if (!uv.allFinite()) throw std::invalid_argument("the coordinates of a map must be finite");
+  const Eigen::MatrixX2d unit = internal::scaled_to_one(uv);
   std::vector<internal::Face_distortion> faces;
   double area = 0, of_image = 0;
   for (const internal::Table_face& f : table.faces) {
     std::array<std::complex<double>, 3> w;
-    for (std::size_t k = 0; k < 3; ++k) w[k] = {uv(f.rows[k], 0), uv(f.rows[k], 1)};
+    for (std::size_t k = 0; k < 3; ++k) w[k] = {unit(f.rows[k], 0), unit(f.rows[k], 1)};
     const internal::Face_distortion face(f, w);
     if (!face.is_defined) continue;
     faces.push_back(face);

@@ -21,6 +21,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// x * 2^e, in two steps: the power of two alone may be no double.
+template <class Scalar>
+Scalar times_power_of_two(const Scalar& x, int e) {
+  return x * std::ldexp(1.0, e / 2) * std::ldexp(1.0, e - e / 2);
+}
+
 // Heat after a short time. It decays like exp(-r / sqrt(time)), by hundreds of powers of ten over a large mesh, so that values have
 // an exponent of their own: that of row r is value[r] * 2^(exponent - step * level[r]).
 template <class Scalar>
@@ -38,7 +44,7 @@ struct Heat {
                                                : value[r] * std::ldexp(1.0, step * steps);
   }
 
-  // Makes the greatest about 1.
+  // Makes the greatest about 1, and raises the level of what is 2^-step of it or less, which would not stay a double.
   void normalize() {
     int first = std::numeric_limits<int>::max();
     double greatest = 0;
@@ -51,9 +57,15 @@ struct Heat {
     }
     if (!(greatest > 0)) return;
     const int e = std::ilogb(greatest);
-    // in two steps, as the power of two of a denormal is no double
-    value = value * std::ldexp(1.0, -(e / 2)) * std::ldexp(1.0, -(e - e / 2));
-    for (int& l : level) l = std::max(0, l - first);
+    for (Eigen::Index r = 0; r < value.size(); ++r) {
+      int& l = level[static_cast<std::size_t>(r)];
+      l = std::max(0, l - first);
+      const double x = std::abs(value[r]);
+      if (!(x > 0)) continue;
+      const int raised = std::max(0, (e - std::ilogb(x)) / step);
+      value[r] = times_power_of_two(value[r], raised * step - e);
+      l += raised;
+    }
     exponent += e - step * first;
   }
 
@@ -68,7 +80,7 @@ Scalar heat_ratio(const Heat<Scalar>& above, const Heat<double>& below, Eigen::I
   if (!(below.value[r] > 0)) return 0;
   const auto i = static_cast<std::size_t>(r);
   const int e = above.exponent - below.exponent + below.step * (below.level[i] - above.level[i]);
-  return above.value[r] / below.value[r] * std::ldexp(1.0, e);
+  return times_power_of_two(above.value[r] / below.value[r], e);
 }
 
 // The natural logarithm of heat in a row, minus infinity where there is none.
