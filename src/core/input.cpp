@@ -29,7 +29,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-template Gluing
-internal::unglued_triangles(std::uint32_t, const std::vector<std::array<std::uint32_t, 3>>&);
+template Gluing internal::unglued_triangles(std::uint32_t,
+                                            const std::vector<std::array<std::uint32_t, 3>>&);
 
 } // namespace CGAL::Intrinsic_triangulations
