@@ -98,8 +98,9 @@ public:
 private:
   // entries that are kept between calls, some hundred bytes each
   static constexpr std::size_t maximal_memory = 50000;
-  // number of square roots up to which trying all signs is the fastest proof
-  static constexpr std::size_t few_roots = 6;
+  // number of square roots up to which trying all signs is the fastest proof: it takes a millisecond or two there, where
+  // adding up the terms of a strip without rectangles took fifty
+  static constexpr std::size_t few_roots = 9;
   // largest number of pairs of terms that are multiplied then: a tenth of a second
   static constexpr std::size_t few_pairs = 1 << 19;
   // four primes

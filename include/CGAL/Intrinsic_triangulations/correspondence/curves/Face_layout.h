@@ -141,6 +141,9 @@ public:
     return result;
   }
 
+  /// returns how many steps were taken so far along curves.
+  std::size_t steps() const { return steps_; }
+
 protected:
   /// \cond
   struct Triangle {
@@ -177,14 +180,15 @@ protected:
   void find_entered(const Complex& complex, const Coordinates& coordinates, std::uint32_t side,
                     Normal_coordinate from, Normal_coordinate to) {
     if (from == to) return;
-    if constexpr (requires { coordinates.entered_by(side, to); }) {
+    if (internal::are_crossings_known(coordinates)) {
       for (Normal_coordinate i = from; i < to; ++i)
-        entered_[static_cast<std::size_t>(i)] = coordinates.entered_by(side, i);
+        entered_[static_cast<std::size_t>(i)] = internal::entered_by(coordinates, side, i);
     } else {
-      follow_curves(complex, coordinates, {side, from, to - from, from}, stack_,
-                    [&](Normal_coordinate i, const Curve_end& end) {
-                      entered_[static_cast<std::size_t>(i)] = input_halfedge(coordinates, end) ^ 1U;
-                    });
+      steps_ += follow_curves(complex, coordinates, {side, from, to - from, from}, stack_,
+                              [&](Normal_coordinate i, const Curve_end& end) {
+                                entered_[static_cast<std::size_t>(i)] =
+                                    input_halfedge(coordinates, end) ^ 1U;
+                              });
     }
   }
 
@@ -280,6 +284,7 @@ protected:
   FT unit_{};
   std::vector<std::uint32_t> entered_;
   std::vector<Curve_bundle> stack_;
+  std::size_t steps_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

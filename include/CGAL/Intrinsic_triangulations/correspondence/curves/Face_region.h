@@ -83,6 +83,31 @@ inline bool has_region(const Corner_coordinates& c, const std::array<Normal_coor
          middle.right_of_fan + (is_on_curve ? 1 : 0) <= c.emanating[fan] && is(middle);
 }
 
+/*!
+\brief tells whether a vertex of degree three lies in a region of the face around it, or on a curve along a side of that.
+\param sides normal coordinates of the sides of the face
+\param to normal coordinates of the edges from its corners to the vertex
+\param is_on_curve whether the vertex is on a curve
+*/
+inline bool can_do_without_vertex(std::array<Normal_coordinate, 3> sides,
+                                  const std::array<Normal_coordinate, 3>& to, bool is_on_curve) {
+  // curves that start from no corner meet two sides each
+  const auto is_even_or_fan = [&sides](const Corner_coordinates& c) {
+    const Normal_coordinate sum = crossings(sides[0]) + crossings(sides[1]) + crossings(sides[2]);
+    return sum % 2 == 0 || c.emanating[0] + c.emanating[1] + c.emanating[2] > 0;
+  };
+  for (unsigned k = 0; k < 3; ++k) {
+    const unsigned next = (k + 1) % 3, last = (k + 2) % 3;
+    if (to[k] >= 0 || to[next] >= 0) continue;
+    if (sides[k] != 0) return false;
+    sides[k] = -1;
+    const Corner_coordinates c = corner_coordinates(sides);
+    return is_even_or_fan(c) && to[last] == c.cutting[last] + c.emanating[k] + c.emanating[next];
+  }
+  const Corner_coordinates c = corner_coordinates(sides);
+  return is_even_or_fan(c) && has_region(c, to, is_on_curve);
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_REGION_H

@@ -132,6 +132,9 @@ public:
     }
   }
 
+  /// returns how many steps were taken so far along curves that cross faces.
+  std::size_t steps() const { return rough_.steps() + face_.steps(); }
+
   /// returns the values at the vertex that was placed last, if the metric of its triangulation is exact.
   const Vertex_move_values<FT>& values() const { return values_; }
 

@@ -162,16 +162,18 @@ take one step together.
 \param bundle the curves
 \param stack memory to use
 \param visit called with the number of each curve and its `Curve_end`, see `follow_curve()`
+\return the number of steps
 \complexity linear in the number of steps, at most that of all crossings
 */
 template <class Complex, class Coordinates, class Visit>
-void follow_curves(const Complex& complex, const Coordinates& coordinates, Curve_bundle bundle,
-                   std::vector<Curve_bundle>& stack, Visit visit) {
+std::size_t follow_curves(const Complex& complex, const Coordinates& coordinates,
+                          Curve_bundle bundle, std::vector<Curve_bundle>& stack, Visit visit) {
+  std::size_t steps = 0;
   stack.assign(1, bundle);
   while (!stack.empty()) {
     Curve_bundle b = stack.back();
     stack.pop_back();
-    while (b.count > 0) {
+    for (; b.count > 0; ++steps) {
       const std::uint32_t h = b.halfedge ^ 1U; // enters its face
       const Corner_coordinates c = corner_coordinates(complex, coordinates, h);
       const std::uint32_t next = complex.next(h), last = complex.next(next);
@@ -190,6 +192,7 @@ void follow_curves(const Complex& complex, const Coordinates& coordinates, Curve
       b = {next, b.position, about_target, b.number};
     }
   }
+  return steps;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -37,12 +37,12 @@ template <class Triangulation, CurveCoordinates Coordinates>
 std::vector<std::uint32_t> entered_by_halfedge(const Triangulation& t,
                                                const Coordinates& coordinates, std::uint32_t h) {
   std::vector<std::uint32_t> entered;
-  if constexpr (requires { coordinates.entered_on(h / 2); }) {
-    const std::span<const std::uint32_t> list = coordinates.entered_on(h / 2);
-    entered.assign(list.begin(), list.end());
+  const Normal_coordinate n = crossings(coordinates.normal_coordinate(h / 2));
+  if (are_crossings_known(coordinates)) {
+    for (Normal_coordinate i = 0; i < n; ++i)
+      entered.push_back(entered_by(coordinates, h & ~1U, i));
   } else {
     const Intrinsic_view<Triangulation> view(t);
-    const Normal_coordinate n = crossings(coordinates.normal_coordinate(h / 2));
     entered.resize(static_cast<std::size_t>(n));
     std::vector<Curve_bundle> stack;
     follow_curves(view, coordinates, {h & ~1U, 0, n, 0}, stack,

@@ -196,6 +196,12 @@ private:
   // back runs from right to left.
   template <class View>
   void follow(const View& view, const Curve_bundle& bundle, std::vector<std::uint32_t>& crossed) {
+    if (coordinates_->knows_crossings()) {
+      for (Normal_coordinate i = 0; i < bundle.count; ++i)
+        crossed[index(bundle.number + i)] =
+            coordinates_->entered_by(bundle.halfedge, bundle.position + i);
+      return;
+    }
     follow_curves(view, *coordinates_, bundle, stack_,
                   [&](Normal_coordinate number, const Curve_end& end) {
                     crossed[index(number)] = input_halfedge(*coordinates_, end) ^ 1U;

@@ -6,8 +6,10 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Insertion_placer.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
@@ -22,6 +24,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -88,6 +91,18 @@ public:
   /// returns the slot of the first curve counterclockwise from an intrinsic halfedge, itself included;
   /// none if no curve starts from its source.
   std::uint32_t roundabout(std::uint32_t halfedge) const { return roundabout_[halfedge]; }
+  /// tells whether the input edges that cross each intrinsic edge are known without following them.
+  bool knows_crossings() const { return kept_.has_value(); }
+  /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
+  /// \pre `knows_crossings()`
+  std::span<const std::uint32_t> entered_on(std::uint32_t edge) const {
+    return kept_->entered_on(edge);
+  }
+  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position` others.
+  /// \pre `knows_crossings()`
+  std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
+    return kept_->entered_by(h, position);
+  }
   /// tells whether vertices were ever inserted.
   bool has_inserted_vertices() const { return !location_.empty(); }
   /// tells whether a vertex was inserted.
@@ -101,8 +116,15 @@ public:
   /// announces a flip. \return whether the number of crossings stays in bounds
   template <class Triangulation>
   bool before(const Triangulation&, const Flip& move) {
-    return before_flip(move, corner_coordinates(normals({move.ij, move.jk, move.ki})),
-                       corner_coordinates(normals({move.ij, move.im, move.mj})));
+    const Normals left = normals({move.ij, move.jk, move.ki}),
+                  right = normals({move.ij, move.im, move.mj});
+    const Corner_coordinates f = corner_coordinates(left), g = corner_coordinates(right);
+    flipped_ = flipped_normal_coordinate(left[0], f, g);
+    if (flipped_ > maximal_normal_coordinate) return false;
+    if (kept_)
+      kept_->announce(move, f, g, crossings(left[2]), crossings(right[1]),
+                      left[0] < 0 ? fans_.halfedge(roundabout_[move.ij ^ 1U]) : Gluing::none);
+    return true;
   }
 
   /// returns the normal coordinate of the edge that the flip which was announced last makes.
@@ -114,6 +136,7 @@ public:
     normal_[move.ij / 2] = flipped_;
     update_roundabout(move.ij, move.ki, move.im);
     update_roundabout(move.ij ^ 1U, move.mj, move.jk);
+    if (kept_) kept_->store(move);
   }
 
   /// announces the insertion of a vertex in a face.
@@ -133,6 +156,7 @@ public:
       normal_[to[k] / 2] = insertion_.normal[k];
       roundabout_[to[k]] = insertion_.roundabout[k];
       roundabout_[to[k] ^ 1U] = Gluing::none;
+      if (kept_) kept_->store_spoke(k, to[k]);
     }
     if (insertion_.along_side)
       start_curves_on_side(move.sides[0], to);
@@ -170,6 +194,7 @@ public:
     roundabout_[pj ^ 1U] = roundabout_[ip ^ 1U];
     roundabout_[pj] = slot;
     roundabout_[pk] = roundabout_[ip ^ 1U] = slot + 1;
+    if (kept_) kept_->store_spoke(2, pk ^ 1U); // parts of the border edge are crossed by nothing
   }
 
   /// announces the removal of a vertex of degree three.
@@ -178,7 +203,8 @@ public:
   template <class Triangulation>
   bool before(const Triangulation&, const Removal_from_face& move) {
     const std::array<std::uint32_t, 3>&to = move.spokes, &sides = move.sides;
-    if (!can_do_without(normals(sides), normals(to), roundabout_[to[0] ^ 1U] != Gluing::none))
+    if (!can_do_without_vertex(normals(sides), normals(to),
+                               roundabout_[to[0] ^ 1U] != Gluing::none))
       return false;
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t a = to[k], b = to[(k + 1) % 3];
@@ -190,6 +216,8 @@ public:
     }
     if (roundabout_[to[0] ^ 1U] != Gluing::none) fans_.remove_fan(roundabout_[to[0] ^ 1U]);
     for (const std::uint32_t s : to) normal_[s / 2] = 0;
+    if (kept_)
+      for (const std::uint32_t s : to) kept_->clear(s / 2);
     return true;
   }
 
@@ -197,10 +225,11 @@ public:
   template <class Triangulation>
   bool before(const Triangulation&, const Removal_from_border& move) {
     const Normals sides{0, normal_[move.jk / 2], normal_[move.ki / 2]};
-    if (!can_do_without(sides, {-1, -1, normal_[move.pk / 2]}, true)) return false;
+    if (!can_do_without_vertex(sides, {-1, -1, normal_[move.pk / 2]}, true)) return false;
     fans_.remove_fan(roundabout_[move.pj]);
     roundabout_[move.ip ^ 1U] = roundabout_[move.pj ^ 1U];
     normal_[move.pj / 2] = normal_[move.pk / 2] = 0;
+    if (kept_) kept_->clear(move.pk / 2);
     return true;
   }
 
@@ -215,16 +244,16 @@ protected:
   Normals normals(const std::array<std::uint32_t, 3>& sides) const {
     return {normal_[sides[0] / 2], normal_[sides[1] / 2], normal_[sides[2] / 2]};
   }
-  // announces a flip of which is known how curves run in the two faces
-  bool before_flip(const Flip& move, const Corner_coordinates& f, const Corner_coordinates& g) {
-    flipped_ = flipped_normal_coordinate(normal_[move.ij / 2], f, g);
-    return flipped_ <= maximal_normal_coordinate;
+  // keeps what crosses each edge through all moves to come
+  void keep_crossings(internal::Kept_crossings all) {
+    kept_ = std::move(all);
+    keeps_always_ = true;
   }
-  // the region of the face into which the insertion that was announced last puts the vertex
-  const Face_region& region_of_insertion() const { return insertion_.region; }
   /// \endcond
 
 private:
+  static constexpr std::size_t patience = 32, most_per_edge = 128;
+
   struct Insertion {
     bool along_side = false; // on the first one, which runs along an input edge
     Face_region region;
@@ -237,6 +266,7 @@ private:
   bool announce_insertion(const Triangulation& t, const std::array<std::uint32_t, 3>& sides,
                           const std::array<double, 3>& weights,
                           const std::optional<Surface_point>& wanted) {
+    if (!keeps_always_) decide_what_to_keep(t);
     const std::optional<Placed_insertion> p = placer_(t, *this, sides[0], weights, wanted);
     if (!p) return false;
     Insertion& n = insertion_;
@@ -247,7 +277,24 @@ private:
     if (n.along_side) n.normal[0] = n.normal[1] = -1;
     for (unsigned k = 0; k < 3; ++k)
       n.roundabout[k] = turned(sides[k], n.region.fan_corner == k ? n.region.right_of_fan : 0);
+    if (kept_) kept_->announce(sides, normals(sides), n.region);
     return true;
+  }
+
+  // Where input edges that cross many intrinsic ones were followed again and again, for as long as it takes to note down what
+  // crosses each edge, that is done, and kept through all moves: else the time of insertions would grow with the length of the
+  // edges followed. Lists that get long are worse than that.
+  template <class Triangulation>
+  void decide_what_to_keep(const Triangulation& t) {
+    const std::size_t edges = number_of_edges();
+    if (kept_) {
+      if (kept_->size() > 2 * most_per_edge * edges) kept_.reset();
+    } else if (placer_.steps() - steps_before_ > patience * edges) {
+      steps_before_ = placer_.steps();
+      std::size_t all = 0;
+      for (const Normal_coordinate n : normal_) all += static_cast<std::size_t>(crossings(n));
+      if (all <= most_per_edge * edges) kept_.emplace(edge_crossings(t, *this));
+    }
   }
 
   // The roundabout of an edge between the first side of a corner and the last: that of the first,
@@ -271,32 +318,13 @@ private:
     if (edges <= normal_.size()) return;
     normal_.resize(edges);
     roundabout_.resize(2 * edges, Gluing::none);
+    if (kept_) kept_->grow(edges);
   }
 
   void set_location(std::uint32_t vertex, const Surface_point& location) {
     const std::size_t i = vertex - input_->number_of_vertices();
     if (i >= location_.size()) location_.resize(i + 1);
     location_[i] = location;
-  }
-
-  // Whether a vertex of degree three is in a region of the face around it, or on a curve along a side.
-  static bool can_do_without(Normals sides, const Normals& to, bool is_on_curve) {
-    for (unsigned k = 0; k < 3; ++k) {
-      const unsigned next = (k + 1) % 3, last = (k + 2) % 3;
-      if (to[k] >= 0 || to[next] >= 0) continue;
-      if (sides[k] != 0) return false;
-      sides[k] = -1;
-      const Corner_coordinates c = corner_coordinates(sides);
-      return is_even_or_fan(sides, c) &&
-             to[last] == c.cutting[last] + c.emanating[k] + c.emanating[next];
-    }
-    const Corner_coordinates c = corner_coordinates(sides);
-    return is_even_or_fan(sides, c) && has_region(c, to, is_on_curve);
-  }
-  // Curves that start from no corner meet two sides each.
-  static bool is_even_or_fan(const Normals& sides, const Corner_coordinates& c) {
-    const Normal_coordinate sum = crossings(sides[0]) + crossings(sides[1]) + crossings(sides[2]);
-    return sum % 2 == 0 || c.emanating[0] + c.emanating[1] + c.emanating[2] > 0;
   }
 
   // The new vertex cuts the curve along side ij: ij itself, which goes on to bound a face on the
@@ -335,6 +363,10 @@ private:
   Normal_coordinate flipped_ = 0;
   Insertion insertion_{};
   Insertion_placer placer_;
+  // what crosses each edge, if that is kept
+  std::optional<internal::Kept_crossings> kept_;
+  bool keeps_always_ = false;
+  std::size_t steps_before_ = 0; // of the placer, when it was last asked what to keep
 };
 
 } // namespace CGAL::Intrinsic_triangulations

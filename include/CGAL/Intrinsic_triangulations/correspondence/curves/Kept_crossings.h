@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_KEPT_CROSSINGS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_KEPT_CROSSINGS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/explicit_crossing_lists.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/*!
+\brief finds the curves that cross the edge from a corner of a face to a vertex inserted in it.
+
+These are the curves between the corner and the region of the vertex: first the arcs about the corner,
+then curves that emanate from another one, then the arcs about another corner which cut off the region,
+from the outermost one.
+\param k the corner
+\param sides the sides of the face
+\param normal their normal coordinates
+\param c how curves run in the face
+\param r the region of the vertex
+\param append called as `append(h, first, last)` for ranges of curves that cross halfedge `h`, counted from its
+source, in the order in which the edge crosses them, and so that they cross both from the same side: then the input
+halfedges of the faces entered are those of `h`
+*/
+template <class Append>
+void find_crossings_of_spoke(unsigned k, const std::array<std::uint32_t, 3>& sides,
+                             const std::array<Normal_coordinate, 3>& normal,
+                             const Corner_coordinates& c, const Face_region& r, Append append) {
+  const unsigned next = (k + 1) % 3, before = (k + 2) % 3;
+  append(sides[k], 0, r.cutting[k]);
+  const bool on_fan = r.is_on_curve && r.corner == r.fan_corner;
+  if (r.fan_corner == before) // its curves leave through the side from k, the first ones first
+    append(sides[k], c.cutting[k], c.cutting[k] + r.right_of_fan);
+  else if (r.fan_corner == next) { // through the side to k, the last ones first
+    const Normal_coordinate crossed = c.emanating[next] - r.right_of_fan - (on_fan ? 1 : 0);
+    append(sides[before] ^ 1U, c.cutting[k], c.cutting[k] + crossed);
+  }
+  for (const unsigned l : {next, before}) {
+    const bool on_arc = r.is_on_curve && r.corner == l && r.fan_corner != l;
+    const std::uint32_t to_l = l == next ? sides[k] : sides[before] ^ 1U;
+    const Normal_coordinate n = crossings(normal[l == next ? k : before]);
+    append(to_l, n - c.cutting[l], n - r.cutting[l] - (on_arc ? 1 : 0));
+  }
+}
+
+/*!
+\brief keeps the input halfedges that each intrinsic edge crosses, through moves that its owner, which has the normal
+coordinates, announces: see `Explicit_crossings`.
+*/
+class Kept_crossings {
+public:
+  /// Normal coordinates of three sides.
+  using Normals = std::array<Normal_coordinate, 3>;
+
+  /// keeps those of edges that cross nothing.
+  explicit Kept_crossings(std::size_t number_of_edges) : lists_(number_of_edges) {}
+  /// keeps crossings that have been found.
+  explicit Kept_crossings(const Edge_crossings& all)
+      : lists_(all.begin.size() - 1), size_(all.size()) {
+    for (std::uint32_t e = 0; e + 1 < all.begin.size(); ++e) lists_.assign(e, all.entered_on(e));
+  }
+
+  /// returns the number of crossings.
+  std::size_t size() const { return size_; }
+  /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
+  std::span<const std::uint32_t> entered_on(std::uint32_t edge) const { return lists_[edge]; }
+  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position` others.
+  std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
+    const std::span<const std::uint32_t> list = lists_[h / 2];
+    const auto p = static_cast<std::size_t>(position);
+    return h % 2 == 0 ? list[p] : list[list.size() - 1 - p] ^ 1U;
+  }
+
+  /*!
+  \brief finds the crossings of the edge that a flip makes.
+  \param f, g how curves run in the two faces, with corners i, j, k and j, i, m
+  \param n_ki, n_im numbers of crossings of these edges
+  \param along the input halfedge along which ji runs; none if it runs across faces
+  */
+  void announce(const Flip& move, const Corner_coordinates& f, const Corner_coordinates& g,
+                Normal_coordinate n_ki, Normal_coordinate n_im, std::uint32_t along) {
+    // Curves that cross km have one end on the path k, i, m around the quad, without k and m, and the other on the path
+    // k, j, m. Seen from ki and im, all do but those arcs about i, counted from i along ij, that are arcs about i on
+    // the other side too, or end there at the opposite corner: they are last on ki and first on im. Between ki and im
+    // the curves from i cross: to jk, along ij, to mj.
+    announced_[0].clear();
+    const Appender append{lists_, announced_[0]};
+    append(move.ki, 0, n_ki - std::min(f.cutting[0], g.cutting[1] + g.emanating[2]));
+    append(move.jk ^ 1U, f.cutting[2], f.cutting[2] + f.emanating[0]);
+    if (along != Gluing::none) announced_[0].push_back(along);
+    append(move.mj ^ 1U, g.cutting[0], g.cutting[0] + g.emanating[1]);
+    append(move.im, std::min(g.cutting[1], f.cutting[0] + f.emanating[2]), n_im);
+  }
+  /// keeps what was announced, of a flip.
+  void store(const Flip& move) { store(move.ij, announced_[0]); }
+
+  /// finds the crossings of the edges from the corners of a face to a region of it.
+  void announce(const std::array<std::uint32_t, 3>& sides, const Normals& normals,
+                const Face_region& region) {
+    const Corner_coordinates c = corner_coordinates(normals);
+    for (unsigned k = 0; k < 3; ++k) {
+      announced_[k].clear();
+      find_crossings_of_spoke(k, sides, normals, c, region, Appender{lists_, announced_[k]});
+    }
+  }
+  /// keeps what was announced, of the edge from corner `k`, of which a halfedge starts there.
+  void store_spoke(unsigned k, std::uint32_t halfedge) { store(halfedge, announced_[k]); }
+
+  /// makes room for edges, which cross nothing.
+  void grow(std::size_t number_of_edges) { lists_.grow(number_of_edges); }
+  /// forgets the crossings of an edge that goes.
+  void clear(std::uint32_t edge) {
+    size_ -= lists_[edge].size();
+    lists_.clear(edge);
+  }
+
+private:
+  // Appends input halfedges entered by a halfedge to a list.
+  struct Appender {
+    const Crossing_lists& from;
+    std::vector<std::uint32_t>& list;
+
+    void operator()(std::uint32_t h, Normal_coordinate first, Normal_coordinate last) const {
+      if (first >= last) return;
+      const std::span<const std::uint32_t> all = from[h / 2];
+      if (h % 2 == 0) {
+        list.insert(list.end(), all.begin() + first, all.begin() + last);
+      } else {
+        for (Normal_coordinate i = first; i < last; ++i)
+          list.push_back(all[all.size() - 1 - static_cast<std::size_t>(i)] ^ 1U);
+      }
+    }
+  };
+
+  // lists are stored along even halfedges
+  void store(std::uint32_t h, std::vector<std::uint32_t>& list) {
+    if (h % 2 != 0) {
+      std::reverse(list.begin(), list.end());
+      for (std::uint32_t& x : list) x ^= 1U;
+    }
+    size_ += list.size();
+    size_ -= lists_[h / 2].size();
+    lists_.assign(h / 2, list);
+  }
+
+  Crossing_lists lists_;
+  std::size_t size_ = 0;
+  // lists of new edges of the move that has been announced
+  std::array<std::vector<std::uint32_t>, 3> announced_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_KEPT_CROSSINGS_H
