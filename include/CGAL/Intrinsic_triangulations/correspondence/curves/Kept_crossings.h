@@ -58,23 +58,54 @@ void find_crossings_of_spoke(unsigned k, const std::array<std::uint32_t, 3>& sid
 
 /*!
 \brief keeps the input halfedges that each intrinsic edge crosses, through moves that its owner, which has the normal
-coordinates, announces: see `Explicit_crossings`.
+coordinates, announces: see `Explicit_crossings`; or nothing, as long as that is faster.
 */
 class Kept_crossings {
 public:
   /// Normal coordinates of three sides.
   using Normals = std::array<Normal_coordinate, 3>;
 
-  /// keeps those of edges that cross nothing.
-  explicit Kept_crossings(std::size_t number_of_edges) : lists_(number_of_edges) {}
-  /// keeps crossings that have been found.
-  explicit Kept_crossings(const Edge_crossings& all)
-      : lists_(all.begin.size() - 1), size_(all.size()) {
-    for (std::uint32_t e = 0; e + 1 < all.begin.size(); ++e) lists_.assign(e, all.entered_on(e));
+  /// tells whether crossings are kept. The functions below but the next three ask for that.
+  explicit operator bool() const { return are_kept_; }
+
+  /// keeps crossings for ever, from a triangulation on whose edges cross nothing.
+  void keep_always(std::size_t number_of_edges) {
+    lists_ = Crossing_lists(number_of_edges);
+    size_ = 0;
+    are_kept_ = is_decided_ = true;
+  }
+  /// keeps crossings for ever, from those on.
+  void keep_always(const Edge_crossings& all) {
+    keep(all);
+    is_decided_ = true;
   }
 
-  /// returns the number of crossings.
-  std::size_t size() const { return size_; }
+  /*!
+  \brief decides whether to keep crossings.
+
+  Where input edges that cross many intrinsic ones were followed again and again, for as long as it takes to note down what
+  crosses each edge, that is done: else the time of insertions would grow with the length of the edges followed. Lists that
+  get long are worse than that.
+  \param t, coordinates the triangulation, its coordinates
+  \param steps number of steps taken so far along curves
+  \complexity constant, amortized over these steps
+  */
+  template <class Triangulation, class Coordinates>
+  void decide(const Triangulation& t, const Coordinates& coordinates, std::size_t steps) {
+    if (is_decided_) return;
+    const std::size_t edges = coordinates.number_of_edges();
+    if (are_kept_) {
+      are_kept_ = size_ <= 2 * most_per_edge * edges;
+      if (!are_kept_) lists_ = {};
+    } else if (steps - steps_before_ > patience * edges) {
+      steps_before_ = steps;
+      std::size_t all = 0;
+      for (std::uint32_t e = 0; e < edges; ++e)
+        all += static_cast<std::size_t>(crossings(coordinates.normal_coordinate(e)));
+      if (all <= most_per_edge * edges) keep(edge_crossings(t, coordinates));
+    }
+  }
+
   /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
   std::span<const std::uint32_t> entered_on(std::uint32_t edge) const { return lists_[edge]; }
   /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position` others.
@@ -128,6 +159,15 @@ public:
   }
 
 private:
+  static constexpr std::size_t patience = 32, most_per_edge = 128;
+
+  void keep(const Edge_crossings& all) {
+    lists_ = Crossing_lists(all.begin.size() - 1);
+    for (std::uint32_t e = 0; e + 1 < all.begin.size(); ++e) lists_.assign(e, all.entered_on(e));
+    size_ = all.size();
+    are_kept_ = true;
+  }
+
   // Appends input halfedges entered by a halfedge to a list.
   struct Appender {
     const Crossing_lists& from;
@@ -156,8 +196,10 @@ private:
     lists_.assign(h / 2, list);
   }
 
+  bool are_kept_ = false, is_decided_ = false;
+  std::size_t steps_before_ = 0; // when it was last decided
   Crossing_lists lists_;
-  std::size_t size_ = 0;
+  std::size_t size_ = 0; // number of crossings
   // lists of new edges of the move that has been announced
   std::array<std::vector<std::uint32_t>, 3> announced_;
 };

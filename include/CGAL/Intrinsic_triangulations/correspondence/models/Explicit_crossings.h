@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
 #include <cstdint>
@@ -50,16 +49,15 @@ public:
   template <class Triangulation>
   void start(const Triangulation& t) {
     Integer_coordinates::start(t);
-    keep_crossings(internal::Kept_crossings(number_of_edges()));
+    kept_.keep_always(number_of_edges());
   }
 
   /// takes coordinates of a triangulation that is restored, and follows all curves.
   /// \throws std::length_error see `edge_crossings()` \complexity linear in the number of edges and crossings
   template <class Triangulation>
   void restore(const Triangulation& t, Integer_coordinates coordinates) {
-    internal::Kept_crossings all(edge_crossings(t, coordinates));
     Integer_coordinates::restore(t, std::move(coordinates));
-    keep_crossings(std::move(all));
+    kept_.keep_always(edge_crossings(t, *this));
   }
 
   /// returns the input halfedge that intrinsic halfedge `h` runs along, or along a part of which; none

@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Insertion_placer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Kept_crossings.h>
@@ -24,7 +23,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,6 +35,10 @@ halfedge the first input halfedge counterclockwise from it (roundabouts).
 
 No rounding can make these inconsistent: the common subdivision always has the right connectivity. A
 vertex that is inserted on an input edge cuts it into two curves.
+
+Where a vertex that is inserted lies is found by following the input edges that cross its face. If that has taken long,
+because input edges cross very many intrinsic ones, coordinates note down what crosses each edge, as `Explicit_crossings` do,
+and keep it through all moves to come: the same answers, without following.
 
 \cgalModels{CurveCoordinates}
 */
@@ -92,16 +94,12 @@ public:
   /// none if no curve starts from its source.
   std::uint32_t roundabout(std::uint32_t halfedge) const { return roundabout_[halfedge]; }
   /// tells whether the input edges that cross each intrinsic edge are known without following them.
-  bool knows_crossings() const { return kept_.has_value(); }
-  /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
-  /// \pre `knows_crossings()`
-  std::span<const std::uint32_t> entered_on(std::uint32_t edge) const {
-    return kept_->entered_on(edge);
-  }
-  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position` others.
-  /// \pre `knows_crossings()`
+  bool knows_crossings() const { return bool(kept_); }
+  /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order. \pre see above
+  auto entered_on(std::uint32_t edge) const { return kept_.entered_on(edge); }
+  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position` others. \pre see above
   std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
-    return kept_->entered_by(h, position);
+    return kept_.entered_by(h, position);
   }
   /// tells whether vertices were ever inserted.
   bool has_inserted_vertices() const { return !location_.empty(); }
@@ -122,8 +120,8 @@ public:
     flipped_ = flipped_normal_coordinate(left[0], f, g);
     if (flipped_ > maximal_normal_coordinate) return false;
     if (kept_)
-      kept_->announce(move, f, g, crossings(left[2]), crossings(right[1]),
-                      left[0] < 0 ? fans_.halfedge(roundabout_[move.ij ^ 1U]) : Gluing::none);
+      kept_.announce(move, f, g, crossings(left[2]), crossings(right[1]),
+                     left[0] < 0 ? fans_.halfedge(roundabout_[move.ij ^ 1U]) : Gluing::none);
     return true;
   }
 
@@ -136,7 +134,7 @@ public:
     normal_[move.ij / 2] = flipped_;
     update_roundabout(move.ij, move.ki, move.im);
     update_roundabout(move.ij ^ 1U, move.mj, move.jk);
-    if (kept_) kept_->store(move);
+    if (kept_) kept_.store(move);
   }
 
   /// announces the insertion of a vertex in a face.
@@ -156,7 +154,7 @@ public:
       normal_[to[k] / 2] = insertion_.normal[k];
       roundabout_[to[k]] = insertion_.roundabout[k];
       roundabout_[to[k] ^ 1U] = Gluing::none;
-      if (kept_) kept_->store_spoke(k, to[k]);
+      if (kept_) kept_.store_spoke(k, to[k]);
     }
     if (insertion_.along_side)
       start_curves_on_side(move.sides[0], to);
@@ -194,7 +192,7 @@ public:
     roundabout_[pj ^ 1U] = roundabout_[ip ^ 1U];
     roundabout_[pj] = slot;
     roundabout_[pk] = roundabout_[ip ^ 1U] = slot + 1;
-    if (kept_) kept_->store_spoke(2, pk ^ 1U); // parts of the border edge are crossed by nothing
+    if (kept_) kept_.store_spoke(2, pk ^ 1U); // parts of the border edge are crossed by nothing
   }
 
   /// announces the removal of a vertex of degree three.
@@ -217,7 +215,7 @@ public:
     if (roundabout_[to[0] ^ 1U] != Gluing::none) fans_.remove_fan(roundabout_[to[0] ^ 1U]);
     for (const std::uint32_t s : to) normal_[s / 2] = 0;
     if (kept_)
-      for (const std::uint32_t s : to) kept_->clear(s / 2);
+      for (const std::uint32_t s : to) kept_.clear(s / 2);
     return true;
   }
 
@@ -229,7 +227,7 @@ public:
     fans_.remove_fan(roundabout_[move.pj]);
     roundabout_[move.ip ^ 1U] = roundabout_[move.pj ^ 1U];
     normal_[move.pj / 2] = normal_[move.pk / 2] = 0;
-    if (kept_) kept_->clear(move.pk / 2);
+    if (kept_) kept_.clear(move.pk / 2);
     return true;
   }
 
@@ -244,16 +242,10 @@ protected:
   Normals normals(const std::array<std::uint32_t, 3>& sides) const {
     return {normal_[sides[0] / 2], normal_[sides[1] / 2], normal_[sides[2] / 2]};
   }
-  // keeps what crosses each edge through all moves to come
-  void keep_crossings(internal::Kept_crossings all) {
-    kept_ = std::move(all);
-    keeps_always_ = true;
-  }
+  internal::Kept_crossings kept_;
   /// \endcond
 
 private:
-  static constexpr std::size_t patience = 32, most_per_edge = 128;
-
   struct Insertion {
     bool along_side = false; // on the first one, which runs along an input edge
     Face_region region;
@@ -266,7 +258,7 @@ private:
   bool announce_insertion(const Triangulation& t, const std::array<std::uint32_t, 3>& sides,
                           const std::array<double, 3>& weights,
                           const std::optional<Surface_point>& wanted) {
-    if (!keeps_always_) decide_what_to_keep(t);
+    kept_.decide(t, *this, placer_.steps());
     const std::optional<Placed_insertion> p = placer_(t, *this, sides[0], weights, wanted);
     if (!p) return false;
     Insertion& n = insertion_;
@@ -277,24 +269,8 @@ private:
     if (n.along_side) n.normal[0] = n.normal[1] = -1;
     for (unsigned k = 0; k < 3; ++k)
       n.roundabout[k] = turned(sides[k], n.region.fan_corner == k ? n.region.right_of_fan : 0);
-    if (kept_) kept_->announce(sides, normals(sides), n.region);
+    if (kept_) kept_.announce(sides, normals(sides), n.region);
     return true;
-  }
-
-  // Where input edges that cross many intrinsic ones were followed again and again, for as long as it takes to note down what
-  // crosses each edge, that is done, and kept through all moves: else the time of insertions would grow with the length of the
-  // edges followed. Lists that get long are worse than that.
-  template <class Triangulation>
-  void decide_what_to_keep(const Triangulation& t) {
-    const std::size_t edges = number_of_edges();
-    if (kept_) {
-      if (kept_->size() > 2 * most_per_edge * edges) kept_.reset();
-    } else if (placer_.steps() - steps_before_ > patience * edges) {
-      steps_before_ = placer_.steps();
-      std::size_t all = 0;
-      for (const Normal_coordinate n : normal_) all += static_cast<std::size_t>(crossings(n));
-      if (all <= most_per_edge * edges) kept_.emplace(edge_crossings(t, *this));
-    }
   }
 
   // The roundabout of an edge between the first side of a corner and the last: that of the first,
@@ -318,7 +294,7 @@ private:
     if (edges <= normal_.size()) return;
     normal_.resize(edges);
     roundabout_.resize(2 * edges, Gluing::none);
-    if (kept_) kept_->grow(edges);
+    if (kept_) kept_.grow(edges);
   }
 
   void set_location(std::uint32_t vertex, const Surface_point& location) {
@@ -363,10 +339,6 @@ private:
   Normal_coordinate flipped_ = 0;
   Insertion insertion_{};
   Insertion_placer placer_;
-  // what crosses each edge, if that is kept
-  std::optional<internal::Kept_crossings> kept_;
-  bool keeps_always_ = false;
-  std::size_t steps_before_ = 0; // of the placer, when it was last asked what to keep
 };
 
 } // namespace CGAL::Intrinsic_triangulations
