@@ -33,6 +33,7 @@
 #include <map>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -54,6 +55,15 @@ struct Exact_evaluation::Memory {
     Input_face_intervals<Gmpfi> faces;
     History_values<Gmpfi> moves; // faces made next have them as ancestors
   };
+
+  // an expression in the values of a diamond, and the values
+  template <class FT>
+  using Enclosed = std::pair<FT, Diamond_values<FT>>;
+  template <class FT>
+  static Enclosed<FT> with_value(const Recorded_diamond_expression& expression,
+                                 const Diamond_values<FT>& values) {
+    return {expression(values), values};
+  }
 
   // whether an expression is proven to be zero in integers of fixed size, which takes a microsecond
   static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
@@ -123,16 +133,16 @@ struct Exact_evaluation::Memory {
   }
 
   // by the history, if few flips are to be repeated
-  std::optional<Ball<Double_double>> short_value(const Input_metric& input,
-                                                 const Flip_history& history, Side left, Side right,
-                                                 const Recorded_diamond_expression& expression) {
+  std::optional<Enclosed<Ball<Double_double>>>
+  short_value(const Input_metric& input, const Flip_history& history, Side left, Side right,
+              const Recorded_diamond_expression& expression) {
     using FT = Ball<Double_double>;
     if (short_moves.size() > maximal_memory) short_moves = {};
     const auto face = short_balls.of(input);
     const auto faces = History_evaluator<FT, decltype(face)>(history, face, short_moves)
                            .faces({left, right}, few_flips);
     if (!faces) return std::nullopt;
-    return expression(diamond_values((*faces)[0], (*faces)[1]));
+    return with_value(expression, diamond_values((*faces)[0], (*faces)[1]));
   }
 
   Diamond_zero_test is_zero;
@@ -237,30 +247,31 @@ Exact_evaluation::squared_length(const Input_metric& input, const Unfolded_diamo
   });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Interval_nt<false>
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
 Exact_evaluation::enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
                             const Recorded_diamond_expression& expression, unsigned bits) {
-  return memory().at_precision<Interval_nt<false>>(bits, [&](auto& numbers) {
+  return memory().at_precision<Enclosure>(bits, [&](auto& numbers) {
     using FT = typename std::decay_t<decltype(numbers)>::Number;
-    return expression(diamond.values<FT>(numbers.of(input)));
+    return Memory::with_value(expression, diamond.values<FT>(numbers.of(input)));
   });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Interval_nt<false>
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
 Exact_evaluation::enclosure(const Input_metric& input, const Flip_history& history, Side left,
                             Side right, const Recorded_diamond_expression& expression,
                             unsigned bits) {
   const Gmpfi_precision precision(std::max(bits, internal::first_bits));
-  return internal::interval(expression(memory().values(input, history, left, right)));
+  return internal::intervals(
+      Memory::with_value(expression, memory().values(input, history, left, right)));
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Interval_nt<false>>
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
 Exact_evaluation::short_enclosure(const Input_metric& input, const Flip_history& history, Side left,
                                   Side right, const Recorded_diamond_expression& expression) {
   const auto value = internal::to_nearest(
       [&] { return memory().short_value(input, history, left, right, expression); });
   if (!value) return std::nullopt;
-  return internal::interval(*value);
+  return internal::intervals(*value);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_evaluation::sign(

@@ -98,13 +98,15 @@ public:
   FT first_squared_length(const Indexed_face& face, unsigned bits) const;
 
   /*!
-  \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
+  \brief encloses the value of an expression in the values of a diamond, and the areas among them, to 2^-42 of themselves.
   \pre the value is not zero
+  \return the value, and all values of the diamond
   \complexity that of the precision that it takes
   \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before, and weights are
   to have the same digits after a triangulation is read from a file.
   */
-  FT nonzero_value(const Diamond& d, const Recorded_diamond_expression& expression) const;
+  Exact_evaluation::Enclosure
+  nonzero_enclosure(const Diamond& d, const Recorded_diamond_expression& expression) const;
 
 private:
   // not copied: each triangulation has its own

@@ -37,10 +37,20 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
+// whether a predicate holds for a value and for the areas that it depends on
+template <class Predicate>
+bool holds_for_all(const Exact_evaluation::Enclosure& x, const Predicate& predicate) {
+  return predicate(x.first) && predicate(x.second.area_f) && predicate(x.second.area_g);
+}
+
 // To a unit in the last place: by unfolding, too, the same double is found, as a rule.
 inline bool is_known_to_a_unit(const Interval_nt<false>& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return x.sup() <= std::nextafter(std::nextafter(x.inf(), infinity), infinity);
+}
+
+inline bool is_known_to_42_bits(const Interval_nt<false>& x) {
+  return CGAL::width(x) <= 0x1p-42 * CGAL::magnitude(x) && CGAL::is_finite(x);
 }
 
 } // namespace internal
@@ -94,16 +104,16 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_geometry::sign(
                           statistics_);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_geometry::FT
-Exact_geometry::nonzero_value(const Diamond& d,
-                              const Recorded_diamond_expression& expression) const {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
+Exact_geometry::nonzero_enclosure(const Diamond& d,
+                                  const Recorded_diamond_expression& expression) const {
   if (!is_defined_by_places_) {
-    const std::optional<FT> value = evaluation_.short_enclosure(
+    const std::optional<Exact_evaluation::Enclosure> value = evaluation_.short_enclosure(
         *input_, versions_.history(), versions_.left_side(d), versions_.right_side(d), expression);
     if (value) ++statistics_.sharpenings[106];
-    if (value && internal::is_known_to_a_unit(*value)) return *value;
+    if (value && internal::holds_for_all(*value, internal::is_known_to_a_unit)) return *value;
   }
-  FT value;
+  Exact_evaluation::Enclosure value;
   for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
     ++statistics_.sharpenings[bits];
     const Unfolded_diamond* u = unfolded(d);
@@ -111,7 +121,7 @@ Exact_geometry::nonzero_value(const Diamond& d,
                 ? evaluation_.enclosure(*input_, *u, expression, bits)
                 : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
                                         versions_.right_side(d), expression, bits);
-    if (CGAL::width(value) <= 0x1p-42 * CGAL::magnitude(value) && CGAL::is_finite(value)) break;
+    if (internal::holds_for_all(value, internal::is_known_to_42_bits)) break;
   }
   return value;
 }
