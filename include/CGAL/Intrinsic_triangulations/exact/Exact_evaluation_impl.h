@@ -127,7 +127,7 @@ struct Exact_evaluation::Memory {
   std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,
                                          const std::vector<Side>& sides) {
     auto& [faces, moves] = intervals();
-    if (moves.size() > maximal_memory) moves = {};
+    if (moves.size() > maximal_memory) moves.clear();
     const auto face = faces.of(input);
     return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
   }
@@ -137,7 +137,7 @@ struct Exact_evaluation::Memory {
   short_value(const Input_metric& input, const Flip_history& history, Side left, Side right,
               const Recorded_diamond_expression& expression) {
     using FT = Ball<Double_double>;
-    if (short_moves.size() > maximal_memory) short_moves = {};
+    if (short_moves.size() > maximal_memory) short_moves.clear();
     const auto face = short_balls.of(input);
     const auto faces = History_evaluator<FT, decltype(face)>(history, face, short_moves)
                            .faces({left, right}, few_flips);
