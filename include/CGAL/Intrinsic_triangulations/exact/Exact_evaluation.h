@@ -15,6 +15,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -114,10 +115,11 @@ public:
   Enclosure enclosure(const Input_metric& input, const Flip_history& history, Side left, Side right,
                       const Recorded_diamond_expression& expression, unsigned bits);
 
-  /// encloses an expression by repeating flips in 106 bits, unless there are many to repeat; see above.
+  /// encloses an expression by repeating flips in 106 bits, unless there are more than `most` to repeat; see above.
   std::optional<Enclosure> short_enclosure(const Input_metric& input, const Flip_history& history,
                                            Side left, Side right,
-                                           const Recorded_diamond_expression& expression);
+                                           const Recorded_diamond_expression& expression,
+                                           std::size_t most);
 
   /*!
   \brief returns the sign of an expression in the values of the diamond between two sides.

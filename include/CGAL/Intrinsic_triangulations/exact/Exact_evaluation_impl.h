@@ -45,8 +45,6 @@ struct Exact_evaluation::Memory {
   // up to which it is done before 512 bits: over longer strips ties are rare, and the areas of the triangles have many
   // independent square roots
   static constexpr std::size_t many_triangles = 256;
-  // how many flips are repeated before anything is unfolded, which has to follow all of them first
-  static constexpr std::size_t few_flips = 32;
   // entries that are kept between calls, up to a kilobyte each
   static constexpr std::size_t maximal_memory = 50000;
 
@@ -132,15 +130,15 @@ struct Exact_evaluation::Memory {
     return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
   }
 
-  // by the history, if few flips are to be repeated
+  // by the history, if no more than so many flips are to be repeated
   std::optional<Enclosed<Ball<Double_double>>>
   short_value(const Input_metric& input, const Flip_history& history, Side left, Side right,
-              const Recorded_diamond_expression& expression) {
+              const Recorded_diamond_expression& expression, std::size_t most) {
     using FT = Ball<Double_double>;
     if (short_moves.size() > maximal_memory) short_moves.clear();
     const auto face = short_balls.of(input);
     const auto faces = History_evaluator<FT, decltype(face)>(history, face, short_moves)
-                           .faces({left, right}, few_flips);
+                           .faces({left, right}, most);
     if (!faces) return std::nullopt;
     return with_value(expression, diamond_values((*faces)[0], (*faces)[1]));
   }
@@ -267,9 +265,10 @@ Exact_evaluation::enclosure(const Input_metric& input, const Flip_history& histo
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
 Exact_evaluation::short_enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                                  Side right, const Recorded_diamond_expression& expression) {
+                                  Side right, const Recorded_diamond_expression& expression,
+                                  std::size_t most) {
   const auto value = internal::to_nearest(
-      [&] { return memory().short_value(input, history, left, right, expression); });
+      [&] { return memory().short_value(input, history, left, right, expression, most); });
   if (!value) return std::nullopt;
   return internal::intervals(*value);
 }
