@@ -18,6 +18,7 @@ IT::Domain_kind domain_of(const Options& options) {
   if (options.domain == "manifold") return IT::Domain_kind::manifold;
   if (options.domain == "orientation-cover") return IT::Domain_kind::orientation_cover;
   if (options.domain == "tufted") return IT::Domain_kind::tufted_cover;
+  if (options.domain == "closed") return IT::Domain_kind::closed;
   return IT::Domain_kind::automatic;
 }
 
