@@ -58,7 +58,6 @@ Exact_euclidean_metric::cotangent_weight(const Diamond& d) const {
   }
   if (sign(d, Delaunay_expression()) == ZERO) return 0;
   const auto [value, better] = geometry_.nonzero_enclosure(d, recorded(Delaunay_expression()));
-  refine(d, better);
   return CGAL::to_double(value) / CGAL::to_double(better.area_f) /
          (2 * CGAL::to_double(better.area_g));
 }
