@@ -152,6 +152,8 @@ class Domain(Cli_test):
             self.assertEqual(b["input"]["faces_with_repeated_vertices"], 4)
             self.assertEqual(a["input"]["faces_with_repeated_vertices"], 0)
             self.assertEqual(self.read_matrix("a.mtx"), self.read_matrix("b.mtx"))
+            if kind == "closed":  # its reason names a face
+                del a["domain"]["reason"], b["domain"]["reason"]
             self.assertEqual(a["domain"], b["domain"])
         self.assertIn("4 faces listed a vertex twice", self.run_program("info", mesh).out)
         run = self.run_program("geodesic", mesh, "--path", "0:0.3:0.3:0.4,3")
