@@ -10,6 +10,7 @@
 # - Links to labels, `[text](page.md#label)`, and to the pages that doxygen makes of other files become references.
 # - Links to examples, [name.cpp](path/name.cpp), become references to their pages.
 # - Links to headers, [`name()`](path/header.h), and to concepts, [Name](Concepts/Name.h), become references to what they name.
+# - Formulas, $`x`$ and blocks of `math`, become those of doxygen; a comment becomes the table of contents.
 # - The line that says how to build the manual is left out.
 #
 # Lines keep their numbers.
@@ -44,9 +45,20 @@ function reference(text, target,    label, name) {
   return "\\ref " label " \"" text "\""
 }
 
+# a line whose formulas are those of doxygen
+function with_formulas(line,    before) {
+  before = ""
+  while (match(line, /\$`[^`]+`\$/)) {
+    before = before substr(line, 1, RSTART - 1) "\\f$" substr(line, RSTART + 2, RLENGTH - 4) "\\f$"
+    line = substr(line, RSTART + RLENGTH)
+  }
+  return before line
+}
+
 # a line whose links are references
 function with_references(line,    before, link, text, target, found) {
   before = ""
+  line = with_formulas(line)
   while (match(line, /\[[^][]+\]\([^() ]+\)/)) {
     link = substr(line, RSTART, RLENGTH)
     text = link
@@ -67,8 +79,19 @@ function flush() {
   is_held = 0
 }
 
+/^```math$/ {
+  flush()
+  print "\\f["
+  is_math = 1
+  next
+}
+is_math && /^```$/ {
+  print "\\f]"
+  is_math = 0
+  next
+}
 /^```/ { is_code = !is_code }
-is_code || /^    / {
+is_code || is_math || /^    / {
   flush()
   print
   next
@@ -93,6 +116,7 @@ is_held && /^<a id="[a-z0-9_]+"><\/a>$/ {
   sub(/\]\(.*$/, "")
 }
 /^> On a git host / { $0 = "" }
+$0 == "<!-- [TOC] -->" { $0 = "[TOC]" }
 {
   flush()
   print with_references($0)
