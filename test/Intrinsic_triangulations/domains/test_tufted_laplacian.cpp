@@ -257,9 +257,9 @@ TEST(Tufted_mass_matrix, has_the_area_of_the_triangles) {
   for (const auto& [name, m] : soups_of_all_kinds()) {
     double area = 0;
     for (const auto& [i, j, k] : m.triangles) {
-      const auto side = [&](std::uint32_t a, std::uint32_t b) {
-        return Eigen::Vector3d(m.points[b][0] - m.points[a][0], m.points[b][1] - m.points[a][1],
-                               m.points[b][2] - m.points[a][2]);
+      const auto side = [&points = m.points](std::uint32_t a, std::uint32_t b) {
+        return Eigen::Vector3d(points[b][0] - points[a][0], points[b][1] - points[a][1],
+                               points[b][2] - points[a][2]);
       };
       area += side(i, j).cross(side(i, k)).norm() / 2;
     }

@@ -27,6 +27,8 @@ class History_values {
 public:
   /// returns the number of flips of which values are remembered, or were until they were forgotten.
   std::size_t size() const { return values_.size(); }
+  /// tells whether that is zero.
+  bool empty() const { return values_.empty(); }
   /// tells whether the values of a flip are remembered.
   bool contains(std::uint32_t flip) const { return flip < place_.size() && place_[flip] != 0; }
   /// returns what a flip made. \pre it is remembered
