@@ -74,7 +74,6 @@ public:
   }
 
 private:
-
   void check_input(const Input& input) const {
     if (input.has_surface()) return;
     if (Metric::is_exact) in_.fail("exact values need the input that defines them");
