@@ -18,11 +18,9 @@ void run_delaunay_with_signposts(const Options& options);
 void run_delaunay(const Options& options) {
   const bool is_stored = is_triangulation_file(options.input);
   const std::string& asked = options.correspondence;
-  if (is_stored && (!options.metric.empty() || asked == "crossings" || asked == "signposts"))
-    throw std::runtime_error(
-        options.input + ": a stored triangulation has its " +
-        (options.metric.empty() ? "correspondence, integer coordinates" : "metric") +
-        "; start from the mesh");
+  if (is_stored && (asked == "crossings" || asked == "signposts"))
+    throw std::runtime_error(options.input + ": a stored triangulation has its correspondence, "
+                                             "integer coordinates; start from the mesh");
   const bool is_needed =
       !is_stored || needs_correspondence(options) || has_constraints(options) || asked == "integer";
   if (asked == "none" || !is_needed)

@@ -44,6 +44,8 @@ std::string arithmetic_of(const Options& options) {
          "mesh");
   if (options.domain != "auto")
     fail("a stored triangulation has its surface; leave --domain out, or start from the mesh");
+  if (!options.metric.empty())
+    fail("a stored triangulation has its metric; leave --metric out, or start from the mesh");
   if (options.neighbors)
     fail("a stored triangulation has its surface; leave --neighbors out, or start from the points");
   if (options.polygons != "fan")
