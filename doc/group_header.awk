@@ -83,6 +83,7 @@ BEGIN {
   group["applications/vectors/graph_parts.h"]                = "ref_inside"
   group["applications/vectors/unit_vector.h"]                = "ref_inside"
   group["retriangulation/covers/"]                          = "ref_inside"
+  group["retriangulation/covers/restore_input_edges.h"]     = "ref_delaunay"
   group["retriangulation/delaunay/"]                         = "ref_delaunay"
   group["retriangulation/delaunay/Delaunay_flipper.h"]       = "ref_inside"
   group["retriangulation/optimization/"]                     = "ref_refinement"

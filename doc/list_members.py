@@ -100,7 +100,7 @@ def page():
     lines, found = [HEAD], members()
     umbrella = included_by("Intrinsic_triangulations.h", set())
     for topic, title, text in topics():
-        lines += [f"## {title}", "", text, "", "| name | header | |", "|---|---|---|"]
+        lines += [f"## {title}", f'<a id="{topic}"></a>', "", text, "", "| name | header | |", "|---|---|---|"]
         for (name, header), says in sorted(found[topic].items(), key=lambda m: (m[0][0].lower(), m[0][1])):
             path = header.relative_to(INCLUDE).as_posix()
             mark = " *" if path in umbrella else ""

@@ -5,13 +5,120 @@
 #
 #     awk -f page_text.awk PAGE > what doxygen reads
 #
-# A line that is a link to an example and one of its parts, `[name.cpp: part](path/name.cpp)`, becomes that code. The line that
-# says how to build the manual is left out. Lines keep their numbers.
+# - A line that is a link to an example and one of its parts, `[name.cpp: part](path/name.cpp)`, becomes that code.
+# - A heading and a line `<a id="label"></a>` below it become a heading with that label.
+# - Links to labels, `[text](page.md#label)`, and to the pages that doxygen makes of other files become references.
+# - Links to examples, [name.cpp](path/name.cpp), become references to their pages.
+# - Links to headers, [`name()`](path/header.h), and to concepts, [Name](Concepts/Name.h), become references to what they name.
+# - Formulas, $`x`$ and blocks of `math`, become those of doxygen; a comment becomes the table of contents.
+# - The line that says how to build the manual is left out.
+#
+# Lines keep their numbers.
 
+# the reference that a link becomes, or nothing
+function reference(text, target,    label, name) {
+  if (target ~ /^\.\.\/\.\.\/include\/.*\.h$/) {
+    name = text
+    gsub(/`/, "", name)
+    if (sub(/\(\)$/, "", name)) return "\\itf{" name "}"
+    return "\\itc{" name "}"
+  }
+  if (target ~ /^\.\.\/\.\.\/examples\/.*\.cpp$/ && text ~ /^[a-z0-9_]+\.cpp$/) return "\\ref " text
+  label = ""
+  if (target ~ /^Concepts\/[A-Za-z]+\.h$/) {
+    label = target
+    sub(/^Concepts\//, "::", label)
+    sub(/\.h$/, "", label)
+  } else if (target ~ /^([a-z_]+\.md|\.\.\/members\.md)?#[a-z0-9_]+$/) {
+    label = target
+    sub(/^.*#/, "", label)
+  } else if (target == "../../include/CGAL/Intrinsic_triangulations/README.md")
+    label = "page_rooms"
+  else if (target == "../../examples/Intrinsic_triangulations/README.md")
+    label = "page_examples"
+  else if (target == "../members.md")
+    label = "page_reference"
+  else if (target == "Concepts")
+    label = "ref_concepts"
+  if (label == "") return ""
+  gsub(/`/, "", text)
+  return "\\ref " label " \"" text "\""
+}
+
+# a line whose formulas are those of doxygen
+function with_formulas(line,    before) {
+  before = ""
+  while (match(line, /\$`[^`]+`\$/)) {
+    before = before substr(line, 1, RSTART - 1) "\\f$" substr(line, RSTART + 2, RLENGTH - 4) "\\f$"
+    line = substr(line, RSTART + RLENGTH)
+  }
+  return before line
+}
+
+# a line whose links are references
+function with_references(line,    before, link, text, target, found) {
+  before = ""
+  line = with_formulas(line)
+  while (match(line, /\[[^][]+\]\([^() ]+\)/)) {
+    link = substr(line, RSTART, RLENGTH)
+    text = link
+    sub(/^\[/, "", text)
+    sub(/\]\([^() ]+\)$/, "", text)
+    target = link
+    sub(/^\[[^][]+\]\(/, "", target)
+    sub(/\)$/, "", target)
+    found = reference(text, target)
+    before = before substr(line, 1, RSTART - 1) (found == "" ? link : found)
+    line = substr(line, RSTART + RLENGTH)
+  }
+  return before line
+}
+
+function flush() {
+  if (is_held) print held
+  is_held = 0
+}
+
+/^```math$/ {
+  flush()
+  print "\\f["
+  is_math = 1
+  next
+}
+is_math && /^```$/ {
+  print "\\f]"
+  is_math = 0
+  next
+}
+/^```/ { is_code = !is_code }
+is_code || is_math || /^    / {
+  flush()
+  print
+  next
+}
+is_held && /^<a id="[a-z0-9_]+"><\/a>$/ {
+  label = $0
+  gsub(/^<a id="|"><\/a>$/, "", label)
+  print held " {#" label "}"
+  print ""
+  is_held = 0
+  next
+}
+/^#+ / {
+  flush()
+  held = with_references($0)
+  is_held = 1
+  next
+}
 /^\[[a-z0-9_]+\.cpp: [^]]+\]\([^)]+\)$/ {
   sub(/^\[/, "\\snippet ")
   sub(/\.cpp: /, ".cpp ")
   sub(/\]\(.*$/, "")
 }
 /^> On a git host / { $0 = "" }
-{ print }
+$0 == "<!-- [TOC] -->" { $0 = "[TOC]" }
+{
+  flush()
+  print with_references($0)
+}
+END { flush() }

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Says which links lead nowhere, without a network.
 
-    check_links.py                 # links in the .md files of the repository, as a git host shows them; and code
-                                   # that pages quote by a command of doxygen's, which a git host does not show
+    check_links.py                 # links in the .md files of the repository, as a git host shows them; and commands
+                                   # and labels of doxygen's, which a git host shows as they are written
     check_links.py --html FOLDER   # those of generated pages: files, images, scripts, anchors; trees and search
 """
 
@@ -27,8 +27,9 @@ INDENTED = re.compile(r"(?<=\n\n)((?: {4}|\t).*\n)+")
 MARKDOWN_LINK = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\])*\]\(\s*<?([^)\s>]*)>?(?:\s+\"[^\"]*\")?\s*\)")
 MARKDOWN_REFERENCE = re.compile(r"^\[[^\]]+\]:\s*(\S+)", re.MULTILINE)
 HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*#*$", re.MULTILINE)
-QUOTED_CODE = re.compile(r"^(\\snippet .*)$", re.MULTILINE)
-DOXYGEN_LABEL = re.compile(r"\s*\{#[\w-]+\}$")
+LABEL = re.compile(r"^<a id=\"([\w-]+)\"></a>$", re.MULTILINE)
+# what a git host shows as it is written, and what doc/page_text.awk makes it of
+DOXYGEN = re.compile(r"^\\snippet .*|\\(?:ref|itf|itc|subpage|page)\b(?:\{[^}]*\}| [\w:]+)|\\f[$\[{]|^\[TOC\]$|\{#[\w-]+\}", re.MULTILINE)
 
 
 def url_defect(url):
@@ -80,15 +81,16 @@ class Markdown:
         text = FENCE.sub("", text)
         anchors = set()
         for heading in HEADING.findall(text):
-            heading = CODE.sub(lambda code: code.group(0).strip("`"), DOXYGEN_LABEL.sub("", heading))
+            heading = CODE.sub(lambda code: code.group(0).strip("`"), heading)
             base = re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
             number = 0
             while (anchor := f"{base}-{number}" if number else base) in anchors:
                 number += 1
             anchors.add(anchor)
         text = CODE.sub("", INDENTED.sub("", text))
+        anchors.update(LABEL.findall(text))
         links = MARKDOWN_LINK.findall(text) + MARKDOWN_REFERENCE.findall(text)
-        return links + QUOTED_CODE.findall(text), anchors
+        return links + DOXYGEN.findall(text), anchors
 
 
 class Checker:
@@ -98,8 +100,8 @@ class Checker:
 
     def defect(self, file, link):
         """Why a link of a file leads nowhere, or None."""
-        if QUOTED_CODE.match(link):
-            return "no link: write [name.cpp: part](path/name.cpp), see doc/page_text.awk"
+        if DOXYGEN.match(link):
+            return "a git host does not know this: write a link, see doc/page_text.awk"
         parts = urllib.parse.urlsplit(link)
         if parts.scheme in DYNAMIC:
             return None

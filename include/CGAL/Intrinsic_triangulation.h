@@ -310,7 +310,7 @@ private:
   Metric metric_;
   [[no_unique_address]] Correspondence correspondence_;
   [[no_unique_address]] Places places_;
-  internal::Vertex_rows rows_;
+  internal::Vertex_rows<Integer_coordinates> rows_;
 };
 
 template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>

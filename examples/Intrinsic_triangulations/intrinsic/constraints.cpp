@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -18,25 +19,33 @@ namespace {
 
 using Halfedge = IT::Gluing_map::Halfedge;
 
+// The surface that edges are of: a mesh file, or the input of a stored triangulation.
+struct Surface {
+  const IT::Gluing_map& mesh;
+  const std::vector<Point>& points;
+  const IT::Input_names& names;
+  const std::vector<std::uint32_t>& polygon_of_triangle; // by the names of triangles
+};
+
 // What polygons were cut by is no edge of the file.
-bool is_diagonal(const Mesh_file& file, std::uint32_t e) {
-  if (file.polygon_of_triangle.empty()) return false;
-  const IT::Gluing_map& mesh = file.input.mesh;
-  const std::uint32_t f = mesh.face(Halfedge{2 * e}).index,
-                      g = mesh.face(Halfedge{2 * e + 1}).index;
-  const std::uint32_t sheets =
-      file.domain.sheets; // of which the sides of a triangle are consecutive
-  return f != IT::Gluing::none && g != IT::Gluing::none && f / sheets != g / sheets &&
-         file.polygon_of_triangle[f] == file.polygon_of_triangle[g];
+bool is_diagonal(const Surface& s, std::uint32_t e) {
+  if (s.polygon_of_triangle.empty()) return false;
+  std::uint32_t f = s.mesh.face(Halfedge{2 * e}).index, g = s.mesh.face(Halfedge{2 * e + 1}).index;
+  if (f == IT::Gluing::none || g == IT::Gluing::none) return false;
+  f = s.names.faces.user(f);
+  g = s.names.faces.user(g);
+  // the sides of a triangle are consecutive
+  return f / s.names.sheets != g / s.names.sheets &&
+         s.polygon_of_triangle[f] == s.polygon_of_triangle[g];
 }
 
 // The unit normal of a face; NaN if it has no area. Lengths of sides are scaled to 1: no square underflows.
-Point normal(const Mesh_file& file, IT::Gluing_map::Face f) {
+Point normal(const Surface& s, IT::Gluing_map::Face f) {
   std::array<Point, 2> side{};
-  const std::array<Halfedge, 3> sides = file.input.mesh.sides(f);
+  const std::array<Halfedge, 3> sides = s.mesh.sides(f);
   for (unsigned i = 0; i < 2; ++i) {
-    const Point& p = file.input.points[file.input.mesh.source(sides[i]).index];
-    const Point& q = file.input.points[file.input.mesh.target(sides[i]).index];
+    const Point& p = s.points[s.mesh.source(sides[i]).index];
+    const Point& q = s.points[s.mesh.target(sides[i]).index];
     for (unsigned k = 0; k < 3; ++k) side[i][k] = q[k] - p[k];
     const double length = std::hypot(side[i][0], side[i][1], side[i][2]);
     for (double& x : side[i]) x /= length;
@@ -61,13 +70,12 @@ double fold(const Point& n, const Point& m) {
   return std::atan2(std::hypot(cross[0], cross[1], cross[2]), cosine) * (180 / std::numbers::pi);
 }
 
-void constrain_sharp_edges(const Mesh_file& file, double angle, Constraints& c) {
-  const IT::Gluing_map& mesh = file.input.mesh;
+void constrain_sharp_edges(const Surface& s, double angle, Constraints& c) {
+  const IT::Gluing_map& mesh = s.mesh;
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
     const IT::Gluing_map::Face f = mesh.face(Halfedge{2 * e}), g = mesh.face(Halfedge{2 * e + 1});
-    if (f.index == IT::Gluing::none || g.index == IT::Gluing::none || is_diagonal(file, e))
-      continue;
-    if (fold(normal(file, f), normal(file, g)) > angle) c.is_constrained[e] = 1;
+    if (f.index == IT::Gluing::none || g.index == IT::Gluing::none || is_diagonal(s, e)) continue;
+    if (fold(normal(s, f), normal(s, g)) > angle) c.is_constrained[e] = 1;
   }
 }
 
@@ -76,21 +84,22 @@ std::pair<std::uint32_t, std::uint32_t> ordered(std::uint32_t i, std::uint32_t j
 }
 
 // The edges between the vertices that the lines of a file name.
-void constrain_listed_edges(const Mesh_file& file, const Options& options, Constraints& c) {
-  const IT::Gluing_map& mesh = file.input.mesh;
+void constrain_listed_edges(const Surface& s, const Options& options, Constraints& c) {
+  const IT::Gluing_map& mesh = s.mesh;
   std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> edges;
   edges.reserve(mesh.number_of_edges());
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
     const Halfedge inner{mesh.face(Halfedge{2 * e}).index == IT::Gluing::none ? 2 * e + 1 : 2 * e};
-    if (!is_diagonal(file, e))
+    if (!is_diagonal(s, e))
       edges.push_back(
-          {ordered(file.vertex(mesh.source(inner)), file.vertex(mesh.target(inner))), e});
+          {ordered(s.names.row(mesh.source(inner).index), s.names.row(mesh.target(inner).index)),
+           e});
   }
   std::sort(edges.begin(), edges.end());
   Text_lines lines(options.constraints);
   while (lines.next()) {
     lines.expect_words(2, "the numbers of two vertices");
-    const std::size_t n = file.input.names.number_of_rows(mesh.number_of_vertices());
+    const std::size_t n = s.names.number_of_rows(mesh.number_of_vertices());
     const std::uint32_t i = lines.element(0, "vertex", n), j = lines.element(1, "vertex", n);
     auto edge = std::lower_bound(edges.begin(), edges.end(), std::pair(ordered(i, j), 0U));
     if (edge == edges.end() || edge->first != ordered(i, j))
@@ -101,20 +110,40 @@ void constrain_listed_edges(const Mesh_file& file, const Options& options, Const
   }
 }
 
+// \pre options ask for constraints
+void constrain(const Surface& s, const Options& options, Constraints& c) {
+  c.is_constrained.assign(s.mesh.number_of_edges(), 0);
+  if (options.sharp_angle) constrain_sharp_edges(s, *options.sharp_angle, c);
+  if (!options.constraints.empty()) constrain_listed_edges(s, options, c);
+  c.count =
+      static_cast<std::size_t>(std::count(c.is_constrained.begin(), c.is_constrained.end(), 1));
+}
+
 } // namespace
 
 Constraints constraints_of(const Mesh_file& file, const Options& options) {
   Constraints c;
+  const IT::Intrinsic_input& in = file.input;
   if (!options.geodesic.paths.empty() || !options.geodesic.loops.empty() ||
       !options.application.sources.empty() || !options.application.curves.empty())
-    c.mesh = file.input.mesh;
+    c.mesh = in.mesh;
   if (!has_constraints(options)) return c;
-  c.is_constrained.assign(file.input.mesh.number_of_edges(), 0);
-  if (options.sharp_angle) constrain_sharp_edges(file, *options.sharp_angle, c);
-  if (!options.constraints.empty()) constrain_listed_edges(file, options, c);
-  c.count =
-      static_cast<std::size_t>(std::count(c.is_constrained.begin(), c.is_constrained.end(), 1));
-  if (c.count > 0) c.mesh = file.input.mesh;
+  constrain({in.mesh, in.points, in.names, file.polygon_of_triangle}, options, c);
+  if (c.count > 0) c.mesh = in.mesh;
+  return c;
+}
+
+Constraints constraints_of(const IT::Input& input, const Options& options) {
+  Constraints c;
+  c.is_stored = true;
+  if (!has_constraints(options)) return c;
+  if (options.sharp_angle && !input.metric().is_embedded())
+    throw std::runtime_error(options.input +
+                             ": the stored triangulation has lengths and no points, so that no "
+                             "edge is sharp; name edges with --constrain");
+  constrain(
+      {input.mesh(), input.metric().points(), input.names(), input.names().polygon_of_triangle},
+      options, c);
   return c;
 }
 

@@ -18,19 +18,24 @@ namespace program {
 
 /// Edges of the input that are never flipped.
 struct Constraints {
-  IT::Gluing_map mesh;              ///< the mesh as it was read; empty if nothing refers to it
-  std::vector<char> is_constrained; ///< per edge of it
+  IT::Gluing_map mesh; ///< the mesh as it was read; empty if nothing refers to it, or it was stored
+  std::vector<char> is_constrained; ///< per edge of it, or of the input that is stored
   std::size_t count = 0;
+  bool is_stored = false; ///< whether edges are those of the input of a stored triangulation
 };
 
 /// finds the edges of a mesh that `--sharp-angle` and `--constrain` are about.
 /// \throws std::runtime_error naming the line of the file that is wrong
 Constraints constraints_of(const Mesh_file& file, const Options& options);
 
-/// marks the constrained edges of a triangulation before its first move.
+/// finds those of the input of a stored triangulation.
+Constraints constraints_of(const IT::Input& input, const Options& options);
+
+/// marks the constrained edges of a triangulation, before its first move or as it was stored.
 template <class Triangulation>
 IT::Marked_edges<Triangulation> marked_edges(const Triangulation& t, const Constraints& c) {
   if (c.count == 0) return IT::Marked_edges<Triangulation>(t);
+  if (c.is_stored) return IT::constrained_input_edges(t, c.is_constrained);
   const auto is_constrained = [&c](IT::Gluing_map::Edge e) {
     return c.is_constrained[e.index] != 0;
   };

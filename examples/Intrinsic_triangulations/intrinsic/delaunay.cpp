@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
 #include <stdexcept>
+#include <string>
 
 namespace program {
 
@@ -16,13 +17,13 @@ void run_delaunay_with_signposts(const Options& options);
 
 void run_delaunay(const Options& options) {
   const bool is_stored = is_triangulation_file(options.input);
-  if (is_stored &&
-      (needs_correspondence(options) || has_constraints(options) || !options.metric.empty() ||
-       (!options.correspondence.empty() && options.correspondence != "none")))
-    throw std::runtime_error(options.input +
-                             ": a stored triangulation does not know where its edges run on the "
-                             "input; start from the mesh");
-  if (options.correspondence == "none" || is_stored)
+  const std::string& asked = options.correspondence;
+  if (is_stored && (asked == "crossings" || asked == "signposts"))
+    throw std::runtime_error(options.input + ": a stored triangulation has its correspondence, "
+                                             "integer coordinates; start from the mesh");
+  const bool is_needed =
+      !is_stored || needs_correspondence(options) || has_constraints(options) || asked == "integer";
+  if (asked == "none" || !is_needed)
     run_delaunay_with<IT::No_correspondence>(options);
   else if (options.correspondence == "crossings")
     run_delaunay_with_crossings(options);

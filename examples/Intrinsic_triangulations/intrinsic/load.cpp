@@ -18,6 +18,7 @@ IT::Domain_kind domain_of(const Options& options) {
   if (options.domain == "manifold") return IT::Domain_kind::manifold;
   if (options.domain == "orientation-cover") return IT::Domain_kind::orientation_cover;
   if (options.domain == "tufted") return IT::Domain_kind::tufted_cover;
+  if (options.domain == "closed") return IT::Domain_kind::closed;
   return IT::Domain_kind::automatic;
 }
 
@@ -43,6 +44,8 @@ std::string arithmetic_of(const Options& options) {
          "mesh");
   if (options.domain != "auto")
     fail("a stored triangulation has its surface; leave --domain out, or start from the mesh");
+  if (!options.metric.empty())
+    fail("a stored triangulation has its metric; leave --metric out, or start from the mesh");
   if (options.neighbors)
     fail("a stored triangulation has its surface; leave --neighbors out, or start from the points");
   if (options.polygons != "fan")

@@ -12,12 +12,15 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edges.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -114,6 +117,20 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   }
 }
 
+/// puts edges back that are kept, where flips have taken them away before the triangulation was stored.
+/// \throws std::runtime_error naming one that does not come back
+template <class Triangulation>
+void restore_constrained_edges(Loaded<Triangulation>& loaded, const Options& options) {
+  Triangulation& t = loaded.triangulation;
+  const std::uint32_t e = IT::restore_input_edges(t, loaded.constraints.is_constrained).missing;
+  if (e == IT::Gluing::none) return;
+  const auto row = [&](std::uint32_t v) { return std::to_string(t.input().names().row(v)); };
+  throw std::runtime_error(options.input + ": the edge between vertices " +
+                           row(t.input().source(2 * e)) + " and " + row(t.input().target(2 * e)) +
+                           " of the input, which is to be kept, has been flipped away and does "
+                           "not come back; start from the mesh");
+}
+
 /// reads an intrinsic triangulation from its file.
 template <class Triangulation>
 Loaded<Triangulation> load_triangulation(const Options& options, Progress& progress) {
@@ -128,6 +145,14 @@ Loaded<Triangulation> load_triangulation(const Options& options, Progress& progr
       {}};
   loaded.seconds.read = watch.lap();
   describe(loaded);
+  if constexpr (Triangulation::has_correspondence) {
+    const IT::Input& input = loaded.triangulation.input();
+    if (!Triangulation::Metric::is_exact) loaded.points = input.metric().points();
+    loaded.polygon_of_triangle = input.names().polygon_of_triangle;
+    loaded.domain.sheets = input.names().sheets;
+    loaded.constraints = constraints_of(input, options);
+    restore_constrained_edges(loaded, options);
+  }
   return loaded;
 }
 
@@ -150,7 +175,8 @@ void with_loaded(const Options& options, Progress& progress, const Function& fun
   using Double =
       IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>, Correspondence>;
   const bool exact = arithmetic_of(options) == "exact";
-  if constexpr (std::is_same_v<Correspondence, IT::No_correspondence>)
+  if constexpr (std::is_same_v<Correspondence, IT::No_correspondence> ||
+                std::is_same_v<Correspondence, IT::Integer_coordinates>)
     if (is_triangulation_file(options.input)) {
       if (exact)
         call(load_triangulation<Exact>(options, progress));

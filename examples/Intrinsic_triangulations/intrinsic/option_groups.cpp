@@ -145,9 +145,10 @@ void add_common_options(CLI::App& command, Options& options) {
   command
       .add_option("--domain", options.domain,
                   "which surface is made of the file: auto (the first of these that its faces "
-                  "allow; points if it has none; default), manifold, orientation-cover, tufted, or "
-                  "points (faces are ignored)")
-      ->check(CLI::IsMember({"auto", "manifold", "orientation-cover", "tufted", "points"}));
+                  "allow; points if it has none; default), manifold, orientation-cover, tufted, "
+                  "closed (the first of these without border), or points (faces are ignored)")
+      ->check(
+          CLI::IsMember({"auto", "manifold", "orientation-cover", "tufted", "closed", "points"}));
   command
       .add_option("--neighbors", options.neighbors,
                   "how many neighbors of each point are triangulated; default 30")

@@ -69,7 +69,7 @@ struct Options {
   /// `none`, `integer`, `signposts` or `crossings`; empty: what the command takes by default
   std::string correspondence;
   std::string mollification = "automatic"; ///< `automatic`, `none`, `lengths` or `squared`
-  /// `auto`, `manifold`, `orientation-cover`, `tufted` or `points`
+  /// `auto`, `manifold`, `orientation-cover`, `tufted`, `closed` or `points`
   std::string domain = "auto";
   std::optional<std::size_t> neighbors = std::nullopt; ///< of each point of a point cloud
   std::string polygons = "fan";     ///< what is made of nonplanar ones: `fan` or `planar`

@@ -124,7 +124,8 @@ Integrals integrals_of(Triangulation& t, const std::vector<Point>& scaled_points
 double area(const Point& p, const Point& q, const Point& r);
 
 /// returns the area of the input from its coordinates, before any mollification, in its units; NaN
-/// where the coordinates are not known; where polygons became planar, that of its faces. \pre no edge was flipped, unless traits are exact
+/// where the coordinates are not known; where polygons became planar, that of its faces.
+/// \pre no edge was flipped, unless traits are exact or it is known where edges run
 template <class Triangulation>
 double input_area(const Loaded<Triangulation>& loaded) {
   const Triangulation& t = loaded.triangulation;
@@ -146,11 +147,18 @@ double input_area(const Loaded<Triangulation>& loaded) {
              t.input().names().sheets;
     }
   }
-  for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
-    const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
-    sum += area(p[source(h, t.mesh()).index], p[target(h, t.mesh()).index],
-                p[target(n, t.mesh()).index]);
-  }
+  if (Triangulation::has_correspondence && t.input().has_surface()) { // stored ones were flipped
+    const IT::Input& input = t.input();
+    for (std::uint32_t f = 0; f < input.number_of_faces(); ++f) {
+      const std::uint32_t h = input.halfedge_of_face(f);
+      sum += area(p[input.source(h)], p[input.target(h)], p[input.target(input.next(h))]);
+    }
+  } else
+    for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
+      const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
+      sum += area(p[source(h, t.mesh()).index], p[target(h, t.mesh()).index],
+                  p[target(n, t.mesh()).index]);
+    }
   return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent()) /
          t.input().names().sheets;
 }

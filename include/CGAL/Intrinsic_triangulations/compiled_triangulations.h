@@ -58,8 +58,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE
 internal::Prepared_input<Exact_euclidean_metric> internal::prepare(Intrinsic_input&&, bool);
 CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE
 internal::Prepared_input<Euclidean_metric<double>> internal::prepare(Intrinsic_input&&, bool);
-CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE std::vector<std::uint32_t>
-internal::first_copies(const Integer_coordinates*, const std::vector<std::uint8_t>&);
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::First_copies<
+    Integer_coordinates>;
 
 } // namespace CGAL::Intrinsic_triangulations
 

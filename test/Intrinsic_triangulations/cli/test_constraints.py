@@ -138,6 +138,35 @@ class Constraints(Cli_test):
             self.assertEqual(self.stats("delaunay", cube, "--sharp-angle", 91)["constraints"]
                              ["input_edges"], 0)
 
+    def test_kept_edges_that_were_flipped_before_a_triangulation_was_stored_come_back(self):
+        points, faces = jittered_grid(9)
+        points = [(x, y, 2 * random.Random(3 * i).random()) for i, (x, y, _) in enumerate(points)]
+        mesh = self.write_off("g.off", points, faces)
+        edges = sorted({(min(a, b), max(a, b)) for f in faces for a, b in zip(f, f[1:] + f[:1])})
+        kept = self.write("c.txt", "".join(f"{b} {a}\n" for a, b in edges[::3]))
+        for arithmetic in ("exact", "double"):
+            free = self.stats("delaunay", mesh, "--arithmetic", arithmetic, "-o", "s.idt")
+            for option in (("--constrain", kept), ("--sharp-angle", "60")):
+                asked = self.stats("delaunay", mesh, "--arithmetic", arithmetic, *option)
+                stored = self.stats("delaunay", "s.idt", *option, "-o", "k.idt")
+                self.assertGreater(asked["constraints"]["non_delaunay_edges"], 0)
+                self.assertLess(asked["delaunay"]["flips"], free["delaunay"]["flips"])
+                self.assertEqual(stored["constraints"], asked["constraints"])
+                for key, name in (("laplacian", "trace"), ("area", "input"), ("area", "intrinsic")):
+                    self.assert_close(stored[key][name], asked[key][name], 1e-10)
+                self.assertEqual(stored["certificate"], asked["certificate"])
+                again = self.stats("delaunay", "k.idt", *option)
+                self.assertEqual(again["delaunay"]["flips"], 0)
+                self.assertEqual(again["constraints"], asked["constraints"])
+                refined = self.stats("refine", "s.idt", *option, "--min-angle", "20", "-o", "r.idt")
+                self.assertGreater(refined["constraints"]["edges"], asked["constraints"]["edges"])
+                again = self.stats("delaunay", "r.idt", *option)  # parts of kept edges are kept
+                self.assertEqual(again["delaunay"]["flips"], 0)
+                self.assertEqual(again["constraints"], refined["constraints"])
+        self.assert_fails(self.run_program("delaunay", "s.idt", "--constrain",
+                                           self.write("k.txt", f"0 {len(points) - 1}\n")),
+                          "k.txt:1", "s.idt")
+
     def test_both_options_add_up(self):
         cube = self.write_off("c.off", CUBE[0], CUBE[1])
         kept = self.write("c.txt", "0 1\n4 5\n")
@@ -161,9 +190,13 @@ class Constraints(Cli_test):
         # a diagonal that the program has cut a square along is no edge of the file
         self.assert_fails(self.run_program("delaunay", cube, "--constrain",
                                            self.write("k.txt", "0 3\n1 2\n")), "k.txt:")
-        self.run_program("delaunay", cube, "-o", "s.idt")
+        self.run_program("delaunay", cube, "-o", "s.idt", "--correspondence", "none",
+                         "--arithmetic", "double")
         self.assert_fails(self.run_program("refine", "s.idt", "--sharp-angle", "30"), "s.idt",
                           "start from the mesh")
+        for kind in ("crossings", "signposts"):
+            self.assert_fails(self.run_program("refine", "s.idt", "--correspondence", kind), "s.idt",
+                              "integer coordinates", "start from the mesh")
         for angle in ("-1", "181", "nan", "sharp"):
             self.assertEqual(self.run_program("delaunay", cube, "--sharp-angle", angle).code, 2)
 

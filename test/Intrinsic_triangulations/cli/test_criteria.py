@@ -84,9 +84,20 @@ class Sizes(Cli_test):
         sizes = self.write_sizes([1] * n)
         self.assertEqual(self.run_program("refine", self.mesh, "--size", sizes,
                                           "--correspondence", "none").code, 2)
-        self.run_program("delaunay", self.mesh, "-o", "t.idt")
+        self.run_program("delaunay", self.mesh, "-o", "t.idt", "--arithmetic", "double",
+                         "--correspondence", "none")
         self.assert_fails(self.run_program("refine", "t.idt", "--size", sizes), "t.idt",
                           "start from the mesh")
+
+    def test_a_stored_triangulation_is_refined_to_sizes(self):
+        sizes = self.write_sizes([0.2 + 0.1 * abs(p[0]) for p in self.points])
+        asked = self.stats("refine", self.mesh, "--size", sizes)
+        self.run_program("delaunay", self.mesh, "-o", "t.idt")
+        stored = self.stats("refine", "t.idt", "--size", sizes, "-o", "r.idt")
+        self.assertGreater(stored["refine"]["insertions"], 0)
+        self.assertEqual(stored["refine"]["insertions"], asked["refine"]["insertions"])
+        again = self.stats("refine", "r.idt", "--size", sizes)
+        self.assertEqual(again["refine"]["insertions"], 0)
 
 
 class Adaptive_refinement(Cli_test):
@@ -158,8 +169,13 @@ class Adaptive_refinement(Cli_test):
                           ("--adaptive", "--correspondence", "crossings"),
                           ("--adaptive", "--correspondence", "none")):
             self.assertEqual(self.run_program("refine", self.mesh, *arguments).code, 2, arguments)
+
+    def test_a_stored_triangulation_is_refined(self):
+        asked = self.stats("refine", self.mesh, "--adaptive", "--tolerance", "0.02")
         self.run_program("delaunay", self.mesh, "-o", "t.idt")
-        self.assert_fails(self.run_program("refine", "t.idt", "--adaptive"), "t.idt")
+        stored = self.stats("refine", "t.idt", "--adaptive", "--tolerance", "0.02")
+        self.assertEqual([r["vertices"] for r in stored["adaptive"]["rounds"]],
+                         [r["vertices"] for r in asked["adaptive"]["rounds"]])
 
 
 if __name__ == "__main__":

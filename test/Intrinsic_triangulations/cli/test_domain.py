@@ -146,18 +146,35 @@ class Domain(Cli_test):
         clean = self.write_off("c.off", points, faces)
         mesh = self.write_off("r.off", points,
                               [(0, 1, 1), faces[0], (4, 4, 4), (0, 2, 4, 2, 3, 3), (1, 2, 1, 2)])
-        for kind in ("auto", "manifold", "orientation-cover", "tufted"):
+        for kind in ("auto", "manifold", "orientation-cover", "tufted", "closed"):
             a = self.stats("laplacian", clean, "--domain", kind, "-o", "a.mtx")
             b = self.stats("laplacian", mesh, "--domain", kind, "-o", "b.mtx")
             self.assertEqual(b["input"]["faces_with_repeated_vertices"], 4)
             self.assertEqual(a["input"]["faces_with_repeated_vertices"], 0)
             self.assertEqual(self.read_matrix("a.mtx"), self.read_matrix("b.mtx"))
+            if kind == "closed":  # its reason names a face
+                del a["domain"]["reason"], b["domain"]["reason"]
             self.assertEqual(a["domain"], b["domain"])
         self.assertIn("4 faces listed a vertex twice", self.run_program("info", mesh).out)
         run = self.run_program("geodesic", mesh, "--path", "0:0.3:0.3:0.4,3")
         self.assert_fails(run, "face 0", "three different vertices")
         run = self.run_program("geodesic", mesh, "--path", "1:0.3:0.3:0.4,3")
         self.assertEqual(run.code, 0, run.err)
+
+    def test_a_surface_without_border_is_a_cover_only_if_it_must_be(self):
+        tetrahedron = ([(0, 0, 0), (3, 0, 0), (0, 4, 0), (0, 0, 5)],
+                       [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)])
+        for (points, faces), kind, sheets in ((tetrahedron, "manifold", 1), (FINS, "tufted", 2),
+                                              ((tetrahedron[0], tetrahedron[1][1:]), "tufted", 2)):
+            mesh = self.write_off("m.off", points, faces)
+            closed = self.stats("laplacian", mesh, "--domain", "closed", "-o", "c.mtx")
+            tufted = self.stats("laplacian", mesh, "--domain", "tufted", "-o", "t.mtx")
+            self.assertEqual(closed["domain"]["kind"], kind)
+            self.assertEqual(closed["domain"]["sheets"], sheets)
+            self.assertEqual(closed["input"]["boundary_edges"], 0)
+            self.check(closed, points, faces)
+            self.check_laplacian("c.mtx", points, closed)
+            self.assert_close(closed["laplacian"]["trace"], tufted["laplacian"]["trace"], 1e-12)
 
     def test_covers_are_refined_stored_and_transferred_to(self):
         for points, faces in (FINS, moebius_strip()):

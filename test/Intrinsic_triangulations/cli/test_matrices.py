@@ -86,9 +86,14 @@ class Matrices(Cli_test):
                            "--correspondence", "none"),
                           ("refine", self.mesh, "--mass", "m.mtx", "--mass-kind", "full")):
             self.assertEqual(self.run_program(*arguments).code, 2, arguments)
-        self.run_program("delaunay", self.mesh, "-o", "t.idt")
+        self.run_program("delaunay", self.mesh, "-o", "t.idt", "--arithmetic", "double",
+                         "--correspondence", "none")
         self.assert_fails(self.run_program("refine", "t.idt", "--interpolation", "p.mtx"), "t.idt",
                           "start from the mesh")
+        self.stats("refine", self.mesh, "-o", "t.idt", "--interpolation", "a.mtx")
+        self.assertEqual(self.stats("refine", "t.idt", "--interpolation", "b.mtx")["refine"]
+                         ["insertions"], 0)
+        self.assertEqual(self.read_matrix("a.mtx"), self.read_matrix("b.mtx"))
         stats = self.stats("refine", "t.idt", "--mass", "m.mtx")  # that needs no correspondence
         self.assert_close(sum(self.read_matrix("m.mtx")[2].values()), stats["area"]["input"], 1e-10)
 

@@ -342,11 +342,21 @@ class Stored_refinement(Cli_test):
             rows = [line.split() for line in file if line[0] != "%"][1:]
         return {(int(i), int(j)): float(x) for i, j, x in rows}
 
-    def test_a_file_does_not_know_the_mesh(self):
+    def test_a_file_with_correspondence_is_drawn_as_from_the_mesh(self):
         points, faces = icosphere(1)
         mesh = self.write_off("m.off", points, faces)
-        self.stats("refine", mesh, "-o", "r.idt", "--max-edge-length", "0.4", "--min-angle", "0")
-        self.assert_fails(self.run_program("refine", "r.idt", "-o", "s.ply"), "r.idt", "mesh")
+        for arithmetic in ("exact", "double"):
+            options = ("--max-edge-length", "0.4", "--min-angle", "0", "--arithmetic", arithmetic)
+            self.stats("refine", mesh, "-o", "r.idt", *options)
+            asked = self.stats("refine", mesh, "-o", "m.ply", *options)
+            stored = self.stats("delaunay", "r.idt", "-o", "s.ply", "--view", "s.html")
+            self.assertEqual(stored["subdivision"], asked["subdivision"])
+            self.assertEqual(stored["area"]["input"], asked["area"]["input"])
+            with open(self.path("m.ply"), "rb") as a, open(self.path("s.ply"), "rb") as b:
+                self.assertEqual(a.read(), b.read())
+        self.stats("delaunay", mesh, "-o", "n.idt", "--arithmetic", "double", "--correspondence",
+                   "none")
+        self.assert_fails(self.run_program("refine", "n.idt", "-o", "s.ply"), "n.idt", "mesh")
 
 
 if __name__ == "__main__":

@@ -29,6 +29,21 @@ class Transfer(Cli_test):
         on_subdivision = [product(q, [x[k] for x in self.points]) for k in range(3)]
         return [[c[row[v]] for c in on_subdivision] for v in range(p[1])]
 
+    def test_a_stored_triangulation_transfers_as_the_mesh_does(self):
+        field = self.write("f.txt", "".join(f"{p[0] ** 2 - p[1]}\n" for p in self.points))
+        for arithmetic in ("exact", "double"):
+            asked = self.stats("transfer", self.mesh, field, "-o", "a.txt", "--arithmetic",
+                               arithmetic)
+            self.run_program("delaunay", self.mesh, "-o", "s.idt", "--arithmetic", arithmetic)
+            stored = self.stats("transfer", "s.idt", field, "-o", "b.txt")
+            for x, y in zip(stored["transfer"]["L2_distance"], asked["transfer"]["L2_distance"],
+                            strict=True):
+                self.assertAlmostEqual(x, y, delta=1e-9)
+            with open(self.path("a.txt"), encoding="ascii") as a, \
+                    open(self.path("b.txt"), encoding="ascii") as b:
+                for x, y in zip(a.read().split(), b.read().split(), strict=True):
+                    self.assertAlmostEqual(float(x), float(y), delta=1e-9)
+
     def test_linear_functions_are_reproduced_both_ways(self):
         field = self.write_field("f.txt", self.points)
         for options in ((), ("--refine",)):
@@ -114,7 +129,8 @@ class Transfer(Cli_test):
         self.assert_fails(self.run_program("transfer", self.mesh, field, "--refine", "--from",
                                            "intrinsic"), "f.txt", "intrinsic triangulation")
         self.assert_fails(self.run_program("transfer", self.mesh, "none.txt"), "none.txt")
-        self.run_program("delaunay", self.mesh, "-o", "t.idt")
+        self.run_program("delaunay", self.mesh, "-o", "t.idt", "--arithmetic", "double",
+                         "--correspondence", "none")
         self.assert_fails(self.run_program("transfer", "t.idt", field), "t.idt",
                           "start from the mesh")
         for arguments in ((), (field, "-o", "s.off"), (field, "--method", "best"),

@@ -159,6 +159,42 @@ TEST(Tufted_laplacian, is_what_the_definition_says_in_400_digits) {
   }
 }
 
+// two closed surfaces that share a vertex, one of them the wrong way round
+Mesh touching() {
+  Mesh m = meshes::box(2, 3, 1);
+  const auto first = static_cast<std::uint32_t>(m.points.size());
+  m.points.insert(m.points.end(), {{-1, -2, -7}, {-5, -1, -2}, {-2, -6, -1}});
+  m.triangles.insert(m.triangles.end(), {{0, first, first + 1},
+                                         {0, first + 1, first + 2},
+                                         {0, first + 2, first},
+                                         {first, first + 1, first + 2}});
+  return m;
+}
+
+TEST(Tufted_laplacian, and_masses_are_those_of_the_surface_without_border_of_fewest_sheets) {
+  const auto check = [](const std::string& name, const Mesh& m, IT::Domain_kind kind) {
+    IT::Domain d = IT::make_domain(soups::soup(m), IT::Domain_kind::closed);
+    EXPECT_EQ(d.report.kind, kind) << name << ": " << d.report.reason;
+    EXPECT_EQ(d.report.sheets, kind == IT::Domain_kind::manifold ? 1U : 2U) << name;
+    const Exact closed = delaunay(std::move(d)), both = tufted(m);
+    for (const auto e : edges(closed.mesh()))
+      EXPECT_FALSE(CGAL::is_border(e, closed.mesh())) << name;
+    expect_near(IT::cotangent_laplacian(both), IT::cotangent_laplacian(closed), name);
+    expect_near(IT::lumped_mass_matrix(both), IT::lumped_mass_matrix(closed), name);
+    expect_near(IT::galerkin_mass_matrix(both), IT::galerkin_mass_matrix(closed), name);
+  };
+  for (const auto& [name, m] : closed_meshes()) check(name, m, IT::Domain_kind::manifold);
+  check("touching", touching(), IT::Domain_kind::manifold);
+  for (const auto& [name, m] : bordered_meshes()) check(name, m, IT::Domain_kind::tufted_cover);
+  check("fins", soups::three_fins(), IT::Domain_kind::tufted_cover);
+  check("Moebius strip", soups::moebius_strip(), IT::Domain_kind::tufted_cover);
+  check("Klein bottle", soups::klein_bottle(), IT::Domain_kind::orientation_cover);
+  check("projective plane", soups::projective_plane(), IT::Domain_kind::orientation_cover);
+  for (unsigned seed = 0; seed < 12; ++seed) // with more than two faces at some edge
+    check("random soup " + std::to_string(seed), soups::random(5 + seed, 25 + 3 * seed, seed),
+          IT::Domain_kind::tufted_cover);
+}
+
 // which edge is between which vertices, and which way faces are written, makes no difference
 Mesh shuffled(Mesh m, unsigned seed) {
   std::mt19937 random(seed);
@@ -221,9 +257,9 @@ TEST(Tufted_mass_matrix, has_the_area_of_the_triangles) {
   for (const auto& [name, m] : soups_of_all_kinds()) {
     double area = 0;
     for (const auto& [i, j, k] : m.triangles) {
-      const auto side = [&](std::uint32_t a, std::uint32_t b) {
-        return Eigen::Vector3d(m.points[b][0] - m.points[a][0], m.points[b][1] - m.points[a][1],
-                               m.points[b][2] - m.points[a][2]);
+      const auto side = [&points = m.points](std::uint32_t a, std::uint32_t b) {
+        return Eigen::Vector3d(points[b][0] - points[a][0], points[b][1] - points[a][1],
+                               points[b][2] - points[a][2]);
       };
       area += side(i, j).cross(side(i, k)).norm() / 2;
     }

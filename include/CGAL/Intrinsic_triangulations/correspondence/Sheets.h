@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -143,29 +142,39 @@ private:
 };
 
 /*!
-Finds out which inserted vertices lie over one point of the user's faces.
-\param coordinates know where they are; null: nobody knows
-\param is_there of each number of an inserted vertex, from the first: whether it is in use
-\return for each, the first one at the same point
-\complexity O(n log n) on covers, else linear
+Finds out which inserted vertices lie over one point of the user's faces; they are told one after the other.
+\tparam Coordinates know where vertices are
 */
 template <class Coordinates>
-std::vector<std::uint32_t> first_copies(const Coordinates* coordinates,
-                                        const std::vector<std::uint8_t>& is_there) {
-  std::vector<std::uint32_t> first(is_there.size());
-  std::iota(first.begin(), first.end(), std::uint32_t{0});
-  if (coordinates == nullptr) return first;
-  const Input& input = coordinates->input();
-  const Sheets sheets(input);
-  if (!sheets.is_cover()) return first;
-  std::map<std::pair<std::uint32_t, std::array<double, 3>>, std::uint32_t> by_place;
-  for (std::uint32_t i = 0; i < first.size(); ++i) {
-    if (is_there[i] == 0) continue;
-    const Surface_point& p = coordinates->location(input.number_of_vertices() + i);
-    first[i] = by_place.insert({sheets.name(p), i}).first->second;
+class First_copies {
+public:
+  // \complexity linear
+  explicit First_copies(const Input& input) : input_(input), sheets_(input) {}
+
+  // whether the coordinates are about the same input as before
+  bool is_about(const Coordinates& coordinates) const { return &input_ == &coordinates.input(); }
+
+  /*!
+  \param i number of an inserted vertex, from the first; higher than those before
+  \return the first vertex at the same point
+  \complexity logarithmic
+  */
+  std::uint32_t operator()(std::uint32_t i, const Coordinates& coordinates) {
+    if (!sheets_.is_cover()) return i;
+    const auto name = [&](std::uint32_t n) {
+      return sheets_.name(coordinates.location(input_.number_of_vertices() + n));
+    };
+    const auto here = name(i);
+    const auto [place, is_new] = by_place_.insert({here, i});
+    if (!is_new && name(place->second) != here) place->second = i; // that one was moved away
+    return place->second;
   }
-  return first;
-}
+
+private:
+  const Input& input_;
+  Sheets sheets_;
+  std::map<std::pair<std::uint32_t, std::array<double, 3>>, std::uint32_t> by_place_;
+};
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

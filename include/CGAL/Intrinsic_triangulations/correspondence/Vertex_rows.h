@@ -8,13 +8,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Counts the inserted vertices without the gaps that removals leave in their numbers: rows of matrices, in the order
-// of the numbers. On a cover, the copies of a vertex have one row, that of the first of them. After a removal, and on covers,
-// they are counted again when somebody asks.
+// of the numbers. On a cover, the copies of a vertex have one row, that of the first of them. What was inserted last is counted
+// when somebody asks; after a removal those after it are, on a cover all.
+// \tparam Coordinates know where inserted vertices are
+template <class Coordinates>
 class Vertex_rows {
 public:
   Vertex_rows() = default;
@@ -31,53 +35,78 @@ public:
     const std::uint32_t i = number - first_;
     if (i >= is_there_.size()) is_there_.resize(i + 1, 0);
     is_there_[i] = 1;
-    if (is_current_ && i == row_.size() && !is_cover_)
-      row_.push_back(first_row_ + count_);
-    else
-      is_current_ = false;
+    forget_from(i);
     ++count_;
   }
   void remove(std::uint32_t number) {
     is_there_[number - first_] = 0;
-    is_current_ = false;
+    forget_from(number - first_);
     --count_;
   }
 
   // \param t the triangulation that has the rows
   template <class Triangulation>
   std::uint32_t row(std::uint32_t number, const Triangulation& t) const {
-    if (!is_current_) count_again(t);
+    count(t);
     return row_[number - first_];
   }
   template <class Triangulation>
   std::uint32_t number_of_rows(const Triangulation& t) const {
     if (!is_cover_) return first_row_ + count_;
-    if (!is_current_) count_again(t);
-    return first_row_ + rows_of_cover_;
+    count(t);
+    return first_row_ + counted_rows_;
   }
 
 private:
-  template <class Triangulation>
-  void count_again(const Triangulation& t) const {
-    row_.resize(is_there_.size());
-    std::vector<std::uint32_t> first;
-    if (is_cover_) first = first_copies(t.places(), is_there_);
-    std::uint32_t next = first_row_;
-    for (std::size_t i = 0; i < row_.size(); ++i) {
-      const bool is_copy = is_cover_ && first[i] != i;
-      row_[i] = is_copy ? row_[first[i]] : next;
-      if (!is_copy) next += is_there_[i];
+  // Not copied: it refers to an input, which the copy may have another of.
+  struct Cache {
+    std::unique_ptr<First_copies<Coordinates>> copies;
+
+    Cache() = default;
+    Cache(const Cache&) {}
+    Cache(Cache&&) = default;
+    Cache& operator=(Cache other) {
+      copies = std::move(other.copies);
+      return *this;
     }
-    rows_of_cover_ = next - first_row_;
-    is_current_ = true;
+  };
+
+  // The row of this vertex and of all after it may be another now. Whether another copy is the first now takes all of them.
+  void forget_from(std::size_t i) {
+    if (i >= row_.size()) return;
+    if (is_cover_) i = 0;
+    counted_rows_ = row_[i] - first_row_;
+    row_.resize(i);
+    cache_.copies.reset();
+  }
+
+  // gives rows to those that have none
+  template <class Triangulation>
+  void count(const Triangulation& t) const {
+    if (row_.size() == is_there_.size()) return;
+    const Coordinates* const coordinates = is_cover_ ? t.places() : nullptr;
+    if (coordinates != nullptr && !(cache_.copies && cache_.copies->is_about(*coordinates))) {
+      row_.clear();
+      counted_rows_ = 0;
+      cache_.copies = std::make_unique<First_copies<Coordinates>>(coordinates->input());
+    }
+    while (row_.size() < is_there_.size()) {
+      const auto i = static_cast<std::uint32_t>(row_.size());
+      const bool is_there = is_there_[i] != 0;
+      const std::uint32_t first =
+          is_there && coordinates != nullptr ? (*cache_.copies)(i, *coordinates) : i;
+      row_.push_back(first == i ? first_row_ + counted_rows_ : row_[first]);
+      if (first == i && is_there) ++counted_rows_;
+    }
   }
 
   std::uint32_t first_ = 0, first_row_ = 0, count_ = 0;
   bool is_cover_ = false;
   std::vector<std::uint8_t> is_there_;
+  // of the first so many vertices, and the number of them
   mutable std::vector<std::uint32_t> row_;
-  mutable std::uint32_t rows_of_cover_ = 0;
-  mutable bool is_current_ = true;
+  mutable std::uint32_t counted_rows_ = 0;
+  mutable Cache cache_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

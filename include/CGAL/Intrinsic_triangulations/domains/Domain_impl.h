@@ -54,6 +54,12 @@ public:
   Domain make(Domain_kind kind, std::uint32_t conflict) {
     if (kind == Domain_kind::tufted_cover || kind == Domain_kind::orientation_cover)
       return cover(kind, "it was asked for");
+    if (kind == Domain_kind::closed)
+      for (std::uint32_t h = 0; h < faces_.glue.size(); ++h)
+        if (faces_.glue[h] == Gluing::none)
+          return cover(Domain_kind::tufted_cover,
+                       "face " + std::to_string(face_name(h / 3, names())) +
+                           " is alone at an edge, and a surface without border was asked for");
     const Orientation_result r =
         conflict == Gluing::none ? Orientation_result{} : orient_faces(faces_);
     if (r.is_orientable) return manifold(r.reversed_faces);

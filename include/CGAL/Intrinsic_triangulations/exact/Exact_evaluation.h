@@ -15,9 +15,11 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -53,6 +55,8 @@ public:
 
   /// A slot of a version of a face.
   using Side = Face_side;
+  /// Encloses an expression in the values of a diamond, and the values.
+  using Enclosure = std::pair<Interval_nt<false>, Diamond_values<Interval_nt<false>>>;
 
   /*!
   \brief returns the sign of an expression in the values of a diamond that is unfolded.
@@ -104,19 +108,18 @@ public:
   \param input, diamond, expression see `sign()`
   \param bits 53, 106, 256, or any more
   */
-  Interval_nt<false> enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
-                               const Recorded_diamond_expression& expression, unsigned bits);
+  Enclosure enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
+                      const Recorded_diamond_expression& expression, unsigned bits);
 
   /// encloses an expression in the values of a diamond between two sides; see the other `enclosure()`.
-  Interval_nt<false> enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                               Side right, const Recorded_diamond_expression& expression,
-                               unsigned bits);
+  Enclosure enclosure(const Input_metric& input, const Flip_history& history, Side left, Side right,
+                      const Recorded_diamond_expression& expression, unsigned bits);
 
-  /// encloses an expression by repeating flips in 106 bits, unless there are many to repeat; see above.
-  std::optional<Interval_nt<false>> short_enclosure(const Input_metric& input,
-                                                    const Flip_history& history, Side left,
-                                                    Side right,
-                                                    const Recorded_diamond_expression& expression);
+  /// encloses an expression by repeating flips in 106 bits, unless there are more than `most` to repeat; see above.
+  std::optional<Enclosure> short_enclosure(const Input_metric& input, const Flip_history& history,
+                                           Side left, Side right,
+                                           const Recorded_diamond_expression& expression,
+                                           std::size_t most);
 
   /*!
   \brief returns the sign of an expression in the values of the diamond between two sides.

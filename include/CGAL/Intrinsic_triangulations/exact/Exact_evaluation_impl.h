@@ -33,6 +33,7 @@
 #include <map>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -44,8 +45,6 @@ struct Exact_evaluation::Memory {
   // up to which it is done before 512 bits: over longer strips ties are rare, and the areas of the triangles have many
   // independent square roots
   static constexpr std::size_t many_triangles = 256;
-  // how many flips are repeated before anything is unfolded, which has to follow all of them first
-  static constexpr std::size_t few_flips = 32;
   // entries that are kept between calls, up to a kilobyte each
   static constexpr std::size_t maximal_memory = 50000;
 
@@ -54,6 +53,15 @@ struct Exact_evaluation::Memory {
     Input_face_intervals<Gmpfi> faces;
     History_values<Gmpfi> moves; // faces made next have them as ancestors
   };
+
+  // an expression in the values of a diamond, and the values
+  template <class FT>
+  using Enclosed = std::pair<FT, Diamond_values<FT>>;
+  template <class FT>
+  static Enclosed<FT> with_value(const Recorded_diamond_expression& expression,
+                                 const Diamond_values<FT>& values) {
+    return {expression(values), values};
+  }
 
   // whether an expression is proven to be zero in integers of fixed size, which takes a microsecond
   static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
@@ -117,22 +125,22 @@ struct Exact_evaluation::Memory {
   std::vector<Face_values<Gmpfi>> values(const Input_metric& input, const Flip_history& history,
                                          const std::vector<Side>& sides) {
     auto& [faces, moves] = intervals();
-    if (moves.size() > maximal_memory) moves = {};
+    if (moves.size() > maximal_memory) moves.clear();
     const auto face = faces.of(input);
     return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
   }
 
-  // by the history, if few flips are to be repeated
-  std::optional<Ball<Double_double>> short_value(const Input_metric& input,
-                                                 const Flip_history& history, Side left, Side right,
-                                                 const Recorded_diamond_expression& expression) {
+  // by the history, if no more than so many flips are to be repeated
+  std::optional<Enclosed<Ball<Double_double>>>
+  short_value(const Input_metric& input, const Flip_history& history, Side left, Side right,
+              const Recorded_diamond_expression& expression, std::size_t most) {
     using FT = Ball<Double_double>;
-    if (short_moves.size() > maximal_memory) short_moves = {};
+    if (short_moves.size() > maximal_memory) short_moves.clear();
     const auto face = short_balls.of(input);
     const auto faces = History_evaluator<FT, decltype(face)>(history, face, short_moves)
-                           .faces({left, right}, few_flips);
+                           .faces({left, right}, most);
     if (!faces) return std::nullopt;
-    return expression(diamond_values((*faces)[0], (*faces)[1]));
+    return with_value(expression, diamond_values((*faces)[0], (*faces)[1]));
   }
 
   Diamond_zero_test is_zero;
@@ -237,30 +245,32 @@ Exact_evaluation::squared_length(const Input_metric& input, const Unfolded_diamo
   });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Interval_nt<false>
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
 Exact_evaluation::enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
                             const Recorded_diamond_expression& expression, unsigned bits) {
-  return memory().at_precision<Interval_nt<false>>(bits, [&](auto& numbers) {
+  return memory().at_precision<Enclosure>(bits, [&](auto& numbers) {
     using FT = typename std::decay_t<decltype(numbers)>::Number;
-    return expression(diamond.values<FT>(numbers.of(input)));
+    return Memory::with_value(expression, diamond.values<FT>(numbers.of(input)));
   });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Interval_nt<false>
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
 Exact_evaluation::enclosure(const Input_metric& input, const Flip_history& history, Side left,
                             Side right, const Recorded_diamond_expression& expression,
                             unsigned bits) {
   const Gmpfi_precision precision(std::max(bits, internal::first_bits));
-  return internal::interval(expression(memory().values(input, history, left, right)));
+  return internal::intervals(
+      Memory::with_value(expression, memory().values(input, history, left, right)));
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Interval_nt<false>>
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
 Exact_evaluation::short_enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                                  Side right, const Recorded_diamond_expression& expression) {
+                                  Side right, const Recorded_diamond_expression& expression,
+                                  std::size_t most) {
   const auto value = internal::to_nearest(
-      [&] { return memory().short_value(input, history, left, right, expression); });
+      [&] { return memory().short_value(input, history, left, right, expression, most); });
   if (!value) return std::nullopt;
-  return internal::interval(*value);
+  return internal::intervals(*value);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_evaluation::sign(

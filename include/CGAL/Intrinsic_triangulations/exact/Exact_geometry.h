@@ -98,13 +98,15 @@ public:
   FT first_squared_length(const Indexed_face& face, unsigned bits) const;
 
   /*!
-  \brief encloses the value of an expression in the values of a diamond, to 2^-42 of the value.
+  \brief encloses the value of an expression in the values of a diamond, and the areas among them, to 2^-42 of themselves.
   \pre the value is not zero
+  \return the value, and all values of the diamond
   \complexity that of the precision that it takes
   \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before, and weights are
   to have the same digits after a triangulation is read from a file.
   */
-  FT nonzero_value(const Diamond& d, const Recorded_diamond_expression& expression) const;
+  Exact_evaluation::Enclosure
+  nonzero_enclosure(const Diamond& d, const Recorded_diamond_expression& expression) const;
 
 private:
   // not copied: each triangulation has its own
@@ -126,6 +128,17 @@ private:
 
   // the input under faces, if that is known of all
   std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const;
+
+  // whether someone unfolds without following all flips first
+  bool is_unfolder_started() const;
+
+  // by repeating flips, unless they are many, or as many as would have to be followed
+  std::optional<Exact_evaluation::Enclosure>
+  value_by_flips(const Diamond& d, const Recorded_diamond_expression& expression) const;
+
+  // by repeating some of the flips, if nothing can be unfolded before all of them are
+  std::optional<Sign> sign_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
+                                    Diamond_values<FT>& better) const;
 
   // in integers of fixed size, if two faces of the input are known to be there
   std::optional<Sign> sign_on_input(const Diamond& d,

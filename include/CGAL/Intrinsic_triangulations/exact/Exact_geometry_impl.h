@@ -22,6 +22,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
 #include <cmath>
@@ -37,10 +38,20 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
+// whether a predicate holds for a value and for the areas that it depends on
+template <class Predicate>
+bool holds_for_all(const Exact_evaluation::Enclosure& x, const Predicate& predicate) {
+  return predicate(x.first) && predicate(x.second.area_f) && predicate(x.second.area_g);
+}
+
 // To a unit in the last place: by unfolding, too, the same double is found, as a rule.
 inline bool is_known_to_a_unit(const Interval_nt<false>& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return x.sup() <= std::nextafter(std::nextafter(x.inf(), infinity), infinity);
+}
+
+inline bool is_known_to_42_bits(const Interval_nt<false>& x) {
+  return CGAL::width(x) <= 0x1p-42 * CGAL::magnitude(x) && CGAL::is_finite(x);
 }
 
 } // namespace internal
@@ -78,6 +89,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign
 Exact_geometry::sign(const Diamond& d, const Recorded_diamond_expression& expression,
                      Diamond_values<FT>& better) const {
   if (const std::optional<Sign> s = sign_on_input(d, expression)) return *s;
+  if (const std::optional<Sign> s = sign_by_flips(d, expression, better)) return *s;
   if (const std::optional<Sign> s = sign_in_plane(d, expression, better)) return *s;
   if (const Unfolded_diamond* u = unfolded(d))
     return evaluation_.sign(*input_, *u, expression, better, statistics_);
@@ -94,24 +106,27 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_geometry::sign(
                           statistics_);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_geometry::FT
-Exact_geometry::nonzero_value(const Diamond& d,
-                              const Recorded_diamond_expression& expression) const {
-  if (!is_defined_by_places_) {
-    const std::optional<FT> value = evaluation_.short_enclosure(
-        *input_, versions_.history(), versions_.left_side(d), versions_.right_side(d), expression);
-    if (value) ++statistics_.sharpenings[106];
-    if (value && internal::is_known_to_a_unit(*value)) return *value;
-  }
-  FT value;
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
+Exact_geometry::nonzero_enclosure(const Diamond& d,
+                                  const Recorded_diamond_expression& expression) const {
+  bool repeats_flips = false;
+  if (!is_defined_by_places_)
+    if (const std::optional<Exact_evaluation::Enclosure> value = value_by_flips(d, expression)) {
+      ++statistics_.sharpenings[106];
+      repeats_flips = !is_unfolder_started();
+      if (internal::holds_for_all(*value, repeats_flips ? internal::is_known_to_42_bits
+                                                        : internal::is_known_to_a_unit))
+        return *value;
+    }
+  Exact_evaluation::Enclosure value;
   for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
     ++statistics_.sharpenings[bits];
-    const Unfolded_diamond* u = unfolded(d);
+    const Unfolded_diamond* u = repeats_flips ? nullptr : unfolded(d);
     value = u != nullptr
                 ? evaluation_.enclosure(*input_, *u, expression, bits)
                 : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
                                         versions_.right_side(d), expression, bits);
-    if (CGAL::width(value) <= 0x1p-42 * CGAL::magnitude(value) && CGAL::is_finite(value)) break;
+    if (internal::holds_for_all(value, internal::is_known_to_42_bits)) break;
   }
   return value;
 }
@@ -151,6 +166,32 @@ Exact_geometry::sign_on_input(const Diamond& d,
   const std::optional<Sign> s = input_diamond_sign(*input_, left, right, expression);
   if (s) ++(*s == ZERO ? statistics_.certified_zero : statistics_.integer);
   return s;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Exact_geometry::is_unfolder_started() const {
+  return unfolder() != nullptr && unfolder()->is_started();
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
+Exact_geometry::value_by_flips(const Diamond& d,
+                               const Recorded_diamond_expression& expression) const {
+  constexpr std::uint32_t few = 32;
+  const std::uint32_t more = is_unfolder_started() ? 0 : versions_.history().number_of_flips() / 16;
+  return evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
+                                     versions_.right_side(d), expression, few + more);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
+Exact_geometry::sign_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
+                              Diamond_values<FT>& better) const {
+  if (is_defined_by_places_ || is_unfolder_started()) return std::nullopt;
+  const std::optional<Exact_evaluation::Enclosure> value = value_by_flips(d, expression);
+  if (!value) return std::nullopt;
+  better = value->second;
+  const Uncertain<Sign> s = CGAL::sign(value->first);
+  if (!is_certain(s)) return std::nullopt;
+  ++statistics_.escalations[106];
+  return get_certain(s);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>

@@ -4,8 +4,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_TIE_OF_STRIP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_TIE_OF_STRIP_H
 
-#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Binary_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Word_integer.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/integer_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>

@@ -57,10 +57,9 @@ Exact_euclidean_metric::cotangent_weight(const Diamond& d) const {
                                : 0;
   }
   if (sign(d, Delaunay_expression()) == ZERO) return 0;
-  sharpen(std::array<Indexed_face, 2>{{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}});
-  const FT value = geometry_.nonzero_value(d, recorded(Delaunay_expression()));
-  return CGAL::to_double(value) / approximate_quadruple_area(d.f) /
-         (2 * approximate_quadruple_area(d.g));
+  const auto [value, better] = geometry_.nonzero_enclosure(d, recorded(Delaunay_expression()));
+  return CGAL::to_double(value) / CGAL::to_double(better.area_f) /
+         (2 * CGAL::to_double(better.area_g));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Enclosed_values

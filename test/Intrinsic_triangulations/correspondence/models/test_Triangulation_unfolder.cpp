@@ -88,13 +88,14 @@ std::size_t check_signs(const T& t) {
   for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); h += 2) {
     if (view.is_border(h) || view.is_border(h ^ 1U) || view.face(h) == view.face(h ^ 1U)) continue;
     const auto& d = unfolder(view, t.correspondence(), h);
-    const CGAL::Interval_nt<false> value =
+    const auto [value, values] =
         evaluation.enclosure(t.input().metric(), d, IT::recorded(IT::Delaunay_expression()), 512);
     const auto left = evaluation.enclosures(t.input().metric(), {d}, 512).front();
     // by the strip under the edge alone
     const CGAL::Interval_nt<false> length = evaluation.squared_length(
         t.input().metric(), unfolder.strip(view, t.correspondence(), h), 512);
     EXPECT_TRUE(length.do_overlap(left.squared_lengths[0]));
+    EXPECT_TRUE(values.ij.do_overlap(length) && values.area_f.do_overlap(left.quadruple_area));
     EXPECT_LE(CGAL::width(length), 0x1p-51 * CGAL::magnitude(length));
     const CGAL::Uncertain<CGAL::Sign> expected = CGAL::sign(value);
     const CGAL::Sign s = t.metric().sign(t.diamond({h}), IT::Delaunay_expression());

@@ -6,8 +6,10 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edge.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>
@@ -17,6 +19,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <set>
+#include <vector>
 
 namespace {
 
@@ -123,6 +127,36 @@ TEST(Restore_input_edge, ends_where_an_edge_crosses_faces_more_than_once) {
       if (IT::internal::restore_input_edge(t, session, t.correspondence(), x, flips)) {
         EXPECT_EQ(edges_along(t, x), 1) << seed << ' ' << x;
       }
+  }
+}
+
+TEST(Restore_input_edges, leads_to_the_constrained_delaunay_triangulation) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    const Mesh m = meshes::potato(2, seed);
+    Exact first(soups::soup(m)), later(soups::soup(m));
+    std::mt19937 random(seed);
+    std::vector<char> is_kept(first.input().number_of_edges());
+    for (char& c : is_kept) c = random() % 4 == 0 ? 1 : 0;
+    const auto flip = [&](Exact& t) {
+      const auto marked = IT::constrained_input_edges(t, is_kept);
+      IT::flip_to_delaunay(t, edges(t.mesh()), IT::parameters::edge_is_constrained_map(marked));
+    };
+    flip(first);
+    IT::flip_to_delaunay(later);
+    const IT::Restored_edges restored = IT::restore_input_edges(later, is_kept);
+    EXPECT_GT(restored.flips, 0U) << seed;
+    EXPECT_EQ(restored.missing, IT::Gluing::none) << seed;
+    for (std::uint32_t e = 0; e < is_kept.size(); ++e)
+      if (is_kept[e] != 0) {
+        EXPECT_EQ(edges_along(later, 2 * e), 1) << seed;
+      }
+    flip(later);
+    std::multiset<double> a, b;
+    for (const auto e : edges(first.mesh())) a.insert(first.squared_length(e));
+    for (const auto e : edges(later.mesh())) b.insert(later.squared_length(e));
+    ASSERT_EQ(a.size(), b.size());
+    for (auto i = a.begin(), j = b.begin(); i != a.end(); ++i, ++j)
+      EXPECT_NEAR(*i, *j, 1e-12 * *i) << seed;
   }
 }
 

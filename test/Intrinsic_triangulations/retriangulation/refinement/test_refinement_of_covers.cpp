@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <set>
@@ -141,6 +142,49 @@ TEST(Refinement_of_covers, inserts_all_copies_of_a_point_in_one_row) {
       EXPECT_TRUE(IT::is_delaunay(t)) << name;
       expect_rows_are_places(t, m, Domain_kind::tufted_cover, name);
     }
+}
+
+// Asks for rows all the time, and now and then whether the answers are right: numbered in the order of the first copies.
+struct Row_visitor : IT::Refinement_visitor {
+  std::size_t calls = 0, checks = 0;
+
+  template <class T>
+  bool is_bad(const T& t, typename T::face_descriptor f) {
+    const auto v = target(halfedge(f, t.mesh()), t.mesh());
+    EXPECT_LT(t.input_vertex(v), t.number_of_vertices());
+    if (++calls % 16 == 0) check(t);
+    return false;
+  }
+
+private:
+  template <class T>
+  void check(const T& t) {
+    std::map<std::uint32_t, typename T::vertex_descriptor> inserted;
+    for (const auto v : vertices(t.mesh()))
+      if (t.is_inserted(v)) inserted.emplace(t.index(v), v);
+    std::map<Place, std::uint32_t> row;
+    for (const auto& [number, v] : inserted) {
+      const auto next = static_cast<std::uint32_t>(t.input().number_of_rows() + row.size());
+      EXPECT_EQ(t.input_vertex(v), row.emplace(place(t, v), next).first->second) << number;
+    }
+    checks += inserted.empty() ? 0 : 1;
+  }
+};
+
+TEST(Refinement_of_covers, tells_rows_at_every_step) {
+  for (const auto& [name, m] : soups_of_all_kinds()) {
+    SCOPED_TRACE(name);
+    Exact t(IT::make_domain(soups::soup(m), Domain_kind::tufted_cover).input);
+    Row_visitor visitor;
+    IT::delaunay_refine(
+        t, parameters::maximum_circumradius(0.2 * size_of(m)).visitor(std::ref(visitor)));
+    EXPECT_GT(visitor.checks, 3U);
+    Exact copy(t);
+    EXPECT_EQ(copy.number_of_vertices(), t.number_of_vertices());
+    IT::delaunay_refine(copy, parameters::maximum_circumradius(0.15 * size_of(m)));
+    expect_rows_are_places(copy, m, Domain_kind::tufted_cover, "copy");
+    expect_rows_are_places(t, m, Domain_kind::tufted_cover, "original");
+  }
 }
 
 TEST(Refinement_of_covers, puts_edges_back_that_flips_have_taken_off_seams) {

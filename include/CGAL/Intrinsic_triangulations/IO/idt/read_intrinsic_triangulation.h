@@ -74,13 +74,12 @@ public:
   }
 
 private:
-
   void check_input(const Input& input) const {
     if (input.has_surface()) return;
     if (Metric::is_exact) in_.fail("exact values need the input that defines them");
     if (Triangulation::has_correspondence)
-      in_.refuse("how the triangulation lies on its input is not stored; read it with "
-                 "No_correspondence");
+      in_.refuse("how the triangulation lies on its input is not stored; start from the mesh, or "
+                 "read it with No_correspondence");
   }
 
   Triangulation on_surface(const std::shared_ptr<const Input>& input) {

@@ -66,6 +66,11 @@ public:
   // whether values are defined by places, not by the history of flips
   bool define_metric() const { return define_metric_; }
 
+  // whether the coordinates are known without repeating flips
+  bool are_started(const Triangulation& t) const {
+    return state_ != State::unknown || is_shared(t);
+  }
+
   // the coordinates; null if an edge crosses more input edges than they can count
   const Integer_coordinates* coordinates(const Triangulation& t) const {
     if (state_ == State::unknown) start(t);

@@ -56,6 +56,35 @@ private:
 };
 
 /*!
+\brief marks the intrinsic edges that run along some edges of the input.
+\param t the triangulation; without correspondence, before its first move
+\param is_constrained nonzero for each edge that is constrained, by its number in `t.input()`
+\complexity linear; with `Signposts`, all edges are traced
+*/
+template <NumberedTriangulation Triangulation>
+Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t,
+                                                    const std::vector<char>& is_constrained) {
+  const auto along = [&](const auto& e) -> std::uint32_t {
+    if constexpr (!requires { t.correspondence().input(); })
+      return t.index(e);
+    else if constexpr (internal::Has_curves<Triangulation>) {
+      const auto& c = t.correspondence();
+      if (c.normal_coordinate(t.index(e)) >= 0) return Gluing::none;
+      return c.fans().halfedge(c.roundabout(2 * t.index(e))) / 2;
+    } else {
+      const std::uint32_t h = trace_edge(t, e).along;
+      return h == Gluing::none ? h : h / 2;
+    }
+  };
+  Marked_edges<Triangulation> result(t);
+  for (const auto e : edges(t.mesh())) {
+    const std::uint32_t x = along(e);
+    if (x < is_constrained.size() && is_constrained[x] != 0) put(result, e, true);
+  }
+  return result;
+}
+
+/*!
 \brief marks the intrinsic edges that run along constrained edges of the user's mesh.
 
 To be passed as named parameter `edge_is_constrained_map`. Edges that refinement splits stay marked in their parts.
@@ -80,24 +109,7 @@ Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t, cons
   std::vector<char> is_constrained(t.numbers().edge_capacity(t.mesh()), 0);
   for (const auto e : edges(mesh))
     if (get(map, e)) is_constrained[on_input(e)] = 1;
-  const auto along = [&](const auto& e) -> std::uint32_t {
-    if constexpr (!requires { t.correspondence().input(); })
-      return t.index(e);
-    else if constexpr (internal::Has_curves<Triangulation>) {
-      const auto& c = t.correspondence();
-      if (c.normal_coordinate(t.index(e)) >= 0) return Gluing::none;
-      return c.fans().halfedge(c.roundabout(2 * t.index(e))) / 2;
-    } else {
-      const std::uint32_t h = trace_edge(t, e).along;
-      return h == Gluing::none ? h : h / 2;
-    }
-  };
-  Marked_edges<Triangulation> result(t);
-  for (const auto e : edges(t.mesh())) {
-    const std::uint32_t x = along(e);
-    if (x < is_constrained.size() && is_constrained[x] != 0) put(result, e, true);
-  }
-  return result;
+  return constrained_input_edges(t, is_constrained);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

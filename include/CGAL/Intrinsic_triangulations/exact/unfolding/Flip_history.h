@@ -102,13 +102,19 @@ public:
             std::size_t most = std::numeric_limits<std::size_t>::max()) const {
     std::vector<std::uint32_t> order;
     std::vector<std::uint32_t>& stack = versions;
-    std::unordered_set<std::uint32_t> seen;
+    std::unordered_set<std::uint32_t> seen; // the same flips as `order`, once these are many
+    const auto is_new = [&](std::uint32_t n) {
+      constexpr std::size_t few = 48;
+      if (order.size() < few) return std::find(order.begin(), order.end(), n) == order.end();
+      if (seen.empty()) seen.insert(order.begin(), order.end());
+      return seen.insert(n).second;
+    };
     while (!stack.empty() && order.size() <= most) {
       const std::uint32_t v = stack.back();
       stack.pop_back();
       if (is_input(v)) continue;
       const std::uint32_t n = flip_of(v);
-      if (is_known(n) || !seen.insert(n).second) continue;
+      if (is_known(n) || !is_new(n)) continue;
       order.push_back(n);
       stack.push_back(left_parent(n).face);
       stack.push_back(right_parent(n).face);

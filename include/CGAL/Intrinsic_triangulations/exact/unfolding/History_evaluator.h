@@ -8,11 +8,11 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -23,7 +23,36 @@ namespace CGAL::Intrinsic_triangulations {
 \tparam FT a model of `Field`
 */
 template <class FT>
-using History_values = std::unordered_map<std::uint32_t, Flipped_values<FT>>;
+class History_values {
+public:
+  /// returns the number of flips of which values are remembered, or were until they were forgotten.
+  std::size_t size() const { return values_.size(); }
+  /// tells whether that is zero.
+  bool empty() const { return values_.empty(); }
+  /// tells whether the values of a flip are remembered.
+  bool contains(std::uint32_t flip) const { return flip < place_.size() && place_[flip] != 0; }
+  /// returns what a flip made. \pre it is remembered
+  const Flipped_values<FT>& at(std::uint32_t flip) const { return values_[place_[flip] - 1]; }
+  /// remembers what a flip made. \pre it is not remembered
+  void insert(std::uint32_t flip, const Flipped_values<FT>& values) {
+    if (flip >= place_.size()) place_.resize(std::size_t{flip} + 1, 0);
+    values_.push_back(values);
+    place_[flip] = static_cast<std::uint32_t>(values_.size());
+  }
+  /// forgets what a flip made, if it is remembered.
+  void erase(std::uint32_t flip) {
+    if (contains(flip)) place_[flip] = 0;
+  }
+  /// forgets everything.
+  void clear() {
+    values_.clear();
+    std::fill(place_.begin(), place_.end(), 0);
+  }
+
+private:
+  std::vector<std::uint32_t> place_; // of each flip: its number in `values_` and one, or zero
+  std::vector<Flipped_values<FT>> values_;
+};
 
 /*!
 \brief evaluates versions of faces from the input, in the arithmetic of `FT`.
@@ -64,11 +93,11 @@ private:
   bool evaluate_ancestors(const std::vector<Side>& sides, std::size_t most) {
     std::vector<std::uint32_t> versions;
     for (const Side& s : sides) versions.push_back(s.face);
-    const auto is_known = [this](std::uint32_t n) { return values_.count(n) != 0; };
+    const auto is_known = [this](std::uint32_t n) { return values_.contains(n); };
     const auto flips = history_.ancestors(std::move(versions), is_known, most);
     if (flips.size() > most) return false;
     for (const std::uint32_t n : flips)
-      values_.emplace(n, flipped(gather(history_.left_parent(n), history_.right_parent(n))));
+      values_.insert(n, flipped(gather(history_.left_parent(n), history_.right_parent(n))));
     return true;
   }
 
