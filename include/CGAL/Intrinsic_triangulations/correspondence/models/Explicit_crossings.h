@@ -155,7 +155,7 @@ public:
   template <class Triangulation>
   void after(const Triangulation& t, const Flip& move) {
     Integer_coordinates::after(t, move);
-    store(move.ij, announced_[0]);
+    store(move.km, announced_[0]);
   }
 
   /// announces the insertion of a vertex in a face. \return see `Integer_coordinates`

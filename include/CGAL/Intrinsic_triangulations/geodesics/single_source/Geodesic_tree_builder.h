@@ -182,13 +182,13 @@ private:
     const std::array<bool, 2> is_whole{
         find_wedge(t_, in, out, wedges[0]),
         find_wedge(t_, opposite(out, mesh), opposite(in, mesh), wedges[1])};
-    const std::size_t first = wedges[1].angle() < wedges[0].angle() ? 1 : 0;
+    const std::size_t first = wedges[1].sum().rank() < wedges[0].sum().rank() ? 1 : 0;
     for (const std::size_t side : {first, 1 - first}) {
       if (!is_whole[side]) continue;
       ++result_.wedge_checks;
       const Comparison_result c =
-          side == 0 ? session_.compare_angle_to_pi(in, out)
-                    : session_.compare_angle_to_pi(opposite(out, mesh), opposite(in, mesh));
+          side == 0 ? compare_to_pi(session_, in, out, wedges[0])
+                    : compare_to_pi(session_, opposite(out, mesh), opposite(in, mesh), wedges[1]);
       if (c == EQUAL) ++result_.exact_ties;
       if (c != SMALLER) continue;
       ++result_.shortenings;
