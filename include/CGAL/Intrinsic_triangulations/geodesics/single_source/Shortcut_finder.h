@@ -78,11 +78,17 @@ public:
   }
 
 private:
+  // An end of what is seen: where that is, and whether it is the end of the edge.
+  struct End {
+    Vector point;
+    bool is_vertex;
+  };
   // What is seen of an edge, with the vertex at the origin: between directions `right` and `left`. The halfedge is on the near side, from
   // a to b.
   struct Window {
     Halfedge halfedge;
-    Vector a, b, right, left;
+    Vector a, b;
+    End right, left;
     std::size_t before; // the window that it is seen through
     bool shares_left;   // with that one
   };
@@ -135,7 +141,7 @@ private:
     const double x = (squared_length(h) + squared_length(back) - squared_length(far)) / (2 * a[0]);
     const Vector b{x, quadruple_area(h) / (2 * a[0])};
     windows_.clear();
-    push(far, a, b, a, b, 0);
+    push(far, a, b, {a, true}, {b, true}, 0);
     for (std::size_t i = 0; i < windows_.size(); ++i)
       if (look_through(i, gain)) return true;
     return false;
@@ -151,6 +157,7 @@ private:
   static double distance(const Vector& a, const Vector& b) {
     return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
   }
+  static double norm(const Vector& a) { return distance(a, {0, 0}); }
   // where a ray from the origin meets the line through a and b
   static Vector meet(const Vector& ray, const Vector& a, const Vector& b) {
     const Vector ab{b[0] - a[0], b[1] - a[1]};
@@ -158,19 +165,22 @@ private:
     return {s * ray[0], s * ray[1]};
   }
 
-  void push(Halfedge h, const Vector& a, const Vector& b, const Vector& right, const Vector& left,
+  // Where the ray to an end of a window meets another edge, from a to b; the end of that edge on its side is a.
+  static End moved(const End& end, const Vector& a, const Vector& b) {
+    return end.is_vertex ? end : End{meet(end.point, a, b), false};
+  }
+  void push(Halfedge h, const Vector& a, const Vector& b, const End& right, const End& left,
             std::size_t before, bool shares_left = false) {
     const auto& mesh = t_.mesh();
     if (windows_.size() == most_windows || known_.is_barrier(t_.numbers().halfedge(h)) ||
         face(opposite(h, mesh), mesh) == boost::graph_traits<Mesh>::null_face())
       return;
-    const Vector r = meet(right, a, b), l = meet(left, a, b);
-    const double to_r = apex_distance_ + distance(r, {0, 0}),
-                 to_l = apex_distance_ + distance(l, {0, 0});
-    if (known_.distance(t_.index(source(h, mesh))) + distance(a, l) < to_l ||
-        known_.distance(t_.index(target(h, mesh))) + distance(b, r) < to_r)
+    const End r = moved(right, a, b), l = moved(left, a, b);
+    const double to_a = known_.distance(t_.index(source(h, mesh))) - apex_distance_;
+    const double to_b = known_.distance(t_.index(target(h, mesh))) - apex_distance_;
+    if (to_a + distance(a, l.point) < norm(l.point) || to_b + distance(b, r.point) < norm(r.point))
       return;
-    windows_.push_back({h, a, b, right, left, before, shares_left});
+    windows_.push_back({h, a, b, r, l, before, shares_left});
   }
 
   // whether the vertex behind a window is nearer than known; else it divides what is seen
@@ -183,14 +193,18 @@ private:
     const double q = quadruple_area(o) / (2 * e);
     const Vector ab{w.b[0] - w.a[0], w.b[1] - w.a[1]};
     const Vector v{w.a[0] + s * ab[0] + q * ab[1], w.a[1] + s * ab[1] - q * ab[0]};
-    const bool is_left_of_right = cross(w.right, v) > 0, is_right_of_left = cross(v, w.left) > 0;
+    const bool is_left_of_right = cross(w.right.point, v) > 0,
+               is_right_of_left = cross(v, w.left.point) > 0;
     if (is_left_of_right && is_right_of_left) {
       found_ = i;
       const double known = known_.distance(t_.index(target(av, mesh)));
       if (apex_distance_ + distance(v, {0, 0}) < known * (1 - gain)) return true;
     }
-    if (is_left_of_right) push(av, w.a, v, w.right, is_right_of_left ? v : w.left, i, false);
-    if (is_right_of_left) push(vb, v, w.b, is_left_of_right ? v : w.right, w.left, i, true);
+    const bool is_seen = is_left_of_right && is_right_of_left;
+    if (is_left_of_right)
+      push(av, w.a, v, w.right, is_seen ? End{v, true} : End{w.left.point, false}, i, false);
+    if (is_right_of_left)
+      push(vb, v, w.b, is_seen ? End{v, true} : End{w.right.point, false}, w.left, i, true);
     return false;
   }
 
