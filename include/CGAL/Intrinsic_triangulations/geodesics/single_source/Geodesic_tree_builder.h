@@ -74,6 +74,7 @@ public:
       do drain(go_on);
       while (result_.status == Status::done && finds_more());
       find_shortcuts(go_on);
+      if (queue_.empty() && changed_.empty()) find_ways_to_all();
     } while (result_.status == Status::done && !(queue_.empty() && changed_.empty()));
     return result_;
   }
@@ -168,7 +169,6 @@ private:
       accept(v, c.distance, c.halfedge);
     } else {
       flips_when_bent_[c.halfedge] = result_.flips;
-      bent_.push_back(c.halfedge);
       search(v);
     }
   }
@@ -232,21 +232,25 @@ private:
         search(v); // the way that was best led by here
   }
 
-  // Looks again for ways to vertices where the best one that was known has been flipped away or lost by rounding, and along halfedges that were
-  // bent, as flips may have gone on there.
+  // Looks again for ways to vertices where the best one that was known has been flipped away or lost by rounding.
   bool finds_more() {
     for (const Vertex v : vertices(t_.mesh())) {
       const Label& l = labels_[t_.index(v)];
       if ((!l.is_in_tree || l.bound != l.distance) && !is_isolated(v)) search(t_.index(v));
     }
-    for (const std::uint32_t h : bent_)
-      if (flips_when_bent_[h] != result_.flips) relax(h);
-    bent_.clear();
     if (queue_.empty()) return false;
     const std::uint64_t progress = result_.flips + accepted_;
     if (progress == progress_before_) result_.status = Status::stalled;
     progress_before_ = progress;
     return result_.status == Status::done;
+  }
+  // Ways that were bent when they were looked at may have become better, and so have others, as lengths have been told more accurately.
+  void find_ways_to_all() {
+    for (Label& l : labels_) l.bound = l.distance;
+    for (const Halfedge h : halfedges(t_.mesh())) {
+      const std::uint32_t i = t_.numbers().halfedge(h);
+      if (flips_when_bent_[i] != result_.flips) relax(i);
+    }
   }
 
   // Looks for shorter ways straight on from all vertices that have been reached anew, near ones first.
@@ -302,7 +306,6 @@ private:
   Wedge_flipper<Triangulation> flip_wedge_;
   std::vector<Label> labels_;
   std::vector<std::uint64_t> flips_when_bent_; // per halfedge
-  std::vector<std::uint32_t> bent_; // halfedges that were, since they were looked at again
   std::priority_queue<Candidate> queue_;
   std::vector<std::uint32_t> changed_; // vertices from which shortcuts have not been looked for
   Shortening_result result_;

@@ -5,6 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SINGLE_SOURCE_SHORTCUT_FINDER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -13,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -52,7 +53,9 @@ class Shortcut_finder {
   using Vector = std::array<double, 2>;
 
 public:
-  Shortcut_finder(const Triangulation& t, const Known& known) : t_(t), known_(known) {}
+  Shortcut_finder(const Triangulation& t, const Known& known) : t_(t), known_(known) {
+    windows_.reserve(most_windows);
+  }
 
   // Looks at the vertices to which a path goes straight on from v.
   // \param in the last halfedge of the path to v, which may be bent only beyond pi; a null halfedge if it begins there
@@ -95,41 +98,40 @@ private:
 
   static constexpr std::size_t most_windows = 1000;
 
-  // The halfedges from v with a face on the left into which a path can go straight on: the angles between it and the last halfedge are
-  // beyond pi, on both sides.
+  // The halfedges from v with a face on the left into which a path can go straight on: the angles between its far side and the last
+  // halfedge are beyond pi, on both sides, or the border is there.
   void find_faces(Vertex v, Halfedge in) {
     const auto& mesh = t_.mesh();
-    const bool is_source = in == boost::graph_traits<Mesh>::null_halfedge();
-    bool is_closed = true;
-    double sum = 0, at_in = 0;
     faces_.clear();
-    angles_.clear();
-    for_each_outgoing(v, mesh, [&](Halfedge h) {
-      if (!is_source && h == opposite(in, mesh)) at_in = sum;
-      is_closed = face(h, mesh) != boost::graph_traits<Mesh>::null_face();
-      if (!is_closed) return;
-      faces_.push_back(h);
-      angles_.push_back(sum);
-      if (!is_source) sum += angle(h);
-    });
-    angles_.push_back(sum);
-    if (is_source) return;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      const bool is_before = angles_[i] < at_in; // clockwise from the last halfedge
-      const double left = angles_[i + 1] - at_in, right = at_in - angles_[i];
-      if ((is_before ? !is_closed || left + sum > std::numbers::pi : left > std::numbers::pi) &&
-          (is_before ? right > std::numbers::pi : !is_closed || right + sum > std::numbers::pi))
-        faces_[count++] = faces_[i];
+    if (in == boost::graph_traits<Mesh>::null_halfedge()) {
+      for_each_outgoing(v, mesh, [&](Halfedge h) {
+        if (has_face(h)) faces_.push_back(h);
+      });
+      return;
     }
-    faces_.resize(count);
+    Angle_sum left, right;
+    Halfedge h = opposite(in, mesh);
+    do {
+      if (!has_face(h)) break;
+      if (is_beyond_pi(left, h)) faces_.push_back(h);
+      h = opposite(next(next(h, mesh), mesh), mesh); // counterclockwise
+    } while (h != opposite(in, mesh));
+    const bool is_closed = has_face(h);
+    for (h = in; has_face(h) && !(is_closed && faces_.empty()); h = opposite(h, mesh)) {
+      h = next(h, mesh); // clockwise
+      const bool is_beyond = is_beyond_pi(right, h);
+      if (is_closed && is_beyond) return;
+      if (is_closed) faces_.pop_back();
+      if (!is_closed && is_beyond) faces_.push_back(h);
+    }
   }
-  // at the source of h, in the face on the left
-  double angle(Halfedge h) const {
-    const auto& mesh = t_.mesh();
-    const Halfedge far = next(h, mesh);
-    return std::atan2(quadruple_area(h),
-                      squared_length(h) + squared_length(next(far, mesh)) - squared_length(far));
+  bool has_face(Halfedge h) const {
+    return face(h, t_.mesh()) != boost::graph_traits<Mesh>::null_face();
+  }
+  // adds the angle at the source of h
+  bool is_beyond_pi(Angle_sum& sum, Halfedge h) const {
+    sum.add(approximate_values(t_.metric(), indexed_face_from(t_, h)));
+    return sum.is_beyond_pi();
   }
 
   // Looks at the vertices that are seen from the source of `h` through the face on the left of `h`.
@@ -185,12 +187,12 @@ private:
 
   // whether the vertex behind a window is nearer than known; else it divides what is seen
   bool look_through(std::size_t i, double gain) {
-    const Window w = windows_[i];
+    const Window& w = windows_[i]; // stays where it is: room for all is reserved
     const auto& mesh = t_.mesh();
     const Halfedge o = opposite(w.halfedge, mesh), av = next(o, mesh), vb = next(av, mesh);
     const double e = squared_length(o);
-    const double s = (squared_length(av) + e - squared_length(vb)) / (2 * e);
-    const double q = quadruple_area(o) / (2 * e);
+    const double r = 1 / (2 * e), q = quadruple_area(o) * r;
+    const double s = (squared_length(av) + e - squared_length(vb)) * r;
     const Vector ab{w.b[0] - w.a[0], w.b[1] - w.a[1]};
     const Vector v{w.a[0] + s * ab[0] + q * ab[1], w.a[1] + s * ab[1] - q * ab[0]};
     const bool is_left_of_right = cross(w.right.point, v) > 0,
@@ -211,8 +213,6 @@ private:
   const Triangulation& t_;
   const Known& known_;
   std::vector<Halfedge> faces_;
-  std::vector<double>
-      angles_; // from the first of the halfedges to each, counterclockwise, and in all
   double apex_distance_ = 0;
   std::vector<Window> windows_;
   std::size_t found_ = 0;
