@@ -49,6 +49,7 @@ in the opposite order.
 |---|---|
 | constructors of \itc{Intrinsic_triangulation} | none: `start()` |
 | `flip_edge()`, \itf{flip_to_delaunay} | \itc{Flip} |
+| `undo_flip()`, \itc{Flip_log}, \itc{Geodesic_finder} | \itc{Flip}, whose `km` is the opposite of `ij` when it is taken back; the answer of `before()` is not asked for |
 | `insert_vertex()`, in a face | \itc{Insertion_in_face} |
 | `insert_vertex()`, `split_edge()`, on an inner edge | \itc{Insertion_in_face} and \itc{Flip}; also \itc{Removal_from_face}, if the flip is refused |
 | the same on the border | \itc{Insertion_on_border} |

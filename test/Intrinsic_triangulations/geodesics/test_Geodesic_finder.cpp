@@ -55,6 +55,7 @@ struct State {
   std::vector<std::uint32_t> next, target, face;
   std::vector<double> lengths, areas;
   std::vector<std::int64_t> normal;
+  std::vector<std::uint32_t> roundabouts, crossed; // halfedges of the input
   bool operator==(const State&) const = default;
 };
 
@@ -65,12 +66,17 @@ State state(const T& t) {
     s.next.push_back(t.numbers().halfedge(next(h, t.mesh())));
     s.target.push_back(t.index(target(h, t.mesh())));
     s.face.push_back(t.index(face(h, t.mesh())));
+    if constexpr (requires { t.correspondence().roundabout(0U); })
+      s.roundabouts.push_back(t.correspondence().roundabout(t.numbers().halfedge(h)));
   }
   for (const auto e : edges(t.mesh())) {
     s.lengths.push_back(t.metric().approximate_squared_length(t.index(e)));
     if constexpr (requires { t.correspondence().normal_coordinate(0U); })
       s.normal.push_back(
           static_cast<std::int64_t>(t.correspondence().normal_coordinate(t.index(e))));
+    if constexpr (requires { t.correspondence().entered_on(0U); })
+      for (const std::uint32_t x : t.correspondence().entered_on(t.index(e)))
+        s.crossed.push_back(x);
   }
   for (const auto f : faces(t.mesh()))
     s.areas.push_back(t.metric().approximate_quadruple_area(t.index(f)));

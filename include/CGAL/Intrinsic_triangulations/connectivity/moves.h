@@ -10,7 +10,7 @@
 
 /*!
 \file
-Insertion and removal of vertices of a Delta-complex, connectivity only. Halfedges that stay keep their
+Insertion and removal of vertices of a Delta-complex, and flips taken back, connectivity only. Halfedges that stay keep their
 names; no edge is looked up by its ends, so that loops and faces glued to themselves do no harm.
 */
 
@@ -86,6 +86,27 @@ void remove_numbered(Element e, Mesh& mesh, Numbers& numbers) {
 }
 
 } // namespace internal
+
+/*!
+\brief takes back the flip of an edge: turns it from km in the faces kmj and mki to ij in ijk and jim.
+\tparam Mesh a model of `MutableDeltaComplex`
+\param h the halfedge km, which `CGAL::Euler::flip_edge()` has turned; its face and that of its opposite are not the same
+\param mesh the complex
+\complexity constant
+*/
+template <class Mesh>
+void flip_edge_back(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh) {
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  const Halfedge o = opposite(h, mesh), mj = next(h, mesh), jk = next(mj, mesh);
+  const Halfedge ki = next(o, mesh), im = next(ki, mesh);
+  internal::replace_halfedge_of_target(h, im, mesh);
+  internal::replace_halfedge_of_target(o, jk, mesh);
+  set_target(h, target(mj, mesh), mesh);
+  set_target(o, target(ki, mesh), mesh);
+  const auto f = face(h, mesh), g = face(o, mesh);
+  internal::connect_face(h, jk, ki, f, mesh);
+  internal::connect_face(o, im, mj, g, mesh);
+}
 
 /*!
 \brief inserts a vertex p in the face ijk of `h` = ij: `h` is in face ijp then, followed by jp and pi.

@@ -63,8 +63,6 @@ struct Flipped_values {
   FT km;     ///< squared length of the new edge
   FT area_f; ///< quadruple area of the left face, kmj
   FT area_g; ///< quadruple area of the right face, mki
-  /// returns the same for the opposite halfedge.
-  Flipped_values mirrored() const { return {km, area_g, area_f}; }
 };
 
 /*!

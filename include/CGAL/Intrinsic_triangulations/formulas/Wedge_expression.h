@@ -50,23 +50,6 @@ Wedge_product<FT> wedge_product(std::span<const Face_values<FT>> faces,
 
 } // namespace internal
 
-namespace internal {
-
-// Tells whether the sines of the sums of the first m corners are positive for all m, as far as intervals tell; see
-// `compare_wedge_to_pi()`.
-template <class FT>
-bool has_certainly_positive_sines(std::span<const Face_values<FT>> faces,
-                                  std::span<const double> scales) {
-  Wedge_product<FT> z = wedge_product(faces.first(1), scales);
-  for (std::size_t k = 1; CGAL::certainly(z.imaginary > 0); ++k) {
-    if (k == faces.size()) return true;
-    z = product(z, wedge_product(faces.subspan(k, 1), scales.subspan(k)));
-  }
-  return false;
-}
-
-} // namespace internal
-
 /*!
 \brief evaluates to a value with the sign of the sine of the sum of angles of faces, each at the source of its first side.
 */

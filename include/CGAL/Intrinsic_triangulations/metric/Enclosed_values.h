@@ -42,8 +42,6 @@ public:
   struct Flipped {
     Flipped_values<FT> enclosure;         ///< intervals that contain the values
     Flipped_values<double> approximation; ///< values in floating point
-    /// returns the same for the opposite halfedge.
-    Flipped mirrored() const { return {enclosure.mirrored(), approximation.mirrored()}; }
   };
 
   /// What an insertion or a removal of a vertex makes: intervals, and doubles.

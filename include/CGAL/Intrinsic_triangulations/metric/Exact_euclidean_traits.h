@@ -22,8 +22,6 @@
 
 #include <boost/config.hpp>
 
-#include <boost/container/small_vector.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -119,14 +117,6 @@ public:
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
     const std::optional<Sign> s = certain_sign(expression(Values(values)));
     return s ? *s : exact_sign(faces, values, Recorded_face_expression(expression, faces.size()));
-  }
-
-  /// calls a predicate with the intervals that are stored of faces.
-  template <class Predicate>
-  bool holds_for_enclosures(std::span<const Indexed_face> faces, const Predicate& predicate) const {
-    boost::container::small_vector<Face_values<FT>, 12> values;
-    for (const Indexed_face& f : faces) values.push_back(enclosure(f));
-    return predicate(std::span<const Face_values<FT>>(values.data(), values.size()));
   }
 
   /*!

@@ -13,12 +13,11 @@
 #include <boost/container/small_vector.hpp>
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
+#include <optional>
 #include <span>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -30,17 +29,14 @@ inline double inverse_binade(double x) {
   return e == 0 || e >= largest ? 1. : std::bit_cast<double>(largest - e);
 }
 
-// The corners between two sides of a vertex, each the source of the first side of its face, in order; and the sum of their
-// angles in doubles, which decides nothing.
-struct Wedge {
-  boost::container::small_vector<Indexed_face, 12> faces;
-  boost::container::small_vector<double, 12> scales; // powers of two that keep products near 1
-  std::size_t first_beyond_pi = 0; // number of corners whose angles seem to sum to pi or more
-  bool has_flat_face = false;      // one without area
-
-  // adds a corner; l has the squared lengths of ij, jk, ki
-  void add(const Indexed_face& face, const std::array<double, 3>& l, double quadruple_area) {
-    const double p = l[0] + l[2] - l[1], a = quadruple_area;
+// A sum of angles of corners in doubles, which decides nothing: the product of their z, see `Wedge_expression.h`, up to its sign and a
+// positive factor, so that its argument is in [0, pi); and how many half turns there are before.
+class Angle_sum {
+public:
+  // Adds the corner at the source of the first side of a face. \return a power of two that keeps the product near 1
+  double add(const Face_values<double>& v) {
+    const auto& l = v.squared_lengths;
+    const double p = l[0] + l[2] - l[1], a = v.quadruple_area;
     double x = a == 0 && p == 0 ? real_ : real_ * p - imaginary_ * a;
     double y = a == 0 && p == 0 ? imaginary_ : real_ * a + imaginary_ * p;
     if (y < 0 || (y == 0 && x < 0)) {
@@ -51,21 +47,44 @@ struct Wedge {
     const double scale = inverse_binade(std::abs(x) + std::abs(y));
     real_ = x * scale;
     imaginary_ = y * scale;
+    return scale;
+  }
+  void add(const Indexed_face&, const Face_values<double>& v) { add(v); }
+
+  bool is_beyond_pi() const { return half_turns_ > 0; }
+  // to 1e-6
+  bool is_nearly_pi() const {
+    return half_turns_ == (real_ < 0 ? 0U : 1U) && imaginary_ < 1e-6 * std::abs(real_);
+  }
+  // Grows with the angle, from 0 by 2 for each half turn: puts angles in order, for less than an arc tangent.
+  double rank() const { return 2 * static_cast<double>(half_turns_) + rank(real_, imaginary_); }
+  // of a direction in [0, pi)
+  static double rank(double x, double y) { return 1 - x / (std::abs(x) + y); }
+
+private:
+  double real_ = 1, imaginary_ = 0;
+  std::size_t half_turns_ = 0;
+};
+
+// The corners between two sides of a vertex, each the source of the first side of its face, in order.
+struct Wedge {
+  boost::container::small_vector<Indexed_face, 12> faces;
+  boost::container::small_vector<double, 12> scales; // powers of two that keep products near 1
+  std::size_t first_beyond_pi = 0; // number of corners whose angles seem to sum to pi or more
+  bool has_flat_face = false;      // one without area
+
+  void add(const Indexed_face& face, const Face_values<double>& v) {
     faces.push_back(face);
-    scales.push_back(scale);
-    if (first_beyond_pi == 0 && half_turns_ > 0) first_beyond_pi = faces.size();
-    has_flat_face = has_flat_face || a == 0;
+    scales.push_back(sum_.add(v));
+    if (first_beyond_pi == 0 && sum_.is_beyond_pi()) first_beyond_pi = faces.size();
+    has_flat_face = has_flat_face || v.quadruple_area == 0;
   }
   std::span<const Indexed_face> all_faces() const { return {faces.data(), faces.size()}; }
   std::span<const double> all_scales() const { return {scales.data(), scales.size()}; }
-  double angle() const {
-    return static_cast<double>(half_turns_) * std::numbers::pi + std::atan2(imaginary_, real_);
-  }
+  const Angle_sum& sum() const { return sum_; }
 
 private:
-  // the product of the z of the corners, up to its sign and a positive factor, see `Wedge_expression.h`: its argument is in [0, pi)
-  double real_ = 1, imaginary_ = 0;
-  std::size_t half_turns_ = 0;
+  Angle_sum sum_;
 };
 
 // Two corners of a wedge are those at the source of a diamond; the sine of their sum is `Convexity_at_source_expression`.
@@ -98,12 +117,30 @@ Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
   return SMALLER;
 }
 
+// Compares the angle of a wedge with pi, as far as the intervals that a metric stores tell: see `compare_wedge_to_pi()`.
+template <class Metric>
+std::optional<Comparison_result> certain_comparison_to_pi(const Metric& metric, const Wedge& w) {
+  using FT = typename Metric::FT;
+  Wedge_product<FT> z{FT(1), FT(0)};
+  for (std::size_t k = 0; k < w.faces.size(); ++k) {
+    const auto& [f, e] = w.faces[k];
+    const FT p =
+        metric.squared_length(e[0]) + metric.squared_length(e[2]) - metric.squared_length(e[1]);
+    const Wedge_product<FT> corner{p * w.scales[k], metric.quadruple_area(f) * w.scales[k]};
+    z = k == 0 ? corner : product(z, corner);
+    if (CGAL::certainly(z.imaginary < 0)) return LARGER;
+    if (!CGAL::certainly(z.imaginary > 0)) return std::nullopt;
+  }
+  return SMALLER;
+}
+
 // Finds the wedge at the target of h between h and g, on the left of h: the first corner is in the face of h. If g is the
 // opposite of h, it is all about the vertex. False if a side in between has no face, or `may_pass()` refuses its halfedge from the
 // vertex, or g is in another fan of a vertex that is not manifold. `values` tells what doubles know of a face from a halfedge on.
-template <class Triangulation, class Values, class May_pass>
+// `wedge` is a `Wedge` or, if that is enough, an `Angle_sum`.
+template <class Triangulation, class Corners, class Values, class May_pass>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
-                typename Triangulation::halfedge_descriptor g, Wedge& wedge, const Values& values,
+                typename Triangulation::halfedge_descriptor g, Corners& wedge, const Values& values,
                 const May_pass& may_pass) {
   using Halfedge = typename Triangulation::halfedge_descriptor;
   const auto& mesh = t.mesh();
@@ -115,8 +152,7 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
     const Halfedge ij = next(h, mesh);
     const Indexed_face f{t.numbers().face(face(h, mesh)),
                          {edge_number(ij), edge_number(next(ij, mesh)), edge_number(h)}};
-    const Face_values<double> v = values(ij, f);
-    wedge.add(f, v.squared_lengths, v.quadruple_area);
+    wedge.add(f, values(ij, f));
     if (ij == g) return true;
     if (!may_pass(ij)) return false;
     h = opposite(ij, mesh);
@@ -125,9 +161,9 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
 }
 
 // by what the metric knows
-template <class Triangulation, class May_pass>
+template <class Triangulation, class Corners, class May_pass>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
-                typename Triangulation::halfedge_descriptor g, Wedge& wedge,
+                typename Triangulation::halfedge_descriptor g, Corners& wedge,
                 const May_pass& may_pass) {
   const auto values = [&](typename Triangulation::halfedge_descriptor, const Indexed_face& f) {
     const auto& m = t.metric();
@@ -139,11 +175,21 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
   return find_wedge(t, h, g, wedge, values, may_pass);
 }
 
-template <class Triangulation>
+template <class Triangulation, class Corners>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
-                typename Triangulation::halfedge_descriptor g, Wedge& wedge) {
+                typename Triangulation::halfedge_descriptor g, Corners& wedge) {
   return find_wedge(t, h, g, wedge,
                     [](typename Triangulation::halfedge_descriptor) { return true; });
+}
+
+// Compares the angle of a wedge from h to g with pi, which a session may know how to without finding it again.
+template <class Session, class Halfedge>
+Comparison_result compare_to_pi(const Session& session, Halfedge h, Halfedge g,
+                                const Wedge& wedge) {
+  if constexpr (requires { session.compare_angle_to_pi(wedge); })
+    return session.compare_angle_to_pi(wedge);
+  else
+    return session.compare_angle_to_pi(h, g);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -53,6 +53,7 @@ BOOST_FORCEINLINE Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_
           number.halfedge(next(jk, mesh)),
           number.halfedge(im),
           number.halfedge(next(im, mesh)),
+          number.halfedge(h),
           diamond_of(h, mesh, number)};
 }
 
@@ -133,21 +134,17 @@ public:
     return Move_status::done;
   }
 
-  // Takes back the flip of h, the last one: four flips are the identity, and their values are known. Observers, who followed it
-  // there, follow it back.
+  // Takes back the flip of h, the last one. Observers, who followed it there, follow it back.
   void undo_flip(Halfedge h,
                  const Before_flip_of<Metric>& before) requires Remembers_flips<Metric> {
-    const typename Metric::Flipped then = before,
-                                   now = metric_.before_flip(diamond_of(h, mesh_, number_));
-    for (const auto& values : {then.mirrored(), now.mirrored(), then}) {
-      const Flip move = flip_record(h, mesh_, number_);
-      places_.before(t_, move);
-      correspondence_.before(t_, move);
-      CGAL::Euler::flip_edge(h, mesh_);
-      metric_.undo_flip(move.diamond, values);
-      tell(move);
-    }
-    metric_.forget_flip(diamond_of(h, mesh_, number_), before);
+    Flip move = flip_record(h, mesh_, number_);
+    move.km = move.ij ^ 1U;
+    places_.before(t_, move);
+    correspondence_.before(t_, move);
+    flip_edge_back(h, mesh_);
+    metric_.undo_flip(move.diamond, before);
+    tell(move);
+    metric_.forget_flip(move.diamond, before);
   }
 
   // \param place on the input, if it is known; the weights approximate it

@@ -24,10 +24,11 @@ Moves keep the numbers of halfedges that stay, so that a record describes both w
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief records the flip of edge ij, from which it runs from k to m: all halfedges keep their numbers.
+\brief records the flip of edge ij, from which it runs between k and m: all halfedges keep their numbers.
 
-Before it, the left face f has the sides ij, jk, ki and the right face g has ji, im, mj. After it, f has
-ij (which is km now), mj, jk, and g has ji (which is mk), ki, im.
+Before it, the left face f has the sides ij, jk, ki and the right face g has ji, im, mj. After it, the face of km has the sides km, mj, jk,
+and that of mk has mk, ki, im. A flip makes km of ij; one that is taken back makes it of ji, since two flips would swap the halfedges. The
+face of ij is f before and after.
 */
 struct Flip {
   std::uint32_t ij; ///< the halfedge that is flipped; the other side of its edge is `ij ^ 1`
@@ -35,6 +36,7 @@ struct Flip {
   std::uint32_t ki; ///< the halfedge from k to i
   std::uint32_t im; ///< the halfedge from i to m
   std::uint32_t mj; ///< the halfedge from m to j
+  std::uint32_t km; ///< the halfedge that runs from k to m afterwards: ij or its opposite
   Diamond diamond;  ///< the edges and faces, from which the metric reads
 };
 

@@ -95,12 +95,13 @@ public:
   Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
     internal::Wedge wedge;
     internal::find_wedge(t_, h, g, wedge);
+    return compare_angle_to_pi(wedge);
+  }
+  /// \cond
+  Comparison_result compare_angle_to_pi(const internal::Wedge& wedge) const {
     const auto& metric = t_.metric();
     if constexpr (internal::Has_enclosures<typename Triangulation::Metric>)
-      if (metric.holds_for_enclosures(wedge.all_faces(), [&](const auto& faces) {
-            return internal::has_certainly_positive_sines(faces, wedge.all_scales());
-          }))
-        return SMALLER;
+      if (const auto c = internal::certain_comparison_to_pi(metric, wedge)) return *c;
     return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
       using Expression = std::decay_t<decltype(expression)>;
       if constexpr (std::is_same_v<Expression, Wedge_sine_expression>)
@@ -110,6 +111,7 @@ public:
       return metric.sign(faces, expression);
     });
   }
+  /// \endcond
   /// calls a function in the default floating point environment.
   template <class Function>
   auto suspended(Function f) const {

@@ -136,7 +136,7 @@ public:
     append(move.im, std::min(g.cutting[1], f.cutting[0] + f.emanating[2]), n_im);
   }
   /// keeps what was announced, of a flip.
-  void store(const Flip& move) { store(move.ij, announced_[0]); }
+  void store(const Flip& move) { store(move.km, announced_[0]); }
 
   /// finds the crossings of the edges from the corners of a face to a region of it.
   void announce(const std::array<std::uint32_t, 3>& sides, const Normals& normals,

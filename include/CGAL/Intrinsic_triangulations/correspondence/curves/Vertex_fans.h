@@ -42,7 +42,12 @@ public:
   std::uint32_t halfedge(std::uint32_t slot) const { return halfedge_[slot]; }
 
   /// returns the slot that is `count` places counterclockwise from `slot`.
-  std::uint32_t advance(std::uint32_t slot, std::uint32_t count) const;
+  std::uint32_t advance(std::uint32_t slot, std::uint32_t count) const {
+    const Fan& fan = fan_[slot];
+    std::uint32_t place = slot - fan.begin + count;
+    while (place >= fan.size) place -= fan.size;
+    return fan.begin + place;
+  }
 
   /// returns how many places counterclockwise from slot `from` slot `to` is; the number of slots of the
   /// fan or more if they are in different fans.

@@ -24,14 +24,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Vertex_fans::Vertex_fans(const Input& input
     if (slot_[h] == Gluing::none) add_fan(input, h);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::uint32_t Vertex_fans::advance(std::uint32_t slot,
-                                                                        std::uint32_t count) const {
-  const Fan& fan = fan_[slot];
-  std::uint32_t place = slot - fan.begin + count;
-  while (place >= fan.size) place -= fan.size;
-  return fan.begin + place;
-}
-
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::uint32_t Vertex_fans::distance(std::uint32_t from,
                                                                          std::uint32_t to) const {
   const Fan &f = fan_[from], &g = fan_[to];

@@ -132,8 +132,8 @@ public:
   template <class Triangulation>
   void after(const Triangulation&, const Flip& move) {
     normal_[move.ij / 2] = flipped_;
-    update_roundabout(move.ij, move.ki, move.im);
-    update_roundabout(move.ij ^ 1U, move.mj, move.jk);
+    update_roundabout(move.km, move.ki, move.im);
+    update_roundabout(move.km ^ 1U, move.mj, move.jk);
     if (kept_) kept_.store(move);
   }
 

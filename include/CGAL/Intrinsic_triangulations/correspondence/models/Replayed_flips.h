@@ -44,9 +44,6 @@ private:
 
   Gluing_map::Halfedge halfedge(const Made& m) const;
 
-  // Turns h back, from km in the faces kmj and mki to ij in ijk and jim; halfedges of vertices and faces are chosen later.
-  void undo_flip(Gluing_map::Halfedge h);
-
   // whatever flips did
   void choose_halfedges_of_vertices();
 

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/moves.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Replayed_flips.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Crossing_path.h>
@@ -41,7 +42,7 @@ Replayed_flips::Replayed_flips(Gluing_map mesh, const Exact_euclidean_metric& me
     const Made left = made[version], right = made[version + 1];
     const Gluing_map::Halfedge h = halfedge(left);
     flipped_.push_back(h.index);
-    undo_flip(h);
+    flip_edge_back(h, mesh_);
     made[history.left_parent(n).face] = parent(history.left_parent(n), left.face, h);
     made[history.right_parent(n).face] =
         parent(history.right_parent(n), right.face, Gluing_map::Halfedge{h.index ^ 1U});
@@ -49,23 +50,6 @@ Replayed_flips::Replayed_flips(Gluing_map mesh, const Exact_euclidean_metric& me
   for (std::uint32_t f = 0; f < faces; ++f) // slot 0 of an input face is its first side
     mesh_.set_halfedge(Gluing_map::Face{made[f].face}, halfedge(made[f]));
   choose_halfedges_of_vertices();
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Replayed_flips::undo_flip(Gluing_map::Halfedge h) {
-  using Halfedge = Gluing_map::Halfedge;
-  const Halfedge o = mesh_.opposite(h), mj = mesh_.next(h), jk = mesh_.next(mj), ki = mesh_.next(o),
-                 im = mesh_.next(ki);
-  const auto link = [this](Halfedge a, Halfedge b, Halfedge c, Gluing_map::Face f) {
-    mesh_.set_next(a, b);
-    mesh_.set_next(b, c);
-    mesh_.set_next(c, a);
-    for (const Halfedge x : {a, b, c}) mesh_.set_face(x, f);
-  };
-  const Gluing_map::Face left = mesh_.face(h), right = mesh_.face(o);
-  mesh_.set_target(h, mesh_.target(mj));
-  mesh_.set_target(o, mesh_.target(ki));
-  link(h, jk, ki, left);
-  link(o, im, mj, right);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Replayed_flips::replay(Integer_coordinates& coordinates) {

@@ -10,17 +10,18 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Joint_side.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Wedge_flipper.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 
 #include <CGAL/enum.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <queue>
 #include <vector>
 
@@ -31,7 +32,7 @@ struct Shortening_limits {
   std::uint64_t flips = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t shortenings = std::numeric_limits<std::uint64_t>::max();
   double length = -HUGE_VAL; // of all curves, in scaled units
-  double angle = HUGE_VAL;   // of joints, in radians
+  double rank = HUGE_VAL;    // of the angles of joints, see `Angle_sum`
 };
 
 // Makes curves geodesic (§5.1 of the course, Algorithms 6 and 7), the joint with the smallest angle first.
@@ -63,6 +64,7 @@ class Curve_shortener {
   using Network = Curve_network<Triangulation>;
   using Side = Joint_side<Triangulation>;
   static constexpr std::uint32_t none = Curve_segments::none;
+  static constexpr double rank_beyond_pi = 2.001;
 
 public:
   Curve_shortener(Network& network, Session& session, Flip_log<Triangulation>* log)
@@ -80,13 +82,13 @@ public:
     limits_ = &limits;
     while (!queue_.empty() && result_.status == Status::done) {
       const Joint joint = queue_.top();
-      if (joint.angle >= limits.angle || length_ <= limits.length) {
+      if (joint.rank >= limits.rank || length_ <= limits.length) {
         result_.status = Status::stopped;
         break;
       }
       queue_.pop();
       if (!is_alive(joint)) continue;
-      straighten(joint.segment);
+      straighten(joint);
       if ((++steps_ & 0x3ffU) == 0 && !session_.suspended([&] { return go_on(result_); }))
         result_.status = Status::cancelled;
     }
@@ -96,9 +98,10 @@ public:
 private:
   // between a segment and the next one
   struct Joint {
-    double angle;
+    double rank; // of its smaller angle
     std::uint32_t segment, generation, next, next_generation;
-    bool operator<(const Joint& other) const { return angle > other.angle; }
+    bool is_right_first;
+    bool operator<(const Joint& other) const { return rank > other.rank; }
   };
 
   bool is_alive(const Joint& j) const {
@@ -114,14 +117,16 @@ private:
   void push(std::uint32_t s) {
     const std::uint32_t next = segments_[s].next;
     if (next == none || network_.is_fixed(target(network_.halfedge_of(s), t_.mesh()))) return;
-    double angle = HUGE_VAL;
+    std::array<double, 2> rank{HUGE_VAL, HUGE_VAL}; // on the left and on the right
     for (const bool is_left : {true, false}) {
-      const Side side(t_, segments_, s, is_left);
-      Wedge wedge;
-      if (side.find_free_wedge(t_, segments_, wedge)) angle = std::min(angle, wedge.angle());
+      Angle_sum sum;
+      if (Side(t_, segments_, s, is_left).find_free_wedge(t_, segments_, sum))
+        rank[is_left ? 0 : 1] = sum.rank();
     }
-    if (angle < HUGE_VAL)
-      queue_.push({angle, s, segments_[s].generation, next, segments_[next].generation});
+    const auto [left, right] = rank;
+    if (std::min(left, right) < HUGE_VAL)
+      queue_.push({std::min(left, right), s, segments_[s].generation, next,
+                   segments_[next].generation, right < left && left > rank_beyond_pi});
   }
 
   // joints at a vertex where other curves are, which may have become free
@@ -139,17 +144,16 @@ private:
     } while (h != in);
   }
 
-  void straighten(std::uint32_t s) {
-    for (const bool is_left : {true, false}) {
-      const Side side(t_, segments_, s, is_left);
+  // the side that is below pi first, if only one seems to be
+  void straighten(const Joint& joint) {
+    for (const bool is_left : {!joint.is_right_first, joint.is_right_first}) {
+      const Side side(t_, segments_, joint.segment, is_left);
       Wedge wedge;
       if (!side.find_free_wedge(t_, segments_, wedge)) continue;
-      if (wedge.faces.size() > 2 && is_nearly_pi(wedge.angle()) &&
-          !flip_out(side.in, side.out, wedge.faces.size() - 2))
-        return;
+      if (!reduce(side, wedge)) return;
       ++result_.wedge_checks;
       const Comparison_result c =
-          side.is_turn(t_, segments_) ? SMALLER : session_.compare_angle_to_pi(side.in, side.out);
+          side.is_turn(t_, segments_) ? SMALLER : compare_to_pi(session_, side.in, side.out, wedge);
       if (c == EQUAL) ++result_.exact_ties;
       if (c != SMALLER) continue;
       if (wedge.has_flat_face && gains_nothing()) {
@@ -178,8 +182,13 @@ private:
   // Where the angle of a wedge is nearly pi, edges in it are flipped away before it is compared with pi: that leaves two corners,
   // whose sum takes far less to decide than that of many. (If it leaves more, the angle is below pi: the polygon of b, a, c and
   // the far ends of k - 1 edges has k + 2 corners, which sum to k pi; those of the edges have pi at least, so that b has less.) One flip per
-  // corner: where b has loops, flips at an angle of pi need not end.
-  static bool is_nearly_pi(double angle) { return std::abs(angle - std::numbers::pi) < 1e-6; }
+  // corner: where b has loops, flips at an angle of pi need not end. False if the cap is reached.
+  bool reduce(const Side& side, Wedge& wedge) {
+    if (wedge.faces.size() <= 2 || !wedge.sum().is_nearly_pi()) return true;
+    if (!flip_out(side.in, side.out, wedge.faces.size() - 2)) return false;
+    wedge = {};
+    return side.find_free_wedge(t_, segments_, wedge);
+  }
 
   // Flips edges in the wedge from h to g, on the left of h, away from its vertex, `most` at most. False if the cap is reached.
   bool flip_out(Halfedge h, Halfedge g,

@@ -38,8 +38,10 @@ struct Joint_side {
   }
 
   // Whether nothing is on this side that would be crossed when the joint moves there: no curve, no border. If so, finds the
-  // wedge there, which is empty if the curve turns back.
-  bool find_free_wedge(const Triangulation& t, const Curve_segments& segments, Wedge& wedge) const {
+  // wedge there, a `Wedge` or its `Angle_sum`, which is empty if the curve turns back.
+  template <class Corners>
+  bool find_free_wedge(const Triangulation& t, const Curve_segments& segments,
+                       Corners& wedge) const {
     const auto& number = t.numbers();
     const std::uint32_t h = number.halfedge(in);
     if (is_turn(t, segments)) return segments.beside(first, h) == second;

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Curve_shortener.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 
 #include <cmath>
 #include <cstdint>
@@ -54,7 +55,8 @@ Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
   if (!(angle >= 0 && angle <= 180))
     throw std::invalid_argument("joint_angle must be in [0, 180] degrees");
   if (part > 0) limits.length = std::ldexp(part * network.length(), t.metric().scale_exponent());
-  if (angle < 180) limits.angle = angle * std::numbers::pi / 180;
+  const double radians = angle * std::numbers::pi / 180;
+  if (angle < 180) limits.rank = Angle_sum::rank(std::cos(radians), std::sin(radians));
   // with inexact numbers, rounding may make curves go round without a flip
   limits.shortenings = default_cap(t);
   limits.flips = maximum_flips(t, np);

@@ -73,9 +73,8 @@ public:
     do {
       do drain(go_on);
       while (result_.status == Status::done && finds_more());
-      find_ways_to_all();
-      drain(go_on);
       find_shortcuts(go_on);
+      if (queue_.empty() && changed_.empty()) find_ways_to_all();
     } while (result_.status == Status::done && !(queue_.empty() && changed_.empty()));
     return result_;
   }
@@ -182,13 +181,13 @@ private:
     const std::array<bool, 2> is_whole{
         find_wedge(t_, in, out, wedges[0]),
         find_wedge(t_, opposite(out, mesh), opposite(in, mesh), wedges[1])};
-    const std::size_t first = wedges[1].angle() < wedges[0].angle() ? 1 : 0;
+    const std::size_t first = wedges[1].sum().rank() < wedges[0].sum().rank() ? 1 : 0;
     for (const std::size_t side : {first, 1 - first}) {
       if (!is_whole[side]) continue;
       ++result_.wedge_checks;
       const Comparison_result c =
-          side == 0 ? session_.compare_angle_to_pi(in, out)
-                    : session_.compare_angle_to_pi(opposite(out, mesh), opposite(in, mesh));
+          side == 0 ? compare_to_pi(session_, in, out, wedges[0])
+                    : compare_to_pi(session_, opposite(out, mesh), opposite(in, mesh), wedges[1]);
       if (c == EQUAL) ++result_.exact_ties;
       if (c != SMALLER) continue;
       ++result_.shortenings;
@@ -233,20 +232,25 @@ private:
         search(v); // the way that was best led by here
   }
 
-  // Looks again for ways to vertices that should have one: those to which all known ways have been lost by rounding.
+  // Looks again for ways to vertices where the best one that was known has been flipped away or lost by rounding.
   bool finds_more() {
-    for (const Vertex v : vertices(t_.mesh()))
-      if (!labels_[t_.index(v)].is_in_tree && !is_isolated(v)) search(t_.index(v));
+    for (const Vertex v : vertices(t_.mesh())) {
+      const Label& l = labels_[t_.index(v)];
+      if ((!l.is_in_tree || l.bound != l.distance) && !is_isolated(v)) search(t_.index(v));
+    }
     if (queue_.empty()) return false;
     const std::uint64_t progress = result_.flips + accepted_;
     if (progress == progress_before_) result_.status = Status::stalled;
     progress_before_ = progress;
     return result_.status == Status::done;
   }
-  // Ways that were bent when they were looked at, and others by then, may have become better.
+  // Ways that were bent when they were looked at may have become better, and so have others, as lengths have been told more accurately.
   void find_ways_to_all() {
-    for (const Vertex v : vertices(t_.mesh()))
-      if (!is_isolated(v)) search(t_.index(v));
+    for (Label& l : labels_) l.bound = l.distance;
+    for (const Halfedge h : halfedges(t_.mesh())) {
+      const std::uint32_t i = t_.numbers().halfedge(h);
+      if (flips_when_bent_[i] != result_.flips) relax(i);
+    }
   }
 
   // Looks for shorter ways straight on from all vertices that have been reached anew, near ones first.

@@ -5,6 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_SINGLE_SOURCE_SHORTCUT_FINDER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -13,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -52,7 +53,9 @@ class Shortcut_finder {
   using Vector = std::array<double, 2>;
 
 public:
-  Shortcut_finder(const Triangulation& t, const Known& known) : t_(t), known_(known) {}
+  Shortcut_finder(const Triangulation& t, const Known& known) : t_(t), known_(known) {
+    windows_.reserve(most_windows);
+  }
 
   // Looks at the vertices to which a path goes straight on from v.
   // \param in the last halfedge of the path to v, which may be bent only beyond pi; a null halfedge if it begins there
@@ -78,52 +81,57 @@ public:
   }
 
 private:
+  // An end of what is seen: where that is, and whether it is the end of the edge.
+  struct End {
+    Vector point;
+    bool is_vertex;
+  };
   // What is seen of an edge, with the vertex at the origin: between directions `right` and `left`. The halfedge is on the near side, from
   // a to b.
   struct Window {
     Halfedge halfedge;
-    Vector a, b, right, left;
+    Vector a, b;
+    End right, left;
     std::size_t before; // the window that it is seen through
     bool shares_left;   // with that one
   };
 
   static constexpr std::size_t most_windows = 1000;
 
-  // The halfedges from v with a face on the left into which a path can go straight on: the angles between it and the last halfedge are
-  // beyond pi, on both sides.
+  // The halfedges from v with a face on the left into which a path can go straight on: the angles between its far side and the last
+  // halfedge are beyond pi, on both sides, or the border is there.
   void find_faces(Vertex v, Halfedge in) {
     const auto& mesh = t_.mesh();
-    const bool is_source = in == boost::graph_traits<Mesh>::null_halfedge();
-    bool is_closed = true;
-    double sum = 0, at_in = 0;
     faces_.clear();
-    angles_.clear();
-    for_each_outgoing(v, mesh, [&](Halfedge h) {
-      if (!is_source && h == opposite(in, mesh)) at_in = sum;
-      is_closed = face(h, mesh) != boost::graph_traits<Mesh>::null_face();
-      if (!is_closed) return;
-      faces_.push_back(h);
-      angles_.push_back(sum);
-      if (!is_source) sum += angle(h);
-    });
-    angles_.push_back(sum);
-    if (is_source) return;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      const bool is_before = angles_[i] < at_in; // clockwise from the last halfedge
-      const double left = angles_[i + 1] - at_in, right = at_in - angles_[i];
-      if ((is_before ? !is_closed || left + sum > std::numbers::pi : left > std::numbers::pi) &&
-          (is_before ? right > std::numbers::pi : !is_closed || right + sum > std::numbers::pi))
-        faces_[count++] = faces_[i];
+    if (in == boost::graph_traits<Mesh>::null_halfedge()) {
+      for_each_outgoing(v, mesh, [&](Halfedge h) {
+        if (has_face(h)) faces_.push_back(h);
+      });
+      return;
     }
-    faces_.resize(count);
+    Angle_sum left, right;
+    Halfedge h = opposite(in, mesh);
+    do {
+      if (!has_face(h)) break;
+      if (is_beyond_pi(left, h)) faces_.push_back(h);
+      h = opposite(next(next(h, mesh), mesh), mesh); // counterclockwise
+    } while (h != opposite(in, mesh));
+    const bool is_closed = has_face(h);
+    for (h = in; has_face(h) && !(is_closed && faces_.empty()); h = opposite(h, mesh)) {
+      h = next(h, mesh); // clockwise
+      const bool is_beyond = is_beyond_pi(right, h);
+      if (is_closed && is_beyond) return;
+      if (is_closed) faces_.pop_back();
+      if (!is_closed && is_beyond) faces_.push_back(h);
+    }
   }
-  // at the source of h, in the face on the left
-  double angle(Halfedge h) const {
-    const auto& mesh = t_.mesh();
-    const Halfedge far = next(h, mesh);
-    return std::atan2(quadruple_area(h),
-                      squared_length(h) + squared_length(next(far, mesh)) - squared_length(far));
+  bool has_face(Halfedge h) const {
+    return face(h, t_.mesh()) != boost::graph_traits<Mesh>::null_face();
+  }
+  // adds the angle at the source of h
+  bool is_beyond_pi(Angle_sum& sum, Halfedge h) const {
+    sum.add(approximate_values(t_.metric(), indexed_face_from(t_, h)));
+    return sum.is_beyond_pi();
   }
 
   // Looks at the vertices that are seen from the source of `h` through the face on the left of `h`.
@@ -135,7 +143,7 @@ private:
     const double x = (squared_length(h) + squared_length(back) - squared_length(far)) / (2 * a[0]);
     const Vector b{x, quadruple_area(h) / (2 * a[0])};
     windows_.clear();
-    push(far, a, b, a, b, 0);
+    push(far, a, b, {a, true}, {b, true}, 0);
     for (std::size_t i = 0; i < windows_.size(); ++i)
       if (look_through(i, gain)) return true;
     return false;
@@ -151,6 +159,7 @@ private:
   static double distance(const Vector& a, const Vector& b) {
     return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
   }
+  static double norm(const Vector& a) { return distance(a, {0, 0}); }
   // where a ray from the origin meets the line through a and b
   static Vector meet(const Vector& ray, const Vector& a, const Vector& b) {
     const Vector ab{b[0] - a[0], b[1] - a[1]};
@@ -158,47 +167,52 @@ private:
     return {s * ray[0], s * ray[1]};
   }
 
-  void push(Halfedge h, const Vector& a, const Vector& b, const Vector& right, const Vector& left,
+  // Where the ray to an end of a window meets another edge, from a to b; the end of that edge on its side is a.
+  static End moved(const End& end, const Vector& a, const Vector& b) {
+    return end.is_vertex ? end : End{meet(end.point, a, b), false};
+  }
+  void push(Halfedge h, const Vector& a, const Vector& b, const End& right, const End& left,
             std::size_t before, bool shares_left = false) {
     const auto& mesh = t_.mesh();
     if (windows_.size() == most_windows || known_.is_barrier(t_.numbers().halfedge(h)) ||
         face(opposite(h, mesh), mesh) == boost::graph_traits<Mesh>::null_face())
       return;
-    const Vector r = meet(right, a, b), l = meet(left, a, b);
-    const double to_r = apex_distance_ + distance(r, {0, 0}),
-                 to_l = apex_distance_ + distance(l, {0, 0});
-    if (known_.distance(t_.index(source(h, mesh))) + distance(a, l) < to_l ||
-        known_.distance(t_.index(target(h, mesh))) + distance(b, r) < to_r)
+    const End r = moved(right, a, b), l = moved(left, a, b);
+    const double to_a = known_.distance(t_.index(source(h, mesh))) - apex_distance_;
+    const double to_b = known_.distance(t_.index(target(h, mesh))) - apex_distance_;
+    if (to_a + distance(a, l.point) < norm(l.point) || to_b + distance(b, r.point) < norm(r.point))
       return;
-    windows_.push_back({h, a, b, right, left, before, shares_left});
+    windows_.push_back({h, a, b, r, l, before, shares_left});
   }
 
   // whether the vertex behind a window is nearer than known; else it divides what is seen
   bool look_through(std::size_t i, double gain) {
-    const Window w = windows_[i];
+    const Window& w = windows_[i]; // stays where it is: room for all is reserved
     const auto& mesh = t_.mesh();
     const Halfedge o = opposite(w.halfedge, mesh), av = next(o, mesh), vb = next(av, mesh);
     const double e = squared_length(o);
-    const double s = (squared_length(av) + e - squared_length(vb)) / (2 * e);
-    const double q = quadruple_area(o) / (2 * e);
+    const double r = 1 / (2 * e), q = quadruple_area(o) * r;
+    const double s = (squared_length(av) + e - squared_length(vb)) * r;
     const Vector ab{w.b[0] - w.a[0], w.b[1] - w.a[1]};
     const Vector v{w.a[0] + s * ab[0] + q * ab[1], w.a[1] + s * ab[1] - q * ab[0]};
-    const bool is_left_of_right = cross(w.right, v) > 0, is_right_of_left = cross(v, w.left) > 0;
+    const bool is_left_of_right = cross(w.right.point, v) > 0,
+               is_right_of_left = cross(v, w.left.point) > 0;
     if (is_left_of_right && is_right_of_left) {
       found_ = i;
       const double known = known_.distance(t_.index(target(av, mesh)));
       if (apex_distance_ + distance(v, {0, 0}) < known * (1 - gain)) return true;
     }
-    if (is_left_of_right) push(av, w.a, v, w.right, is_right_of_left ? v : w.left, i, false);
-    if (is_right_of_left) push(vb, v, w.b, is_left_of_right ? v : w.right, w.left, i, true);
+    const bool is_seen = is_left_of_right && is_right_of_left;
+    if (is_left_of_right)
+      push(av, w.a, v, w.right, is_seen ? End{v, true} : End{w.left.point, false}, i, false);
+    if (is_right_of_left)
+      push(vb, v, w.b, is_seen ? End{v, true} : End{w.right.point, false}, w.left, i, true);
     return false;
   }
 
   const Triangulation& t_;
   const Known& known_;
   std::vector<Halfedge> faces_;
-  std::vector<double>
-      angles_; // from the first of the halfedges to each, counterclockwise, and in all
   double apex_distance_ = 0;
   std::vector<Window> windows_;
   std::size_t found_ = 0;
