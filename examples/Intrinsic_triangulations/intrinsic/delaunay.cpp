@@ -15,14 +15,10 @@ void run_delaunay_with_crossings(const Options& options);
 void run_delaunay_with_signposts(const Options& options);
 
 void run_delaunay(const Options& options) {
-  const bool is_stored = is_triangulation_file(options.input);
-  if (is_stored &&
-      (needs_correspondence(options) || has_constraints(options) || !options.metric.empty() ||
-       (!options.correspondence.empty() && options.correspondence != "none")))
-    throw std::runtime_error(options.input +
-                             ": a stored triangulation does not know where its edges run on the "
-                             "input; start from the mesh");
-  if (options.correspondence == "none" || is_stored)
+  if (needs_correspondence(options) || has_constraints(options) || !options.metric.empty() ||
+      (!options.correspondence.empty() && options.correspondence != "none"))
+    expect_mesh_file(options.input);
+  if (options.correspondence == "none" || is_triangulation_file(options.input))
     run_delaunay_with<IT::No_correspondence>(options);
   else if (options.correspondence == "crossings")
     run_delaunay_with_crossings(options);

@@ -121,9 +121,7 @@ void transfer(Loaded<Triangulation>& loaded, const Options& options, Progress& p
 } // namespace
 
 void run_transfer(const Options& options) {
-  if (is_triangulation_file(options.input))
-    throw std::runtime_error(options.input + ": a stored triangulation does not know where its "
-                                             "edges run on the input; start from the mesh");
+  expect_mesh_file(options.input);
   Progress progress(options.logs_progress);
   with_loaded<IT::Integer_coordinates>(options, progress,
                                        [&](auto& loaded) { transfer(loaded, options, progress); });

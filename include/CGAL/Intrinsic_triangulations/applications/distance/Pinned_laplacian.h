@@ -44,7 +44,6 @@ public:
 private:
   using Factorization = Laplacian_factorization;
 
-  static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
   const Factorization& factorization();
   Eigen::VectorXd solve_for_few(const Eigen::VectorXd& b, const Pins& pins);
   Eigen::VectorXd solve_by_elimination(const Eigen::VectorXd& b, const Pins& pins,

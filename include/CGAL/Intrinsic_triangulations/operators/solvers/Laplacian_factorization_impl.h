@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/OrderingMethods>
 
@@ -26,22 +27,19 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-inline std::size_t place_number(int i) { return static_cast<std::size_t>(i); }
-
 // Calls `visit(i, k)` for each entry of the factor in column i and row k, rows ascending: the places from which the elimination tree
 // leads from an earlier neighbour of k to k.
 template <class Visit>
 void for_each_factor_entry(const std::vector<int>& begin, const std::vector<int>& earlier,
                            std::vector<int>& parent, const Visit& visit) {
   const int n = static_cast<int>(begin.size()) - 1;
-  std::vector<int> last(place_number(n), -1);
+  std::vector<int> last(row_number(n), -1);
   for (int k = 0; k < n; ++k) {
-    last[place_number(k)] = k;
-    for (int e = begin[place_number(k)]; e < begin[place_number(k + 1)]; ++e)
-      for (int i = earlier[place_number(e)]; last[place_number(i)] != k;
-           i = parent[place_number(i)]) {
-        if (parent[place_number(i)] < 0) parent[place_number(i)] = k;
-        last[place_number(i)] = k;
+    last[row_number(k)] = k;
+    for (int e = begin[row_number(k)]; e < begin[row_number(k + 1)]; ++e)
+      for (int i = earlier[row_number(e)]; last[row_number(i)] != k; i = parent[row_number(i)]) {
+        if (parent[row_number(i)] < 0) parent[row_number(i)] = k;
+        last[row_number(i)] = k;
         visit(i, k);
       }
   }
@@ -71,43 +69,43 @@ Elimination::Elimination(const Eigen::SparseMatrix<double>& a) : entries_of_matr
   if (n > 0) Eigen::AMDOrdering<int>()(a.selfadjointView<Eigen::Lower>(), order);
   row.assign(order.indices().data(), order.indices().data() + order.indices().size());
   std::vector<int> place(row.size()), later(row.size(), 0), before(row.size(), 0);
-  for (int k = 0; k < n; ++k) place[place_number(row[place_number(k)])] = k;
+  for (int k = 0; k < n; ++k) place[row_number(row[row_number(k)])] = k;
   for (int k = 0; k < n; ++k)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(a, row[place_number(k)]); i; ++i) {
-      const int p = place[place_number(static_cast<int>(i.row()))];
-      later[place_number(k)] += p > k ? 1 : 0;
-      before[place_number(k)] += p < k ? 1 : 0;
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, row[row_number(k)]); i; ++i) {
+      const int p = place[row_number(static_cast<int>(i.row()))];
+      later[row_number(k)] += p > k ? 1 : 0;
+      before[row_number(k)] += p < k ? 1 : 0;
     }
   begin = begins_of(later);
   const std::vector<int> begin_before = begins_of(before);
-  neighbour.resize(place_number(begin.back()));
+  neighbour.resize(row_number(begin.back()));
   entry.resize(neighbour.size());
-  std::vector<int> earlier(place_number(begin_before.back()));
+  std::vector<int> earlier(row_number(begin_before.back()));
   for (int k = 0; k < n; ++k) {
-    int to_later = begin[place_number(k)], to_before = begin_before[place_number(k)];
-    const int c = row[place_number(k)];
+    int to_later = begin[row_number(k)], to_before = begin_before[row_number(k)];
+    const int c = row[row_number(k)];
     for (int e = a.outerIndexPtr()[c]; e < a.outerIndexPtr()[c + 1]; ++e) {
-      const int p = place[place_number(a.innerIndexPtr()[e])];
-      if (p < k) earlier[place_number(to_before++)] = p;
+      const int p = place[row_number(a.innerIndexPtr()[e])];
+      if (p < k) earlier[row_number(to_before++)] = p;
       if (p <= k) continue;
-      neighbour[place_number(to_later)] = p;
-      entry[place_number(to_later++)] = e;
+      neighbour[row_number(to_later)] = p;
+      entry[row_number(to_later++)] = e;
     }
   }
   std::vector<int> parent(row.size(), -1), counts(row.size(), 0);
   for_each_factor_entry(begin_before, earlier, parent,
-                        [&](int i, int) { ++counts[place_number(i)]; });
+                        [&](int i, int) { ++counts[row_number(i)]; });
   column_begin = begins_of(counts);
-  index.resize(place_number(column_begin.back()));
+  index.resize(row_number(column_begin.back()));
   for (int k = 0; k < n; ++k) {
-    const std::size_t c = place_number(k);
+    const std::size_t c = row_number(k);
     if (k == 0 || parent[c - 1] != k || counts[c - 1] != counts[c] + 1) block_begin.push_back(k);
     block.push_back(static_cast<int>(block_begin.size()) - 1);
   }
   block_begin.push_back(n);
   std::vector<int> next = column_begin;
   for_each_factor_entry(begin_before, earlier, parent,
-                        [&](int i, int k) { index[place_number(next[place_number(i)]++)] = k; });
+                        [&](int i, int k) { index[row_number(next[row_number(i)]++)] = k; });
 }
 
 inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {
@@ -130,36 +128,34 @@ public:
 
   // \return whether the pivot is positive, up to rounding
   bool eliminate(int k, const Eigen::SparseMatrix<double>& a, double diagonal) {
-    for (int i = e_.begin[place_number(k)]; i < e_.begin[place_number(k + 1)]; ++i)
-      weight_[place_number(e_.neighbour[place_number(i)])] =
-          -a.valuePtr()[e_.entry[place_number(i)]];
+    for (int i = e_.begin[row_number(k)]; i < e_.begin[row_number(k + 1)]; ++i)
+      weight_[row_number(e_.neighbour[row_number(i)])] = -a.valuePtr()[e_.entry[row_number(i)]];
     double sum = diagonal;
-    for (int b = first_[place_number(k)]; b >= 0;) { // blocks with an entry in row k
-      const int next = next_[place_number(b)], left = left_[place_number(b)];
-      sum +=
-          add_columns(e_.block_begin[place_number(b)], e_.block_begin[place_number(b + 1)], left);
+    for (int b = first_[row_number(k)]; b >= 0;) { // blocks with an entry in row k
+      const int next = next_[row_number(b)], left = left_[row_number(b)];
+      sum += add_columns(e_.block_begin[row_number(b)], e_.block_begin[row_number(b + 1)], left);
       list(b, left - 1);
       b = next;
     }
-    const int own = e_.block[place_number(k)], count = column_end(k) - column_begin(k);
-    sum += add_columns(e_.block_begin[place_number(own)], k, count + 1);
-    sum_[place_number(k)] = sum;
+    const int own = e_.block[row_number(k)], count = column_end(k) - column_begin(k);
+    sum += add_columns(e_.block_begin[row_number(own)], k, count + 1);
+    sum_[row_number(k)] = sum;
     const bool is_positive = finish(k, sum);
-    if (k + 1 == e_.block_begin[place_number(own + 1)]) list(own, count);
+    if (k + 1 == e_.block_begin[row_number(own + 1)]) list(own, count);
     return is_positive;
   }
 
 private:
-  int column_begin(int k) const { return e_.column_begin[place_number(k)]; }
-  int column_end(int k) const { return e_.column_begin[place_number(k + 1)]; }
+  int column_begin(int k) const { return e_.column_begin[row_number(k)]; }
+  int column_end(int k) const { return e_.column_begin[row_number(k + 1)]; }
 
   // Puts a block where its next entry is needed: that with so many left, itself included.
   void list(int block, int left) {
-    left_[place_number(block)] = left;
+    left_[row_number(block)] = left;
     if (left == 0) return;
-    const int last = e_.block_begin[place_number(block + 1)] - 1;
-    const std::size_t k = place_number(e_.index[place_number(column_end(last) - left)]);
-    next_[place_number(block)] = first_[k];
+    const int last = e_.block_begin[row_number(block + 1)] - 1;
+    const std::size_t k = row_number(e_.index[row_number(column_end(last) - left)]);
+    next_[row_number(block)] = first_[k];
     first_[k] = block;
   }
 
@@ -172,7 +168,7 @@ private:
     const auto column = [&](int j) { return value_.data() + column_end(j) - left; };
     const auto factor = [&](int j) {
       const double l = *column(j);
-      sum += l * sum_[place_number(j)];
+      sum += l * sum_[row_number(j)];
       return l * pivot_[j];
     };
     double* const w = weight_.data();
@@ -195,15 +191,15 @@ private:
   bool finish(int k, double sum) {
     double pivot = sum, absolute = std::abs(sum);
     for (int i = column_begin(k); i < column_end(k); ++i) {
-      double& w = weight_[place_number(e_.index[place_number(i)])];
-      value_[place_number(i)] = w;
+      double& w = weight_[row_number(e_.index[row_number(i)])];
+      value_[row_number(i)] = w;
       pivot += w;
       absolute += std::abs(w);
       w = 0;
     }
     pivot_[k] = pivot;
     const double inverse = 1 / pivot;
-    for (int i = column_begin(k); i < column_end(k); ++i) value_[place_number(i)] *= inverse;
+    for (int i = column_begin(k); i < column_end(k); ++i) value_[row_number(i)] *= inverse;
     return pivot > 64 * std::numeric_limits<double>::epsilon() * absolute;
   }
 
@@ -245,7 +241,7 @@ Laplacian_factorization::factor(const Matrix& laplacian, const Eigen::VectorXd& 
   result->pivot.resize(laplacian.cols());
   internal::Laplacian_elimination rest(e, result->value, result->pivot);
   for (int k = 0; k < laplacian.cols(); ++k) {
-    const int row = e.row[internal::place_number(k)];
+    const int row = e.row[internal::row_number(k)];
     if (!rest.eliminate(k, laplacian, diagonal[row])) throw Indefinite_matrix(row);
   }
   result->elimination = std::move(elimination);
@@ -255,27 +251,27 @@ Laplacian_factorization::factor(const Matrix& laplacian, const Eigen::VectorXd& 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::MatrixXd
 Laplacian_factorization::solved(const Eigen::MatrixXd& b) const {
   const internal::Elimination& e = *factor_->elimination;
-  const auto number = [](int i) { return internal::place_number(i); };
+  using internal::row_number;
   const int n = static_cast<int>(e.row.size());
   if (b.rows() != n)
     throw std::invalid_argument("the right side must have a row per row of the matrix, " +
                                 std::to_string(n) + ", not " + std::to_string(b.rows()));
   Eigen::MatrixXd x(b.rows(), b.cols());
-  std::vector<double> y(number(n));
+  std::vector<double> y(row_number(n));
   for (Eigen::Index c = 0; c < b.cols(); ++c) {
-    for (int k = 0; k < n; ++k) y[number(k)] = b(e.row[number(k)], c);
+    for (int k = 0; k < n; ++k) y[row_number(k)] = b(e.row[row_number(k)], c);
     for (int k = 0; k < n; ++k) {
-      if (y[number(k)] == 0) continue;
-      for (int i = e.column_begin[number(k)]; i < e.column_begin[number(k + 1)]; ++i)
-        y[number(e.index[number(i)])] += factor_->value[number(i)] * y[number(k)];
+      if (y[row_number(k)] == 0) continue;
+      for (int i = e.column_begin[row_number(k)]; i < e.column_begin[row_number(k + 1)]; ++i)
+        y[row_number(e.index[row_number(i)])] += factor_->value[row_number(i)] * y[row_number(k)];
     }
     for (int k = n - 1; k >= 0; --k) {
-      double sum = y[number(k)] / factor_->pivot[k];
-      for (int i = e.column_begin[number(k)]; i < e.column_begin[number(k + 1)]; ++i)
-        sum += factor_->value[number(i)] * y[number(e.index[number(i)])];
-      y[number(k)] = sum;
+      double sum = y[row_number(k)] / factor_->pivot[k];
+      for (int i = e.column_begin[row_number(k)]; i < e.column_begin[row_number(k + 1)]; ++i)
+        sum += factor_->value[row_number(i)] * y[row_number(e.index[row_number(i)])];
+      y[row_number(k)] = sum;
     }
-    for (int k = 0; k < n; ++k) x(e.row[number(k)], c) = y[number(k)];
+    for (int k = 0; k < n; ++k) x(e.row[row_number(k)], c) = y[row_number(k)];
   }
   return x;
 }
