@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "operator_test_meshes.h"
+#include "uneven_laplacians.h"
 
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
@@ -22,6 +23,7 @@ namespace {
 namespace eigenpairs {
 
 using namespace operator_test;
+using namespace uneven_laplacians;
 
 // On the torus of n x n unit squares the cotangent Laplacian is the five point stencil, of which the eigenvalues are
 // 4 sin^2(pi p / n) + 4 sin^2(pi q / n), and every vertex has mass one.
@@ -64,6 +66,48 @@ TEST(Eigenpairs, count_components_by_zeros) {
       IT::smallest_eigenpairs(IT::cotangent_laplacian(t), IT::lumped_mass_matrix(t), 8);
   // a regular tetrahedron: weights 1 / sqrt 3, masses A / 4 with A = 4 sqrt 3 / 4 * 8, so 4 / sqrt 3 / (2 sqrt 3) = 2 / 3
   for (Eigen::Index i = 0; i < 8; ++i) EXPECT_NEAR(pairs.values[i], i < 2 ? 0 : 2. / 3, 1e-13) << i;
+}
+
+// The number of eigenvalues below x, by Sylvester's law: that of the negative pivots of l - x m, to 100 digits; the diagonal of `l` is minus the sum of the row.
+int eigenvalues_below(const Matrix& l, const Matrix& m, const Precise& x) {
+  const Eigen::Index n = l.rows();
+  std::vector<std::vector<Precise>> a(static_cast<std::size_t>(n));
+  for (std::vector<Precise>& row : a) row.resize(static_cast<std::size_t>(n), 0);
+  const auto at = [&a](Eigen::Index i, Eigen::Index j) -> Precise& {
+    return a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  };
+  for (int c = 0; c < n; ++c) {
+    at(c, c) -= x * m.coeff(c, c);
+    for (Matrix::InnerIterator i(l, c); i; ++i) {
+      if (i.row() == c) continue;
+      at(i.row(), c) = i.value();
+      at(c, c) -= i.value();
+    }
+  }
+  int negative = 0;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    negative += at(k, k) < 0 ? 1 : 0;
+    for (Eigen::Index i = k + 1; i < n; ++i) {
+      if (at(i, k) == 0) continue;
+      const Precise factor = at(i, k) / at(k, k);
+      for (Eigen::Index j = k + 1; j < n; ++j) at(i, j) -= factor * at(k, j);
+    }
+  }
+  return negative;
+}
+
+/// Weights as of needles and caps make the trace, and rounding of the diagonal, greater than the eigenvalues that are asked for.
+TEST(Eigenpairs, are_right_beside_great_weights) {
+  for (const double greatest : {1., 1e7, 1e12, 1e15}) {
+    const auto [l, m] = uneven_grid(9, greatest);
+    constexpr Eigen::Index count = 5;
+    const IT::Eigenpairs pairs = IT::smallest_eigenpairs(l, m, count);
+    EXPECT_NEAR(pairs.values[0], 0, 1e-12 * pairs.values[1]) << greatest;
+    for (Eigen::Index i = 1; i < count; ++i) {
+      EXPECT_LE(eigenvalues_below(l, m, pairs.values[i] * Precise(1 - 1e-9)), i) << greatest;
+      EXPECT_GT(eigenvalues_below(l, m, pairs.values[i] * Precise(1 + 1e-9)), i) << greatest;
+    }
+  }
 }
 
 TEST(Eigenpairs, refuses_what_makes_no_sense) {

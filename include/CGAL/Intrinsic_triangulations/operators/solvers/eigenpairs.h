@@ -21,7 +21,8 @@ struct Eigenpairs {
 zero, several times until none is missing of eigenvalues that are several times there.
 
 With `a` the cotangent Laplacian and `m` a mass matrix they are the squared frequencies and modes of the surface: zero once for each of its
-components, with constants there.
+components, with constants there. Where `m` is diagonal and rows of `a` sum to zero, as of the cotangent Laplacian, the matrix is factored without subtraction
+(`Laplacian_factorization`), and the shift is made no greater than the smallest frequencies: values are right to rounding whatever the weights of slivers are.
 \param a the matrix \pre symmetric and positive semidefinite
 \param m the mass matrix \pre symmetric and positive definite; isolated vertices have no mass
 \param count how many, at most the size of the matrix
