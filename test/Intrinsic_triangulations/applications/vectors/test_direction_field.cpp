@@ -244,6 +244,9 @@ TEST(Principal_directions, of_a_cylinder_are_those_of_its_circles) {
   Exact t(mesh);
   IT::delaunay_refine(t, IT::parameters::maximum_circumradius(0.2));
   const IT::Tangent_field guide = IT::principal_directions(t, mesh);
+  EXPECT_EQ(guide, IT::principal_directions(t, shape.points));
+  EXPECT_THROW(IT::principal_directions(t, std::vector<std::array<double, 3>>(5)),
+               std::invalid_argument);
   const auto in_space = IT::vectors_in_space(t, guide, mesh);
   const IT::Direction_field crosses = IT::aligned_direction_field(t, 4, guide);
   const auto arms = IT::vectors_in_space(t, crosses.directions(), mesh);
