@@ -40,8 +40,7 @@ Heat_solver::Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& la
     throw std::invalid_argument("the time factor must be positive and finite");
   const Eigen::SparseMatrix<double> flow = time_ * laplacian;
   const Eigen::VectorXd masses = row_areas(table_, sheets);
-  insulated_.emplace(flow, masses);
-  poisson_.share_order(insulated_->factorization());
+  insulated_.emplace(flow, poisson_.factor_with(flow, masses));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
   if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(flow, masses);
 }

@@ -37,20 +37,30 @@ Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pins) {
 
 // To one diagonal entry per component something is added: for right sides that sum to zero, this fixes a value, zero. Isolated
 // vertices have a row of zeros.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd Pinned_laplacian::pinned_diagonal() const {
+  Eigen::VectorXd added = Eigen::VectorXd::Zero(laplacian_.cols());
+  for (int r = 0; r < laplacian_.cols(); ++r)
+    if (component_[row_number(r)] == static_cast<std::uint32_t>(r)) {
+      const double diagonal = laplacian_.coeff(r, r);
+      added[r] = diagonal > 0 ? diagonal : 1;
+    }
+  return added;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Laplacian_factorization Pinned_laplacian::factor_with(
+    const Eigen::SparseMatrix<double>& other, const Eigen::VectorXd& diagonal) {
+  try {
+    auto both = Laplacian_factorization::of_both(other, diagonal, laplacian_, pinned_diagonal());
+    factored_.emplace(std::move(both.second));
+    return std::move(both.first);
+  } catch (const Indefinite_matrix&) {
+    return {other, diagonal}; // L may not be needed
+  }
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE const Pinned_laplacian::Factorization&
 Pinned_laplacian::factorization() {
-  if (!factored_) {
-    Eigen::VectorXd added = Eigen::VectorXd::Zero(laplacian_.cols());
-    for (int r = 0; r < laplacian_.cols(); ++r)
-      if (component_[row_number(r)] == static_cast<std::uint32_t>(r)) {
-        const double diagonal = laplacian_.coeff(r, r);
-        added[r] = diagonal > 0 ? diagonal : 1;
-      }
-    if (ordered_)
-      factored_.emplace(laplacian_, added, *ordered_);
-    else
-      factored_.emplace(laplacian_, added);
-  }
+  if (!factored_) factored_.emplace(laplacian_, pinned_diagonal());
   return *factored_;
 }
 

@@ -113,6 +113,9 @@ public:
   // \param laplacian L times the time, compressed \param masses the diagonal of M, positive
   Diffusion(Eigen::SparseMatrix<Scalar> laplacian, const Eigen::VectorXd& masses)
       : matrix_(std::move(laplacian)), factored_(factored_flow(matrix_, masses)) {}
+  // \param factored what is made of them
+  Diffusion(Eigen::SparseMatrix<Scalar> laplacian, Factorization factored)
+      : matrix_(std::move(laplacian)), factored_(std::move(factored)) {}
 
   const Factorization& factorization() const { return factored_; }
 
