@@ -242,10 +242,14 @@ class Parametrize(Applications):
         self.assertEqual(sum(line.startswith("vt ") for line in lines), len(points))
 
     def test_harmonic_maps_are_made_injective(self):
-        """A thorn that leans: two vertices separate others from the border, until edges are split."""
+        """Vertices close above others: weights of their other edges are lost beside that of the short one, until edges are split."""
         points, faces = jittered_grid(8)
-        points = [list(p) for p in points]
-        points[40] = [points[40][0] + 0.2, points[40][1], points[40][2] + 0.2]
+        for f in (20, 47, 90):
+            a, b, c = faces[f]
+            tip = len(points)
+            points.append((points[a][0], points[a][1], 1e-6))
+            faces[f] = [a, b, tip]
+            faces += [[b, c, tip], [c, a, tip]]
         mesh = self.write_off("g.off", points, faces)
         stats = self.stats("parametrize", mesh, "-o", "p.txt", "--on", "intrinsic")["parametrize"]
         self.assertEqual((stats["injective"], stats["status"]), (True, "done"))

@@ -20,7 +20,10 @@ namespace internal {
 
 // In which order the rows of a symmetric matrix are eliminated, and where its factor has entries: of the pattern alone.
 struct Elimination {
+  // by approximate minimum degree
   explicit Elimination(const Eigen::SparseMatrix<double>& a);
+  // \param order the rows, each once
+  Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order);
 
   Eigen::Index entries_of_matrix;
   std::vector<int> row; // at each place of the order

@@ -40,13 +40,21 @@ inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
   return true;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Elimination::Elimination(const Eigen::SparseMatrix<double>& a) : entries_of_matrix(a.nonZeros()) {
-  if (!has_symmetric_pattern(a))
-    throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
+inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& a) {
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
   if (a.cols() > 0) Eigen::AMDOrdering<int>()(a.selfadjointView<Eigen::Lower>(), order);
-  row.assign(order.indices().data(), order.indices().data() + order.indices().size());
+  return {order.indices().data(), order.indices().data() + order.indices().size()};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Elimination::Elimination(const Eigen::SparseMatrix<double>& a)
+    : Elimination(a, minimum_degree_order(a)) {}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Elimination::Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order)
+    : entries_of_matrix(a.nonZeros()), row(std::move(order)) {
+  if (!has_symmetric_pattern(a))
+    throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
   find_neighbours(a);
   find_blocks();
 }
@@ -187,8 +195,9 @@ void eliminate_all(const Elimination& e, std::vector<Number>& value, std::vector
 }
 
 inline std::vector<double> column_of(const std::vector<Eigen::Array2d>& numbers, Eigen::Index c) {
-  std::vector<double> result(numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) result[i] = numbers[i][c];
+  std::vector<double> result;
+  result.reserve(numbers.size());
+  for (const Eigen::Array2d& n : numbers) result.push_back(n[c]);
   return result;
 }
 
