@@ -266,6 +266,32 @@ TEST(Principal_directions, of_a_cylinder_are_those_of_its_circles) {
   EXPECT_GT(inserted, 20U);
 }
 
+TEST(Direction_fields, can_be_followed_and_cancelled) {
+  Exact t(meshes::box(3, 3, 3).input());
+  IT::flip_to_delaunay(t);
+  std::vector<IT::Direction_step> steps;
+  const auto follow = [&](IT::Direction_step step) {
+    steps.push_back(step);
+    return true;
+  };
+  const IT::Direction_field all = IT::smoothest_direction_field(t, 4, {}, follow);
+  EXPECT_EQ(all.status, IT::Status::done);
+  EXPECT_EQ(all.powers, IT::smoothest_direction_field(t, 4).powers);
+  ASSERT_FALSE(steps.empty());
+  EXPECT_EQ(steps[0], IT::Direction_step::factored);
+  for (std::size_t last = 0; last < steps.size(); ++last) {
+    std::size_t calls = 0;
+    const IT::Direction_field none =
+        IT::smoothest_direction_field(t, 4, {}, [&](IT::Direction_step) { return calls++ < last; });
+    EXPECT_EQ(none.status, IT::Status::cancelled);
+    EXPECT_TRUE(none.powers.empty());
+    EXPECT_EQ(calls, last + 1);
+  }
+  const IT::Tangent_field guide(all.powers.size(), 1);
+  const auto stop = [](IT::Direction_step) { return false; };
+  EXPECT_EQ(IT::aligned_direction_field(t, 4, guide, 1, {}, stop).status, IT::Status::cancelled);
+}
+
 TEST(Direction_fields, refuse_what_they_cannot_do) {
   Exact t(meshes::box(1, 1, 1).input());
   const auto v = t.numbers().vertex_at(0);

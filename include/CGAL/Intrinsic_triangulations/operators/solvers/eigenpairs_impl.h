@@ -17,7 +17,9 @@
 #include <Spectra/SymGEigsShiftSolver.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -29,6 +31,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+// Ends Spectra's loops, which cannot be told to end.
+struct Cancelled_eigenpairs {};
 
 // What Spectra asks of an operator, y = (a + s m)^-1 x, with a factorization that was made; eigenvectors that were found may be
 // taken out, so that others come to the fore.
@@ -46,6 +51,7 @@ public:
   Eigen::Index cols() const { return rows(); }
   void set_shift(double) {}
   void perform_op(const double* x, double* y) const {
+    if (progress_ && !progress_(solutions_++)) throw Cancelled_eigenpairs();
     const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(x, rows());
     Eigen::Map<Eigen::VectorXd> result(y, rows());
     result =
@@ -54,14 +60,18 @@ public:
     const Eigen::VectorXd parts = out_.vectors.transpose() * v;
     result -= out_.vectors * parts.cwiseProduct(out_.values);
   }
+  void report_to(std::function<bool(std::size_t)> progress) { progress_ = std::move(progress); }
   // takes out pairs of `a x = lambda m x`
   void take_out(const Eigenpairs& pairs, double shift) {
-    out_ = {(pairs.values.array() + shift).inverse(), pairs.vectors};
+    out_.values = (pairs.values.array() + shift).inverse();
+    out_.vectors = pairs.vectors;
   }
 
 private:
   std::variant<Cholesky_factorization<double>, Laplacian_factorization> factorization_;
   Eigenpairs out_{};
+  std::function<bool(std::size_t)> progress_;
+  mutable std::size_t solutions_ = 0;
 };
 
 inline Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
@@ -76,7 +86,7 @@ inline Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
   solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-13, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful)
     throw std::runtime_error("the eigenvalues have not converged; ask for others, or a finer mesh");
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  return {solver.eigenvalues(), solver.eigenvectors(), Status::done};
 }
 
 // Puts one pair among others, the greatest of which is dropped.
@@ -116,7 +126,7 @@ inline Eigenpairs dense_eigenpairs(const Eigen::SparseMatrix<double>& a,
   if (Eigen::LLT<Eigen::MatrixXd>(dense).info() != Eigen::Success)
     throw Indefinite_matrix(least_diagonal(m));
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(a), dense);
-  return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
+  return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count), Status::done};
 }
 
 // trace(a) / trace(m): of a mesh without slivers, the first frequency but zero times the size or so.
@@ -190,7 +200,7 @@ inline Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigenpairs
 smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& m,
-                    Eigen::Index count) {
+                    Eigen::Index count, const std::function<bool(std::size_t)>& progress) {
   const Eigen::Index size = a.rows();
   if (a.cols() != size || m.rows() != size || m.cols() != size)
     throw std::invalid_argument("both matrices must be square and of one size");
@@ -198,14 +208,19 @@ smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMat
     throw std::invalid_argument("a matrix with " + std::to_string(size) + " rows has not " +
                                 std::to_string(count) + " eigenvalues");
   constexpr Eigen::Index small = 64; // a dense method is faster
-  if (count == 0) return {{}, Eigen::MatrixXd(size, 0)};
+  if (count == 0) return {{}, Eigen::MatrixXd(size, 0), Status::done};
   if (size <= std::max(small, 2 * count + 1)) return internal::dense_eigenpairs(a, m, count);
   double shift = 0;
   internal::Shifted_inverse inverse = internal::shifted_inverse(a, m, shift);
+  inverse.report_to(progress);
   const Spectra::SparseSymMatProd<double> mass(m);
-  Eigenpairs pairs = internal::lanczos_eigenpairs(inverse, mass, count, shift);
-  internal::find_missed_pairs(pairs, inverse, mass, shift);
-  return pairs;
+  try {
+    Eigenpairs pairs = internal::lanczos_eigenpairs(inverse, mass, count, shift);
+    internal::find_missed_pairs(pairs, inverse, mass, shift);
+    return pairs;
+  } catch (const internal::Cancelled_eigenpairs&) {
+    return {{}, Eigen::MatrixXd(size, 0), Status::cancelled};
+  }
 }
 
 } // namespace CGAL::Intrinsic_triangulations
