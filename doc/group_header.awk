@@ -75,6 +75,7 @@ BEGIN {
   group["operators/Connection_graph.h"]                      = "ref_inside"
   group["operators/solvers/Diffusion.h"]                     = "ref_inside"
   group["operators/solvers/Disjoint_sets.h"]                 = "ref_inside"
+  group["operators/solvers/Elimination.h"]                   = "ref_inside"
   group["operators/solvers/Laplacian_elimination.h"]         = "ref_inside"
   group["operators/solvers/Row_sums.h"]                      = "ref_inside"
   group["operators/solvers/raised_factorization.h"]          = "ref_inside"
