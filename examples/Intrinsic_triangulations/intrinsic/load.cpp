@@ -3,6 +3,9 @@
 
 #include "load.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace program {
 
 namespace {
@@ -28,6 +31,12 @@ Surface_choice surface_of(const Options& options) {
   return {
       mollification_of(options), domain_of(options), options.domain == "points", options.neighbors,
       options.polygons == "planar" ? IT::Nonplanar_polygons::planar : IT::Nonplanar_polygons::fan};
+}
+
+void expect_mesh_file(const std::string& path) {
+  if (is_triangulation_file(path))
+    throw std::runtime_error(path + ": a stored triangulation does not know where its edges run on "
+                                    "the input; start from the mesh");
 }
 
 std::string arithmetic_of(const Options& options) {

@@ -66,6 +66,9 @@ inline bool is_triangulation_file(const std::string& path) {
   return std::filesystem::path(path).extension() == ".idt";
 }
 
+/// throws std::runtime_error if a file name has it: of what is stored, the input is not known as a surface
+void expect_mesh_file(const std::string& path);
+
 /// counts the elements of a triangulation before its first move: those of the input, in an order that is fast.
 template <class Triangulation>
 void describe(Loaded<Triangulation>& loaded) {

@@ -162,6 +162,11 @@ void add_field(CLI::App& app, Options& options, Command& chosen) {
       ->check(CLI::Range(1, 12));
   command.add_option("--vectors", options.application.vectors,
                      "text file of vectors that are kept, as for transport");
+  command
+      .add_option("--align", options.application.alignment,
+                  "follow the directions of principal curvature, so strongly; 0: as smoothly as it "
+                  "gets while they are followed at all")
+      ->check(CLI::NonNegativeNumber);
   command.callback([&chosen] { chosen = program::run_field; });
 }
 
@@ -250,6 +255,7 @@ int run(int argc, char** argv) {
   std::string misuse = program::misuse(options);
   if (misuse.empty() && chosen == program::run_geodesic) misuse = program::geodesic_misuse(options);
   if (misuse.empty() && chosen == program::run_distance) misuse = program::distance_misuse(options);
+  if (misuse.empty() && chosen == program::run_field) misuse = program::field_misuse(options);
   if (!misuse.empty()) {
     std::cerr << "intrinsic: " << misuse << '\n';
     return program::misused;

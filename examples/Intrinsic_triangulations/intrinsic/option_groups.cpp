@@ -396,6 +396,13 @@ std::string distance_misuse(const Options& o) {
   return {};
 }
 
+std::string field_misuse(const Options& o) {
+  if (o.application.alignment && o.application.degree % 2 != 0)
+    return "directions of curvature have no sign; with --align, give an even --degree: 2 for "
+           "lines, 4 for crosses";
+  return {};
+}
+
 void add_time_option(CLI::App& command, Options& options) {
   command
       .add_option("--time", options.application.time_factor,

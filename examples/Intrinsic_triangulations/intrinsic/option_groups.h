@@ -53,6 +53,8 @@ void make_refinement_options_need(CLI::Option& refine, CLI::App& command);
 std::string geodesic_misuse(const Options& options);
 /// returns what is wrong with the options of the command `distance`, like `misuse()`.
 std::string distance_misuse(const Options& options);
+/// returns what is wrong with the options of the command `field`, like `misuse()`.
+std::string field_misuse(const Options& options);
 /// returns what is wrong with options that are valid by themselves, and the remedy; empty: nothing.
 std::string misuse(const Options& options);
 

@@ -49,13 +49,15 @@ struct Geodesic_options {
 
 /// What is solved on the triangulation, and where results are written.
 struct Application_options {
-  std::vector<std::string> sources;  ///< points, separated by commas
-  std::vector<std::string> curves;   ///< points of each, separated by commas
-  bool is_signed = false;            ///< whether distances have the sign of the side of a curve
-  std::string on = "subdivision";    ///< `input`, `intrinsic` or `subdivision`
-  double time_factor = 1;            ///< of the time step that a method chooses
-  std::size_t count = 10;            ///< of eigenpairs
-  unsigned degree = 1;               ///< of direction fields
+  std::vector<std::string> sources; ///< points, separated by commas
+  std::vector<std::string> curves;  ///< points of each, separated by commas
+  bool is_signed = false;           ///< whether distances have the sign of the side of a curve
+  std::string on = "subdivision";   ///< `input`, `intrinsic` or `subdivision`
+  double time_factor = 1;           ///< of the time step that a method chooses
+  std::size_t count = 10;           ///< of eigenpairs
+  unsigned degree = 1;              ///< of direction fields
+  /// strength with which direction fields follow curvature; none: they do not
+  std::optional<double> alignment = std::nullopt;
   std::string map = "harmonic";      ///< `harmonic`, `spectral` or `lscm`
   std::string vectors;               ///< file of vectors at vertices
   std::string handles;               ///< file of vertices and their displacements; empty: none

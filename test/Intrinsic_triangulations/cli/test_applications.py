@@ -199,6 +199,34 @@ class Vectors(Applications):
         self.assertEqual(stats["index_sum"], 4 + stats["border_turns"])
 
 
+    def test_fields_follow_curvature(self):
+        """Of an open cylinder the greatest curvature is around it; alone, the smoothest lines may turn as they like."""
+        n, rows = 24, 12
+        points = [[math.cos(2 * math.pi * (k + 0.5 * (i % 2)) / n),
+                   math.sin(2 * math.pi * (k + 0.5 * (i % 2)) / n), 0.25 * i]
+                  for i in range(rows) for k in range(n)]
+        faces = []
+        for i in range(rows - 1):
+            for k in range(n):
+                a, b = n * i + k, n * i + (k + 1) % n
+                c, d = a + n, b + n
+                faces += [[a, b, c], [b, d, c]] if i % 2 == 0 else [[a, d, c], [a, b, d]]
+        mesh = self.write_off("c.off", points, faces)
+        for degree in (2, 4):
+            stats = self.stats("field", mesh, "--degree", degree, "--align", "1", "-o", "f.txt")
+            self.assertTrue(stats["field"]["aligned_to_curvature"])
+            self.assertEqual(stats["field"]["singular_faces"], 0)
+        # directions are those of curvature, however strongly it is followed; lines have no sign
+        fields = []
+        for options in (("--align", "0.1"), ("--align", "100"), ()):
+            self.stats("field", mesh, "--degree", "2", "-o", "f.txt", *options)
+            fields.append([complex(x, y) ** 2 for x, y in self.values("f.txt")][3 * n:-3 * n])
+        self.assertLess(max(abs(a - b) for a, b in zip(fields[0], fields[1])), 1e-3)
+        self.assertGreater(max(abs(a - b) for a, b in zip(fields[0], fields[2])), 1e-2)
+        for options in (("--degree", "3", "--align", "1"), ("--degree", "2", "--align", "-1")):
+            self.assertEqual(self.run_program("field", mesh, *options).code, 2)
+
+
 class Parametrize(Applications):
     def test_flat_disks_keep_their_angles(self):
         points, faces = jittered_grid(6)
@@ -212,6 +240,31 @@ class Parametrize(Applications):
         with open(self.path("p.obj"), encoding="ascii") as file:
             lines = file.read().split("\n")
         self.assertEqual(sum(line.startswith("vt ") for line in lines), len(points))
+
+    def test_harmonic_maps_are_made_injective(self):
+        """Vertices close above others: weights of their other edges are lost beside that of the short one, until edges are split."""
+        points, faces = jittered_grid(8)
+        for f in (20, 47, 90):
+            a, b, c = faces[f]
+            tip = len(points)
+            points.append((points[a][0], points[a][1], 1e-6))
+            faces[f] = [a, b, tip]
+            faces += [[b, c, tip], [c, a, tip]]
+        mesh = self.write_off("g.off", points, faces)
+        stats = self.stats("parametrize", mesh, "-o", "p.txt", "--on", "intrinsic")["parametrize"]
+        self.assertEqual((stats["injective"], stats["status"]), (True, "done"))
+        self.assertGreater(stats["inserted_vertices"], 0)
+        self.assertGreater(stats["rounds"], 0)
+        self.assertEqual(len(self.values("p.txt")), len(points) + stats["inserted_vertices"])
+        stats = self.stats("parametrize", mesh, "-o", "q.txt", "--on", "input")["parametrize"]
+        uv = self.values("q.txt")
+        self.assertEqual(uv, self.values("p.txt")[:len(points)])
+        area = [(uv[b][0] - uv[a][0]) * (uv[c][1] - uv[a][1])
+                - (uv[b][1] - uv[a][1]) * (uv[c][0] - uv[a][0]) for a, b, c in faces]
+        self.assertEqual(stats["injective_on_input"], min(area) > 0)
+        # edges that are kept are not split
+        stats = self.stats("parametrize", mesh, "--sharp-angle", "5")["parametrize"]
+        self.assertEqual(stats["inserted_vertices"], 0)
 
     def test_refuses_what_is_no_disk(self):
         run = self.run_program("parametrize", self.sphere)

@@ -38,9 +38,7 @@ struct Drawn_results {
 };
 
 void expect_writable_results(const Options& options) {
-  if (is_triangulation_file(options.input))
-    throw std::runtime_error(options.input + ": a stored triangulation does not know where its "
-                                             "edges run on the input; start from the mesh");
+  expect_mesh_file(options.input);
   if (is_mesh_output(options) && options.application.on == "intrinsic")
     throw std::runtime_error(
         options.output +
@@ -165,7 +163,7 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
   Json json = improve_and_measure(loaded, about_source(options, asked), progress);
   Stopwatch watch;
   progress.show("solving");
-  const Computed computed = solve(loaded.triangulation, sources);
+  const Computed computed = solve(loaded.triangulation, sources, input_points(loaded));
   json[computed.command] = computed.json;
   json["seconds"]["solve"] = watch.lap();
   Output_files files;

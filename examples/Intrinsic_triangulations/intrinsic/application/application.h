@@ -25,9 +25,13 @@ template <class Traits>
 using Solved_triangulation =
     IT::Intrinsic_triangulation<IT::Gluing_map, Traits, IT::Integer_coordinates>;
 
-/// Solves something on it.
+/// Where the vertices of the mesh are, in the order of its file.
+using Points = std::vector<Point>;
+
+/// Solves something on it, and may refine it for that.
 template <class Traits>
-using Solver = std::function<Computed(const Solved_triangulation<Traits>&, const Sources&)>;
+using Solver =
+    std::function<Computed(Solved_triangulation<Traits>&, const Sources&, const Points&)>;
 
 /// loads a mesh, makes its triangulation Delaunay, refines it if that is asked for, solves in the arithmetic that is asked for,
 /// and writes what was computed.

@@ -63,7 +63,7 @@ Computed computed_distances(Eigen::VectorXd distances, double time, const Applic
 
 void run_distance(const Options& options) {
   const Application_options& o = options.application;
-  run_application(options, [&](const auto& t, const Sources& sources) {
+  run_application(options, [&](const auto& t, const Sources& sources, const Points&) {
     std::vector<Curve> curves;
     for (std::size_t i = 0; i < o.curves.size(); ++i)
       curves.push_back(along_edges(t, sources[o.sources.size() + i], o.curves[i]));

@@ -7,40 +7,94 @@
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/harmonic_map.h>
+#include <CGAL/Intrinsic_triangulations/applications/parametrization/injective_harmonic_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/measure_distortion.h>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace program {
 
 namespace {
 
+const char* name_of(IT::Status status) {
+  switch (status) {
+  case IT::Status::done:
+    return "done";
+  case IT::Status::cap:
+    return "cap";
+  case IT::Status::inaccurate:
+    return "inaccurate";
+  default:
+    return "stalled";
+  }
+}
+
+// A map that stays as it is, whether it is injective or not.
 template <class Triangulation>
-Eigen::MatrixX2d map_of(const Triangulation& t, const std::string& method) {
-  if (method == "spectral") return IT::spectral_conformal_map(t);
-  if (method == "lscm") return IT::least_squares_conformal_map(t);
-  return IT::harmonic_map(t, IT::circular_border(t));
+IT::Injective_map certified(const Triangulation& t, Eigen::MatrixX2d uv) {
+  IT::Injective_map map{IT::Status::done, std::move(uv), {}};
+  map.certificate = IT::certify_map(t, map.uv);
+  if (!map.certificate.is_injective()) map.status = IT::Status::stalled;
+  return map;
+}
+
+// Only harmonic maps can be made injective, and only by flips and splits of all edges.
+template <class Triangulation>
+IT::Injective_map map_of(Triangulation& t, const Options& options) {
+  const std::string& method = options.application.map;
+  if (method == "spectral") return certified(t, IT::spectral_conformal_map(t));
+  if (method == "lscm") return certified(t, IT::least_squares_conformal_map(t));
+  if (has_constraints(options)) return certified(t, IT::harmonic_map(t));
+  return IT::injective_harmonic_map(t);
+}
+
+// Certifies the map of the faces of the file, linear on each of them.
+template <class Triangulation>
+bool is_injective_on_input(const Triangulation& t, const Eigen::MatrixX2d& uv) {
+  const auto& input = t.input();
+  std::vector<std::array<std::uint32_t, 3>> triangles(input.number_of_faces());
+  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+    std::uint32_t h = input.halfedge_of_face(f);
+    for (std::uint32_t& row : triangles[f]) {
+      row = input.names().row(input.source(h));
+      h = input.next(h);
+    }
+  }
+  return IT::certify_map(triangles, uv.topRows(input.number_of_rows())).is_injective();
+}
+
+Json json_of(const IT::Injective_map& map, const IT::Map_distortion& distortion,
+             const std::string& method) {
+  return {{"method", method},
+          {"status", name_of(map.status)},
+          {"injective", map.certificate.is_injective()},
+          {"flipped_faces", map.certificate.flipped},
+          {"degenerate_faces", map.certificate.degenerate},
+          {"border_is_simple", map.certificate.border_is_simple},
+          {"rounds", map.rounds},
+          {"inserted_vertices", map.inserted},
+          {"mean_quasi_conformal", distortion.mean_quasi_conformal},
+          {"max_quasi_conformal", distortion.maximum_quasi_conformal},
+          {"min_area_ratio", distortion.minimum_area_ratio},
+          {"max_area_ratio", distortion.maximum_area_ratio}};
 }
 
 } // namespace
 
 void run_parametrize(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources&) {
-    const Eigen::MatrixX2d uv = map_of(t, options.application.map);
-    const IT::Map_certificate certificate = IT::certify_map(t, uv);
-    const IT::Map_distortion distortion = IT::measure_distortion(t, uv);
+  run_application(options, [&](auto& t, const Sources&, const Points&) {
+    const IT::Injective_map map = map_of(t, options);
     Computed computed{"parametrize", {}, {}};
-    computed.functions = {{"u", uv.col(0)}, {"v", uv.col(1)}};
+    computed.functions = {{"u", map.uv.col(0)}, {"v", map.uv.col(1)}};
     computed.is_map = true;
-    computed.json = {{"method", options.application.map},
-                     {"injective", certificate.is_injective()},
-                     {"flipped_faces", certificate.flipped},
-                     {"degenerate_faces", certificate.degenerate},
-                     {"border_is_simple", certificate.border_is_simple},
-                     {"mean_quasi_conformal", distortion.mean_quasi_conformal},
-                     {"max_quasi_conformal", distortion.maximum_quasi_conformal},
-                     {"min_area_ratio", distortion.minimum_area_ratio},
-                     {"max_area_ratio", distortion.maximum_area_ratio}};
+    computed.json = json_of(map, IT::measure_distortion(t, map.uv), options.application.map);
+    if (t.input().names().sheets == 1)
+      computed.json["injective_on_input"] = is_injective_on_input(t, map.uv);
     return computed;
   });
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/direction_field.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/field_singularities.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/principal_directions.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <algorithm>
@@ -101,14 +102,26 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
   return computed;
 }
 
+// The field that is asked for: the smoothest one, or one that follows curvature.
 template <class Triangulation>
-Computed direction_field(const Triangulation& t, const Options& options) {
+IT::Direction_field field_of(
+    const Triangulation& t, const Options& options, const Points& points,
+    const std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>>&
+        fixed) {
+  const int degree = static_cast<int>(options.application.degree);
+  if (!options.application.alignment) return IT::smoothest_direction_field(t, degree, fixed);
+  return IT::aligned_direction_field(t, degree, IT::principal_directions(t, points),
+                                     *options.application.alignment, fixed);
+}
+
+template <class Triangulation>
+Computed direction_field(const Triangulation& t, const Options& options, const Points& points) {
   std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> fixed;
   if (!options.application.vectors.empty())
     for (const Asked_vector& v : read_vectors(options, t.input().number_of_rows()))
       fixed.push_back({t.numbers().vertex_at(t.input().names().vertex(v.row)), v.z});
   const int degree = static_cast<int>(options.application.degree);
-  const IT::Direction_field field = IT::smoothest_direction_field(t, degree, fixed);
+  const IT::Direction_field field = field_of(t, options, points, fixed);
   const auto singular = IT::singularities(t, field);
   int turns = 0;
   for (const auto& [h, n] : singular.turns) turns += n;
@@ -116,6 +129,7 @@ Computed direction_field(const Triangulation& t, const Options& options) {
   computed.directions = {field.directions(), options.application.degree, first_copies(t)};
   computed.json = {{"degree", degree},
                    {"fixed", fixed.size()},
+                   {"aligned_to_curvature", options.application.alignment.has_value()},
                    {"singular_faces",
                     singular.index.size() - static_cast<std::size_t>(std::count(
                                                 singular.index.begin(), singular.index.end(), 0))},
@@ -127,16 +141,18 @@ Computed direction_field(const Triangulation& t, const Options& options) {
 } // namespace
 
 void run_transport(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources&) { return transport(t, options); });
+  run_application(
+      options, [&](const auto& t, const Sources&, const Points&) { return transport(t, options); });
 }
 void run_logmap(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources& sources) {
+  run_application(options, [&](const auto& t, const Sources& sources, const Points&) {
     return logarithmic_map(t, sources, options);
   });
 }
 void run_field(const Options& options) {
-  run_application(options,
-                  [&](const auto& t, const Sources&) { return direction_field(t, options); });
+  run_application(options, [&](const auto& t, const Sources&, const Points& points) {
+    return direction_field(t, options, points);
+  });
 }
 
 } // namespace program

@@ -47,10 +47,7 @@ void print_geodesic_summary_on_terminal(const Json& json) {
 }
 
 void run_geodesic(const Options& options) {
-  if (is_triangulation_file(options.input))
-    throw std::runtime_error(options.input +
-                             ": a stored triangulation does not know where its edges run on the "
-                             "input; start from the mesh");
+  expect_mesh_file(options.input);
   if (options.correspondence == "crossings")
     run_geodesic_with_crossings(options);
   else if (options.correspondence == "signposts")

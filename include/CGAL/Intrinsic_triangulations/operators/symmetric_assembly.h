@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SYMMETRIC_ASSEMBLY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>
@@ -36,11 +37,11 @@ namespace internal {
 class Lower_triangle {
 public:
   Lower_triangle(const std::vector<Symmetric_entry>& entries, int size)
-      : start_(number(size) + 1, 0), below_(number(size), 0), left_(number(size), 0),
+      : start_(row_number(size) + 1, 0), below_(row_number(size), 0), left_(row_number(size), 0),
         row_(entries.size()), value_(entries.size()) {
     for (const Symmetric_entry& e : entries) {
-      ++below_[number(std::min(e.i, e.j))];
-      ++left_[number(std::max(e.i, e.j))];
+      ++below_[row_number(std::min(e.i, e.j))];
+      ++left_[row_number(std::max(e.i, e.j))];
     }
     std::partial_sum(below_.begin(), below_.end(), start_.begin() + 1);
     std::fill(below_.begin(), below_.end(), 0);
@@ -59,14 +60,14 @@ public:
     double* const value = m.valuePtr();
     std::copy(outer, outer + size, left_.begin()); // now: where the next row of a column goes
     for (int c = 0; c < size; ++c) {
-      int& to = left_[number(c)];
+      int& to = left_[row_number(c)];
       inner[to] = c;
       value[to++] = diagonal[c];
-      std::size_t from = number(start_[number(c)]);
-      for (const int end = to + below_[number(c)]; to < end; ++to, ++from) {
+      std::size_t from = row_number(start_[row_number(c)]);
+      for (const int end = to + below_[row_number(c)]; to < end; ++to, ++from) {
         inner[to] = row_[from];
         value[to] = value_[from];
-        const int mirror = left_[number(row_[from])]++;
+        const int mirror = left_[row_number(row_[from])]++;
         inner[mirror] = c;
         value[mirror] = value_[from];
       }
@@ -75,23 +76,22 @@ public:
   }
 
 private:
-  static std::size_t number(int i) { return static_cast<std::size_t>(i); }
-
   std::vector<Symmetric_entry> sorted_by_row(const std::vector<Symmetric_entry>& entries) const {
     std::vector<int> next(left_.size());
     std::exclusive_scan(left_.begin(), left_.end(), next.begin(), 0);
     std::vector<Symmetric_entry> sorted(entries.size());
-    for (const Symmetric_entry& e : entries) sorted[number(next[number(std::max(e.i, e.j))]++)] = e;
+    for (const Symmetric_entry& e : entries)
+      sorted[row_number(next[row_number(std::max(e.i, e.j))]++)] = e;
     return sorted;
   }
 
   void append(const Symmetric_entry& e) {
     const int row = std::max(e.i, e.j);
-    int& count = below_[number(std::min(e.i, e.j))];
-    const std::size_t end = number(start_[number(std::min(e.i, e.j))] + count);
+    int& count = below_[row_number(std::min(e.i, e.j))];
+    const std::size_t end = row_number(start_[row_number(std::min(e.i, e.j))] + count);
     if (count > 0 && row_[end - 1] == row) {
       value_[end - 1] += e.value;
-      --left_[number(row)];
+      --left_[row_number(row)];
       return;
     }
     row_[end] = row;

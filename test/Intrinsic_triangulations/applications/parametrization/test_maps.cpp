@@ -311,6 +311,35 @@ TEST(Injective_harmonic_map, splits_edges_where_vertices_separate_others_from_th
   EXPECT_GT(repaired, 0U);
 }
 
+/// Two vertices so near to each other that the weights of their other edges are lost beside theirs: their images coincide but for rounding, until sizes of
+/// faces around them grow step by step.
+TEST(Injective_harmonic_map, reaches_small_sizes_in_few_rounds) {
+  std::size_t repaired = 0;
+  for (const double height : {1e-3, 1e-5, 1e-7, 1e-12}) {
+    Shape s = grid(8);
+    for (const std::size_t f : {20, 47, 90}) {
+      const std::array<std::uint32_t, 3> corners = s.triangles[f];
+      const auto tip = static_cast<std::uint32_t>(s.points.size());
+      s.points.push_back(s.points[corners[0]]);
+      s.points.back()[2] += height;
+      s.triangles[f][2] = tip;
+      s.triangles.push_back({corners[1], corners[2], tip});
+      s.triangles.push_back({corners[2], corners[0], tip});
+    }
+    Exact t = delaunay_of(s);
+    const bool is_bad = !IT::certify_map(t, IT::harmonic_map(t)).is_injective();
+    const IT::Injective_map map = IT::injective_harmonic_map(t);
+    if (is_bad && map.status == IT::Status::done) ++repaired;
+    EXPECT_EQ(map.status == IT::Status::done, map.certificate.is_injective());
+    if (height >= 1e-7) {
+      EXPECT_EQ(map.status, IT::Status::done) << height;
+    }
+    EXPECT_LE(map.rounds, 8U) << height;
+    EXPECT_LE(map.inserted, 400U) << height;
+  }
+  EXPECT_GT(repaired, 0U);
+}
+
 TEST(Injective_harmonic_map, splits_faces_on_a_side_of_a_polygon) {
   Exact t(grid(4).input());
   const IT::Border_map border = IT::polygonal_border(t, {{0, 0}, {1, 0}, {0, 1}});

@@ -244,6 +244,9 @@ TEST(Principal_directions, of_a_cylinder_are_those_of_its_circles) {
   Exact t(mesh);
   IT::delaunay_refine(t, IT::parameters::maximum_circumradius(0.2));
   const IT::Tangent_field guide = IT::principal_directions(t, mesh);
+  EXPECT_EQ(guide, IT::principal_directions(t, shape.points));
+  EXPECT_THROW(IT::principal_directions(t, std::vector<std::array<double, 3>>(5)),
+               std::invalid_argument);
   const auto in_space = IT::vectors_in_space(t, guide, mesh);
   const IT::Direction_field crosses = IT::aligned_direction_field(t, 4, guide);
   const auto arms = IT::vectors_in_space(t, crosses.directions(), mesh);
@@ -261,6 +264,32 @@ TEST(Principal_directions, of_a_cylinder_are_those_of_its_circles) {
     EXPECT_TRUE(up < 0.1 || up > 0.99) << up;
   }
   EXPECT_GT(inserted, 20U);
+}
+
+TEST(Direction_fields, can_be_followed_and_cancelled) {
+  Exact t(meshes::box(3, 3, 3).input());
+  IT::flip_to_delaunay(t);
+  std::vector<IT::Direction_step> steps;
+  const auto follow = [&](IT::Direction_step step) {
+    steps.push_back(step);
+    return true;
+  };
+  const IT::Direction_field all = IT::smoothest_direction_field(t, 4, {}, follow);
+  EXPECT_EQ(all.status, IT::Status::done);
+  EXPECT_EQ(all.powers, IT::smoothest_direction_field(t, 4).powers);
+  ASSERT_FALSE(steps.empty());
+  EXPECT_EQ(steps[0], IT::Direction_step::factored);
+  for (std::size_t last = 0; last < steps.size(); ++last) {
+    std::size_t calls = 0;
+    const IT::Direction_field none =
+        IT::smoothest_direction_field(t, 4, {}, [&](IT::Direction_step) { return calls++ < last; });
+    EXPECT_EQ(none.status, IT::Status::cancelled);
+    EXPECT_TRUE(none.powers.empty());
+    EXPECT_EQ(calls, last + 1);
+  }
+  const IT::Tangent_field guide(all.powers.size(), 1);
+  const auto stop = [](IT::Direction_step) { return false; };
+  EXPECT_EQ(IT::aligned_direction_field(t, 4, guide, 1, {}, stop).status, IT::Status::cancelled);
 }
 
 TEST(Direction_fields, refuse_what_they_cannot_do) {

@@ -88,6 +88,24 @@ TYPED_TEST(Vector_heat_on, transports_in_the_plane_exactly) {
   }
 }
 
+TYPED_TEST(Vector_heat_on, can_be_followed_and_cancelled) {
+  const TypeParam t(meshes::surface_mesh<Surface_mesh>(meshes::random_planar(60, 100, 2)));
+  const auto v = *vertices(t.mesh()).begin();
+  const IT::Vector_heat_method<TypeParam> heat(t), other(t);
+  std::vector<IT::Transport_step> steps;
+  const auto follow = [&](IT::Transport_step step) {
+    steps.push_back(step);
+    return steps.size() > 1;
+  };
+  EXPECT_EQ(heat.factor(follow), IT::Status::cancelled);
+  EXPECT_EQ(heat.factor(follow), IT::Status::done);
+  using Step = IT::Transport_step;
+  EXPECT_EQ(steps, (std::vector<Step>{Step::functions_factored, Step::functions_factored,
+                                      Step::vectors_factored}));
+  EXPECT_EQ(heat.factor(), IT::Status::done);
+  EXPECT_EQ(heat.transport(v, {1, 2}), other.transport(v, {1, 2}));
+}
+
 TYPED_TEST(Vector_heat_on, transports_from_a_point_in_the_plane_exactly) {
   const meshes::Mesh shape = meshes::scaled(meshes::random_planar(60, 1000, 2), 0.01);
   TypeParam t(meshes::surface_mesh<Surface_mesh>(shape));

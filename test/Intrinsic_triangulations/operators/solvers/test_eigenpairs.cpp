@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "operator_test_meshes.h"
+#include "uneven_laplacians.h"
 
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
@@ -22,6 +23,7 @@ namespace {
 namespace eigenpairs {
 
 using namespace operator_test;
+using namespace uneven_laplacians;
 
 // On the torus of n x n unit squares the cotangent Laplacian is the five point stencil, of which the eigenvalues are
 // 4 sin^2(pi p / n) + 4 sin^2(pi q / n), and every vertex has mass one.
@@ -45,8 +47,8 @@ TEST(Eigenpairs, of_a_flat_torus_are_those_of_the_stencil) {
     const IT::Eigenpairs pairs = IT::smallest_eigenpairs(l, m, count);
     const std::vector<double> values = eigenvalues_of_stencil(n);
     ASSERT_EQ(pairs.values.size(), count);
-    // inverted with a shift of about 6 / n^4, values of at most 8 keep all but this of their digits
-    const double error = 1e-13 * 8 * std::pow(n, 4);
+    // inverted with a shift of about 1 / (2 n^2), values of at most 8 keep all but this of their digits
+    const double error = 1e-13 * 8 * n * n;
     for (Eigen::Index i = 0; i < count; ++i)
       EXPECT_NEAR(pairs.values[i], values[static_cast<std::size_t>(i)], error) << n << ' ' << i;
     const Eigen::MatrixXd products = pairs.vectors.transpose() * m * pairs.vectors;
@@ -64,6 +66,70 @@ TEST(Eigenpairs, count_components_by_zeros) {
       IT::smallest_eigenpairs(IT::cotangent_laplacian(t), IT::lumped_mass_matrix(t), 8);
   // a regular tetrahedron: weights 1 / sqrt 3, masses A / 4 with A = 4 sqrt 3 / 4 * 8, so 4 / sqrt 3 / (2 sqrt 3) = 2 / 3
   for (Eigen::Index i = 0; i < 8; ++i) EXPECT_NEAR(pairs.values[i], i < 2 ? 0 : 2. / 3, 1e-13) << i;
+}
+
+// The number of eigenvalues below x, by Sylvester's law: that of the negative pivots of l - x m, to 100 digits; the diagonal of `l` is minus the sum of the row.
+int eigenvalues_below(const Matrix& l, const Matrix& m, const Precise& x) {
+  const Eigen::Index n = l.rows();
+  std::vector<std::vector<Precise>> a(static_cast<std::size_t>(n));
+  for (std::vector<Precise>& row : a) row.resize(static_cast<std::size_t>(n), 0);
+  const auto at = [&a](Eigen::Index i, Eigen::Index j) -> Precise& {
+    return a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  };
+  for (int c = 0; c < n; ++c) {
+    at(c, c) -= x * m.coeff(c, c);
+    for (Matrix::InnerIterator i(l, c); i; ++i) {
+      if (i.row() == c) continue;
+      at(i.row(), c) = i.value();
+      at(c, c) -= i.value();
+    }
+  }
+  int negative = 0;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    negative += at(k, k) < 0 ? 1 : 0;
+    for (Eigen::Index i = k + 1; i < n; ++i) {
+      if (at(i, k) == 0) continue;
+      const Precise factor = at(i, k) / at(k, k);
+      for (Eigen::Index j = k + 1; j < n; ++j) at(i, j) -= factor * at(k, j);
+    }
+  }
+  return negative;
+}
+
+/// Weights as of needles and caps make the trace, and rounding of the diagonal, greater than the eigenvalues that are asked for.
+TEST(Eigenpairs, are_right_beside_great_weights) {
+  for (const double greatest : {1., 1e7, 1e12, 1e15}) {
+    const auto [l, m] = uneven_grid(9, greatest);
+    constexpr Eigen::Index count = 5;
+    const IT::Eigenpairs pairs = IT::smallest_eigenpairs(l, m, count);
+    EXPECT_NEAR(pairs.values[0], 0, 1e-12 * pairs.values[1]) << greatest;
+    for (Eigen::Index i = 1; i < count; ++i) {
+      EXPECT_LE(eigenvalues_below(l, m, pairs.values[i] * Precise(1 - 1e-9)), i) << greatest;
+      EXPECT_GT(eigenvalues_below(l, m, pairs.values[i] * Precise(1 + 1e-9)), i) << greatest;
+    }
+  }
+}
+
+TEST(Eigenpairs, can_be_followed_and_cancelled) {
+  const Exact t(torus(20, 0));
+  const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);
+  std::size_t calls = 0;
+  const auto count = [&](std::size_t solutions) {
+    EXPECT_EQ(solutions, calls);
+    ++calls;
+    return true;
+  };
+  const IT::Eigenpairs all = IT::smallest_eigenpairs(l, m, 6, count);
+  EXPECT_EQ(all.status, IT::Status::done);
+  EXPECT_GT(calls, 6U);
+  EXPECT_EQ(all.values, IT::smallest_eigenpairs(l, m, 6).values);
+  for (const std::size_t last : {std::size_t{0}, calls / 2, calls - 1}) {
+    const IT::Eigenpairs none =
+        IT::smallest_eigenpairs(l, m, 6, [last](std::size_t k) { return k < last; });
+    EXPECT_EQ(none.status, IT::Status::cancelled);
+    EXPECT_EQ(none.values.size(), 0);
+    EXPECT_EQ(none.vectors.cols(), 0);
+  }
 }
 
 TEST(Eigenpairs, refuses_what_makes_no_sense) {

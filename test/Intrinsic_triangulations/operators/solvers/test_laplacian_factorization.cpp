@@ -13,7 +13,9 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -91,6 +93,75 @@ TEST(Laplacian_factorization, solves_what_cholesky_solves) {
       const Matrix other = 2 * l + Matrix((3 * d).asDiagonal());
       EXPECT_LE((other * again.solve(b) - b).norm(), 1e3 * epsilon * b.norm()) << n;
     }
+}
+
+// So many edges between vertices at random: parts, isolated vertices and cycles of all sizes.
+Matrix random_laplacian(int size, int edges, std::mt19937& random) {
+  std::vector<Edge> list;
+  for (int k = 0; k < edges; ++k) {
+    const int i = static_cast<int>(random() % static_cast<unsigned>(size)),
+              j = static_cast<int>(random() % static_cast<unsigned>(size));
+    if (i != j) list.push_back({i, j, 0.1 + 1e-9 * static_cast<double>(random())});
+  }
+  return laplacian_of(size, list);
+}
+
+// The neighbours of a vertex that is eliminated become neighbours of each other.
+TEST(Laplacian_factorization, has_entries_where_elimination_makes_them) {
+  std::mt19937 random(3);
+  for (const auto& [size, edges] : {std::pair{0, 0},
+                                    {1, 0},
+                                    {5, 0},
+                                    {9, 8},
+                                    {30, 25},
+                                    {30, 60},
+                                    {60, 60},
+                                    {60, 130},
+                                    {25, 400}})
+    for (int trial = 0; trial < 10; ++trial) {
+      const Matrix l = size > 0 ? random_laplacian(size, edges, random) : Matrix(0, 0);
+      const IT::internal::Elimination e(l);
+      std::vector<int> place(static_cast<std::size_t>(size));
+      for (int k = 0; k < size; ++k)
+        place[static_cast<std::size_t>(e.row[static_cast<std::size_t>(k)])] = k;
+      std::vector<std::set<int>> later(place.size());
+      for (int c = 0; c < size; ++c)
+        for (Matrix::InnerIterator i(l, c); i; ++i) {
+          const int p = place[static_cast<std::size_t>(c)],
+                    q = place[static_cast<std::size_t>(i.row())];
+          if (p < q) later[static_cast<std::size_t>(p)].insert(q);
+        }
+      for (int k = 0; k < size; ++k) {
+        const std::set<int>& mine = later[static_cast<std::size_t>(k)];
+        ASSERT_EQ(std::vector<int>(e.rows(k), e.rows(k) + e.count(k)),
+                  std::vector<int>(mine.begin(), mine.end()));
+        for (const int p : mine)
+          for (const int q : mine)
+            if (p < q) later[static_cast<std::size_t>(p)].insert(q);
+      }
+    }
+}
+
+TEST(Laplacian_factorization, of_both_is_that_of_each) {
+  std::mt19937 random(4);
+  for (const auto& [size, edges] : {std::pair{1, 0}, {30, 40}, {200, 700}}) {
+    const Matrix a = random_laplacian(size, edges, random);
+    Matrix b = a;
+    for (int c = 0; c < size; ++c)
+      for (Matrix::InnerIterator i(b, c); i; ++i)
+        i.valueRef() *= 1 + 0.1 * std::cos(static_cast<double>(i.row()) * c); // symmetric
+    const Eigen::VectorXd of_a = Eigen::VectorXd::Constant(size, 1e-3),
+                          of_b = Eigen::VectorXd::LinSpaced(size, 1, 2);
+    const auto both = IT::Laplacian_factorization::of_both(a, of_a, b, of_b);
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(size, 2);
+    EXPECT_EQ(both.first.solve(right), IT::Laplacian_factorization(a, of_a).solve(right));
+    EXPECT_EQ(both.second.solve(right), IT::Laplacian_factorization(b, of_b).solve(right));
+    Eigen::VectorXd none = of_b;
+    none.setZero();
+    EXPECT_THROW(IT::Laplacian_factorization::of_both(a, of_a, b, none), IT::Indefinite_matrix);
+    EXPECT_THROW(IT::Laplacian_factorization::of_both(a, of_a, laplacian_of(size + 1, {}), of_b),
+                 std::invalid_argument);
+  }
 }
 
 // Springs in a row from a wall, pulled at the end: each is stretched by 1 / weight.

@@ -43,7 +43,7 @@ that has these directions as its gradient, by least squares:
 
     (M + time L) u = sources,     X = -grad u / |grad u|,     L d = div X
 
-The matrices are those of the triangulation, and are factored when this object is made or when they are first asked
+The matrices are those of the triangulation, and are factored when this object is made, both at once, or when they are first asked
 for: afterwards distances from other sources take the time of two solutions. Errors are in the order of the
 length of edges; they are large where edges are not Delaunay: call `flip_to_delaunay()` before, and for more accuracy
 `delaunay_refine()`. Weights that are not negative give matrices of which the factors are so too, off their diagonals:

@@ -63,8 +63,6 @@ public:
                             const std::vector<std::array<double, 3>>& positions);
 
 private:
-  static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
-
   void make_cold_border(const Eigen::SparseMatrix<double>& flow, const Eigen::VectorXd& masses);
 
   Heat<double> heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const;

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/near_distances.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <algorithm>
 #include <array>
@@ -39,8 +40,7 @@ Heat_solver::Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& la
     throw std::invalid_argument("the time factor must be positive and finite");
   const Eigen::SparseMatrix<double> flow = time_ * laplacian;
   const Eigen::VectorXd masses = row_areas(table_, sheets);
-  insulated_.emplace(flow, masses);
-  poisson_.share_order(insulated_->factorization());
+  insulated_.emplace(flow, poisson_.factor_with(flow, masses));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
   if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(flow, masses);
 }
@@ -71,7 +71,7 @@ Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow,
                               const Eigen::VectorXd& masses) {
   std::vector<char> is_inside(table_.number_of_rows, 1);
   table_.for_each_border_side([&](const Table_face& f, std::size_t k) {
-    is_inside[number(f.rows[k])] = is_inside[number(f.rows[(k + 1) % 3])] = 0;
+    is_inside[row_number(f.rows[k])] = is_inside[row_number(f.rows[(k + 1) % 3])] = 0;
   });
   for (std::size_t r = 0; r < is_inside.size(); ++r)
     if (is_inside[r] != 0) inside_.push_back(static_cast<int>(r));
@@ -83,18 +83,18 @@ Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow,
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Heat<double>
 Heat_solver::heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const {
   std::vector<char> is_reached(table_.number_of_rows, 0);
-  for (const auto& [row, value] : pins) is_reached[component_[number(row)]] = 1;
+  for (const auto& [row, value] : pins) is_reached[component_[row_number(row)]] = 1;
   for (std::size_t r = 0; r < is_reached.size(); ++r) is_reached[r] = is_reached[component_[r]];
   const Eigen::VectorXd start = initial_heat(sources);
   Heat<double> all = (*insulated_)(start, is_reached);
   if (cold_) {
     std::vector<char> reached_inside;
-    for (const int r : inside_) reached_inside.push_back(is_reached[number(r)]);
+    for (const int r : inside_) reached_inside.push_back(is_reached[row_number(r)]);
     const Heat<double> inside = (*cold_)(start(inside_), reached_inside);
     const double unit = std::ldexp(1.0, inside.exponent - all.exponent);
     for (std::size_t i = 0; i < inside_.size(); ++i)
       all.value[inside_[i]] +=
-          unit * inside.at(static_cast<Eigen::Index>(i), all.level[number(inside_[i])]);
+          unit * inside.at(static_cast<Eigen::Index>(i), all.level[row_number(inside_[i])]);
   }
   return all;
 }
@@ -123,8 +123,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
 Heat_solver::divergence(const Heat<double>& heat) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(heat.value.size());
   for (const Table_face& f : table_.faces) {
-    int level = heat.level[number(f.rows[0])];
-    for (const int row : f.rows) level = std::min(level, heat.level[number(row)]);
+    int level = heat.level[row_number(f.rows[0])];
+    for (const int row : f.rows) level = std::min(level, heat.level[row_number(row)]);
     const auto corners = f.layout();
     const auto at_corners = divergence_at_corners(
         corners, descent(corners, {heat.at(f.rows[0], level), heat.at(f.rows[1], level),

@@ -36,16 +36,18 @@ public:
                    std::vector<std::uint32_t> component)
       : laplacian_(laplacian), component_(std::move(component)) {}
 
-  // Takes the order of another matrix with entries in the same places.
-  void share_order(const Laplacian_factorization& same_pattern) { ordered_ = same_pattern; }
+  // Factors L and another matrix with entries in the same places together, or only the other one if rounding has left L indefinite.
+  // \return the factorization of the other one \throws Indefinite_matrix if it is not definite
+  Laplacian_factorization factor_with(const Eigen::SparseMatrix<double>& other,
+                                      const Eigen::VectorXd& diagonal);
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const Pins& pins);
 
 private:
   using Factorization = Laplacian_factorization;
 
-  static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
   const Factorization& factorization();
+  Eigen::VectorXd pinned_diagonal() const;
   Eigen::VectorXd solve_for_few(const Eigen::VectorXd& b, const Pins& pins);
   Eigen::VectorXd solve_by_elimination(const Eigen::VectorXd& b, const Pins& pins,
                                        const std::vector<char>& is_reached);
@@ -54,7 +56,7 @@ private:
 
   Eigen::SparseMatrix<double> laplacian_;
   std::vector<std::uint32_t> component_;
-  std::optional<Factorization> ordered_, factored_;
+  std::optional<Factorization> factored_;
   std::vector<int> eliminated_rows_, free_rows_;
   std::optional<Factorization> eliminated_;
 };

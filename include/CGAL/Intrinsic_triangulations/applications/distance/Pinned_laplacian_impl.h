@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/LU>
 
@@ -25,31 +26,41 @@ inline constexpr std::size_t few_pins = 20;
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
 Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pins) {
   std::vector<char> is_reached(component_.size(), 0); // of the least rows
-  for (const auto& [row, value] : pins) is_reached[component_[number(row)]] = 1;
+  for (const auto& [row, value] : pins) is_reached[component_[row_number(row)]] = 1;
   Eigen::VectorXd x =
       pins.size() <= few_pins ? solve_for_few(b, pins) : solve_by_elimination(b, pins, is_reached);
   for (Eigen::Index r = 0; r < x.size(); ++r)
-    if (is_reached[component_[number(r)]] == 0) x[r] = std::numeric_limits<double>::infinity();
+    if (is_reached[component_[row_number(r)]] == 0) x[r] = std::numeric_limits<double>::infinity();
   for (const auto& [row, value] : pins) x[row] = value;
   return x;
 }
 
 // To one diagonal entry per component something is added: for right sides that sum to zero, this fixes a value, zero. Isolated
 // vertices have a row of zeros.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd Pinned_laplacian::pinned_diagonal() const {
+  Eigen::VectorXd added = Eigen::VectorXd::Zero(laplacian_.cols());
+  for (int r = 0; r < laplacian_.cols(); ++r)
+    if (component_[row_number(r)] == static_cast<std::uint32_t>(r)) {
+      const double diagonal = laplacian_.coeff(r, r);
+      added[r] = diagonal > 0 ? diagonal : 1;
+    }
+  return added;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Laplacian_factorization Pinned_laplacian::factor_with(
+    const Eigen::SparseMatrix<double>& other, const Eigen::VectorXd& diagonal) {
+  try {
+    auto both = Laplacian_factorization::of_both(other, diagonal, laplacian_, pinned_diagonal());
+    factored_.emplace(std::move(both.second));
+    return std::move(both.first);
+  } catch (const Indefinite_matrix&) {
+    return {other, diagonal}; // L may not be needed
+  }
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE const Pinned_laplacian::Factorization&
 Pinned_laplacian::factorization() {
-  if (!factored_) {
-    Eigen::VectorXd added = Eigen::VectorXd::Zero(laplacian_.cols());
-    for (int r = 0; r < laplacian_.cols(); ++r)
-      if (component_[number(r)] == static_cast<std::uint32_t>(r)) {
-        const double diagonal = laplacian_.coeff(r, r);
-        added[r] = diagonal > 0 ? diagonal : 1;
-      }
-    if (ordered_)
-      factored_.emplace(laplacian_, added, *ordered_);
-    else
-      factored_.emplace(laplacian_, added);
-  }
+  if (!factored_) factored_.emplace(laplacian_, pinned_diagonal());
   return *factored_;
 }
 
@@ -75,7 +86,7 @@ inline Eigen::VectorXd correction_by_strengths(const Eigen::MatrixXd& solved, Ei
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
 Pinned_laplacian::solve_for_few(const Eigen::VectorXd& b, const Pins& pins) {
   std::map<std::uint32_t, std::vector<int>> rows; // the pins of each component
-  for (const auto& [row, value] : pins) rows[component_[number(row)]].push_back(row);
+  for (const auto& [row, value] : pins) rows[component_[row_number(row)]].push_back(row);
   std::vector<int> sources; // rows with an unknown strength: not of single pins
   for (const auto& [root, of_component] : rows)
     if (of_component.size() > 1)
@@ -97,7 +108,7 @@ Pinned_laplacian::solve_for_few(const Eigen::VectorXd& b, const Pins& pins) {
       column += static_cast<Eigen::Index>(of_component.size());
     }
     for (Eigen::Index r = 0; r < x.size(); ++r)
-      if (component_[number(r)] == root) x[r] += correction[r];
+      if (component_[row_number(r)] == root) x[r] += correction[r];
   }
   return x;
 }
@@ -107,7 +118,7 @@ Pinned_laplacian::eliminate(const std::vector<int>& rows, const Pins& pins,
                             const std::vector<char>& is_reached) {
   free_rows_.clear();
   for (int r = 0; r < laplacian_.cols(); ++r)
-    if (is_reached[component_[number(r)]] != 0 && pins.count(r) == 0) free_rows_.push_back(r);
+    if (is_reached[component_[row_number(r)]] != 0 && pins.count(r) == 0) free_rows_.push_back(r);
   eliminated_rows_.clear();
   eliminated_.reset();
   if (!free_rows_.empty())

@@ -40,8 +40,6 @@ public:
   Eigen::VectorXd distances(const Source_places& curves);
 
 private:
-  static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
-
   Eigen::SparseMatrix<Complex> flow_matrix(double time_factor) const;
   Eigen::VectorXd edge_masses() const;
 

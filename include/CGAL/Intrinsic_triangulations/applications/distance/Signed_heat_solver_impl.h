@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/near_distances.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/crouzeix_raviart.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,10 +72,10 @@ Signed_heat_solver::normals(const Source_places& curves, const Pinned_laplacian:
     }
   }
   std::vector<char> has_curve(table_.number_of_rows, 0), is_reached(table_.number_of_edges, 0);
-  for (const auto& [row, value] : pins) has_curve[component_[number(row)]] = 1;
+  for (const auto& [row, value] : pins) has_curve[component_[row_number(row)]] = 1;
   for (const Table_face& f : table_.faces)
     for (const std::uint32_t h : f.halfedges)
-      is_reached[h / 2] = has_curve[component_[number(f.rows[0])]];
+      is_reached[h / 2] = has_curve[component_[row_number(f.rows[0])]];
   return flow_(start, is_reached);
 }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_EDITING_SURFACE_DEFORMATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_EDITING_SURFACE_DEFORMATION_H
 
+#include <CGAL/Intrinsic_triangulations/applications/editing/Biharmonic_interpolation.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
@@ -49,8 +50,9 @@ public:
   \param energy what is made least
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if a row does not exist
-  \throws Indefinite_matrix if rounding has left no definite matrix, as may happen to the biharmonic one on faces of very different size
-  \complexity that of a sparse factorization
+  \throws Indefinite_matrix if rounding has left no definite matrix. With up to some tens of handles beside free vertices that needs two handles at no
+    distance: the biharmonic problem is solved by two harmonic ones then, which slivers do not harm, see `Laplacian_factorization`
+  \complexity that of a sparse factorization, and of a solution per handle beside free vertices if they are few
   */
   template <MeasuredTriangulation Triangulation>
   Surface_deformation(const Triangulation& t, std::span<const std::uint32_t> handles,
@@ -76,10 +78,13 @@ public:
   Eigen::MatrixXd displacements(const Eigen::MatrixXd& displacements) const;
 
 private:
+  void factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass);
+
   std::vector<std::uint32_t> rows_; // handles, and what stays
   std::size_t handles_;
   Eigen::Index size_;
-  std::optional<Fixed_values_solver> solver_;
+  std::optional<Fixed_values_solver> solver_; // of a matrix, or
+  std::optional<internal::Biharmonic_interpolation> by_handles_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -6,10 +6,12 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/editing/Surface_deformation.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Row_sums.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -45,9 +47,29 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
   for (const std::uint32_t r : handles) has_handle[component[r]] = 1;
   for (std::uint32_t r = 0; r < is_handle.size(); ++r) // isolated ones are components
     if (component[r] == r && has_handle[r] == 0) rows_.push_back(r);
-  solver_.emplace(energy == Deformation_energy::harmonic ? laplacian
-                                                         : internal::bilaplacian(laplacian, mass),
-                  rows_);
+  if (energy == Deformation_energy::harmonic)
+    solver_.emplace(laplacian, rows_);
+  else
+    factor_biharmonic(laplacian, mass);
+}
+
+// By handles where that is faster; where the matrix is not definite, if memory allows.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian,
+                                       const Eigen::VectorXd& mass) {
+  constexpr std::size_t few = 64, numbers = 100000000;
+  std::vector<std::uint32_t> beside = internal::rows_beside_free_ones(laplacian, rows_);
+  const bool is_laplacian = internal::is_laplacian(laplacian);
+  const auto by_handles = [&] { by_handles_.emplace(laplacian, mass, rows_, std::move(beside)); };
+  if (is_laplacian && beside.size() <= few) return by_handles();
+  try {
+    solver_.emplace(internal::bilaplacian(laplacian, mass), rows_);
+  } catch (const Indefinite_matrix& error) {
+    if (!is_laplacian || beside.size() > numbers / static_cast<std::size_t>(size_))
+      throw Indefinite_matrix(error.row(), "faces there are too different in size for so many "
+                                           "handles; give fewer, or take the harmonic energy");
+    by_handles();
+  }
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::MatrixXd
@@ -59,6 +81,7 @@ Surface_deformation::displacements(const Eigen::MatrixXd& displacements) const {
   Eigen::MatrixXd values =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows_.size()), displacements.cols());
   values.topRows(displacements.rows()) = displacements;
+  if (by_handles_) return by_handles_->solve(values);
   return solver_->solve(Eigen::MatrixXd::Zero(size_, displacements.cols()), values);
 }
 

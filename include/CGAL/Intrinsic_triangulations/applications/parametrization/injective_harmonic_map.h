@@ -17,8 +17,11 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -38,12 +41,12 @@ struct Injective_map {
 
 namespace internal {
 
-// Of some faces, those whose image is large enough for doubles to tell how it is turned.
+// Of some faces, those whose image is large enough for doubles to tell how it is turned, also when it is a part of that size: with half of their digits.
 template <class Triangulation>
 std::vector<std::uint32_t> large_faces(const Triangulation& t,
                                        const std::vector<std::uint32_t>& faces,
                                        const Eigen::MatrixX2d& uv) {
-  const double least = 0x1p-40 * uv.cwiseAbs().maxCoeff();
+  const double least = 0x1p-28 * uv.cwiseAbs().maxCoeff();
   std::vector<std::uint32_t> result;
   for (const std::uint32_t f : faces) {
     const auto h = halfedge(t.numbers().face_at(f), t.mesh());
@@ -55,31 +58,42 @@ std::vector<std::uint32_t> large_faces(const Triangulation& t,
   return result;
 }
 
+// Where to split the longest edge of a face whose sides, from that edge on, have squared lengths a, b and c: in the middle of a face that is no needle. Of a
+// needle, at the geometric mean of its lengths from its short side: sizes that differ by a factor q are reached in log log q rounds then, not in log q.
+inline double split_parameter(double a, double b, double c) {
+  const double from_end = std::sqrt(std::sqrt(std::min(b, c) / a));
+  if (!(from_end < 0.5)) return 0.5;
+  return b < c ? 1 - from_end : from_end;
+}
+
 // Splits the longest edge of each face that is not at the border. \return the number of edges that were split
 template <class Triangulation>
 std::size_t split_longest_inner_edges(Triangulation& t, const std::vector<std::uint32_t>& faces) {
   using Halfedge = typename Triangulation::halfedge_descriptor;
   const auto& mesh = t.mesh();
+  const auto length = [&](Halfedge h) { return t.squared_length(edge(h, mesh)); };
   std::vector<char> is_listed(t.numbers().edge_capacity(mesh), 0);
-  std::vector<Halfedge> longest;
+  std::vector<std::pair<Halfedge, double>> longest; // and where to split it
   for (const std::uint32_t f : faces) {
-    double length = 0;
+    double greatest = 0;
     Halfedge best{}, h = halfedge(t.numbers().face_at(f), mesh);
     for (int k = 0; k < 3; ++k, h = next(h, mesh)) {
-      const double l = t.squared_length(edge(h, mesh));
-      if (CGAL::is_border(opposite(h, mesh), mesh) || l <= length) continue;
-      length = l;
+      if (CGAL::is_border(opposite(h, mesh), mesh) || length(h) <= greatest) continue;
+      greatest = length(h);
       best = h;
     }
-    if (!(length > 0)) continue;
+    if (!(greatest > 0)) continue;
     char& is_there = is_listed[t.index(edge(best, mesh))];
-    if (is_there == 0) longest.push_back(best);
+    const Halfedge after = next(best, mesh);
+    if (is_there == 0)
+      longest.push_back(
+          {best, split_parameter(greatest, length(after), length(next(after, mesh)))});
     is_there = 1;
   }
   typename Triangulation::Session session(t);
   std::size_t split = 0;
-  for (const Halfedge h : longest)
-    if (session.split_edge(h, 0.5).status == Move_status::done) ++split;
+  for (const auto& [h, parameter] : longest)
+    if (session.split_edge(h, parameter).status == Move_status::done) ++split;
   return split;
 }
 
@@ -91,12 +105,12 @@ until the map is injective, by certificate.
 
 An intrinsic Delaunay triangulation may have two edges with the same ends and vertices between them, or vertices of degree one or two: what two
 vertices separate from the border, any map by means of neighbours takes to a line. So it does with a face whose corners are on one
-side of a polygon. There, the longest edge of the face is split in the middle, which joins its parts with others: on `t` the surface stays the same, no point of it
-moves.
+side of a polygon. There, the longest edge of the face is split, which joins its parts with others: in the middle, or nearer to the short side of a needle, so that sizes of any ratio take few rounds. On `t` the
+surface stays the same, no point of it moves.
 
 **What it cannot do.** A cone of less than 60 degrees has a tip that is joined to one vertex only in any Delaunay triangulation, however fine: then the status is
-`cap` or `inaccurate`. Maps of long parts shrink exponentially along them, with ten times their width to 10^-27. Where parts are mapped to less than the size of rounding, refinement
-does not help, and faces are not split: then the status is `inaccurate`.
+`cap` or `inaccurate`. Maps of long parts shrink exponentially along them, with ten times their width to 10^-27. Of parts that are mapped to less than 2^-28 of the whole (needles of 10^-8), doubles hold
+less than half of the digits, and faces are not split: then the status is `inaccurate`.
 \tparam Triangulation a model of `RefinableTriangulation`
 \param t the triangulation of a disk; it stays refined, whatever the status, and if an exception is thrown
 \param border where its border goes, see `circular_border()` and `polygonal_border()`: a convex polygon

@@ -10,10 +10,19 @@
 
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
+
+/// What takes long of a direction field.
+enum class Direction_step {
+  factored, ///< the matrix was factored
+  improved  ///< eigenvectors were improved, by some solutions; of fields without wishes, some times
+};
+
+namespace internal {
 
 // What a direction field is asked for, in powers of its directions.
 struct Direction_problem {
@@ -23,11 +32,14 @@ struct Direction_problem {
   std::vector<std::pair<std::size_t, std::complex<double>>> fixed;
 };
 
-// The smoothest field, its values of length 1; zero at isolated vertices.
+// The smoothest field, its values of length 1; zero at isolated vertices. Nothing if it was cancelled.
 std::vector<std::complex<double>> solve(const Direction_problem& problem,
-                                        const Connection_graph& graph);
+                                        const Connection_graph& graph,
+                                        const std::function<bool(Direction_step)>& progress);
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Direction_problem_impl.h>

@@ -19,6 +19,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -35,7 +36,9 @@ public:
         is_fixed_(graph.size, 0), right_(Eigen::VectorXcd::Zero(problem.guide.size())),
         factor_(factored(problem)) {}
 
-  Eigen::VectorXcd solve() const {
+  // \return nothing if it was cancelled
+  Eigen::VectorXcd solve(const std::function<bool(Direction_step)>& progress) const {
+    if (progress && !progress(Direction_step::factored)) return {};
     std::vector<char> has_wishes(graph_.size, 0); // by part
     for (Eigen::Index i = 0; i < right_.size(); ++i)
       if (right_[i] != 0.) has_wishes[static_cast<std::size_t>(part(i))] = 1;
@@ -48,8 +51,10 @@ public:
       const double x = static_cast<double>(random()), y = static_cast<double>(random());
       free[i] = Complex(x, y) * 0x1p-31 - Complex(1, 1);
     }
-    if (is_free) z += smallest_eigenvectors(free);
-    return z;
+    if (!is_free) return z;
+    free = smallest_eigenvectors(free, progress);
+    if (free.size() == 0) return free;
+    return z + free;
   }
 
 private:
@@ -89,9 +94,13 @@ private:
   }
 
   // By the method of Lanczos with the inverse, in all parts at once and in each for itself.
-  Eigen::VectorXcd smallest_eigenvectors(Eigen::VectorXcd z) const {
-    for (int round = 0; round < 8; ++round)
+  Eigen::VectorXcd
+  smallest_eigenvectors(Eigen::VectorXcd z,
+                        const std::function<bool(Direction_step)>& progress) const {
+    for (int round = 0; round < 8; ++round) {
       if (improve(z)) break;
+      if (progress && !progress(Direction_step::improved)) return {};
+    }
     return z;
   }
 
@@ -168,8 +177,10 @@ private:
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::vector<std::complex<double>> solve(const Direction_problem& problem,
-                                        const Connection_graph& graph) {
-  const Eigen::VectorXcd z = Direction_solver(problem, graph).solve();
+                                        const Connection_graph& graph,
+                                        const std::function<bool(Direction_step)>& progress) {
+  const Eigen::VectorXcd z = Direction_solver(problem, graph).solve(progress);
+  if (z.size() == 0) return {};
   std::vector<std::complex<double>> result(graph.size);
   for (std::size_t i = 0; i < graph.size; ++i) {
     if (!(graph.areas[i] > 0)) continue;

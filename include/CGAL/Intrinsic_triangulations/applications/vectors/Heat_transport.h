@@ -12,10 +12,19 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
+
+/// What takes long before vectors are transported.
+enum class Transport_step {
+  functions_factored, ///< the matrix of the heat of functions was factored
+  vectors_factored    ///< and that of vectors
+};
+
+namespace internal {
 
 // Vectors that start at vertices, or at a point between some: with what is to be diffused of their lengths.
 struct Vector_sources {
@@ -45,6 +54,9 @@ public:
   Heat_transport(Connection_graph graph, double time_scale);
 
   const Connection_graph& graph() const { return graph_; }
+
+  // Factors both matrices of heat, unless they are. \param progress is called after each; tells whether to go on \return whether both are
+  bool factor(const std::function<bool(Transport_step)>& progress) const;
 
   // for each vertex, one that stands for all that heat connects it with
   const std::vector<std::uint32_t>& parts() const { return part_; }
@@ -83,7 +95,9 @@ private:
   mutable std::optional<Diffusion<std::complex<double>>> vectors_;
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport_impl.h>

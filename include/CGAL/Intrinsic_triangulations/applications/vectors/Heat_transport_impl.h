@@ -47,6 +47,15 @@ const Diffusion<std::complex<double>>& Heat_transport::vectors() const {
   return *vectors_;
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Heat_transport::factor(const std::function<bool(Transport_step)>& progress) const {
+  functions();
+  if (progress && !progress(Transport_step::functions_factored)) return false;
+  vectors();
+  if (progress) progress(Transport_step::vectors_factored); // nothing is left to be stopped
+  return true;
+}
+
 // Whether there is a source in the part of each vertex.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::vector<char> Heat_transport::reached(const Eigen::VectorXd& weights) const {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Point_frames.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -66,6 +68,16 @@ public:
   */
   explicit Vector_heat_method(const Triangulation_& t, double time_scale = 1)
       : frames_(t), heat_(internal::connection_graph(t, frames_.angles()), checked(time_scale)) {}
+
+  /*!
+  \brief factors the matrices that are factored at the first question otherwise: what takes long, so that it can be followed and stopped.
+  \param progress is called after each, if given; tells whether to go on
+  \return `cancelled` if it told not to before all were factored; a question factors the rest
+  \complexity that of factoring a real and a complex matrix, once
+  */
+  Status factor(const std::function<bool(Transport_step)>& progress = {}) const {
+    return heat_.factor(progress) ? Status::done : Status::cancelled;
+  }
 
   /// returns the triangulation.
   const Triangulation& triangulation() const { return frames_.triangulation(); }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Direction_problem.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
@@ -18,6 +19,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -39,6 +41,8 @@ struct Direction_field {
   int degree = 1;
   /// The powers of the directions, of absolute value 1, by the numbers of a `Tangent_field`; zero at isolated vertices.
   std::vector<std::complex<double>> powers;
+  /// `cancelled` by the caller: there is no power then
+  Status status = Status::done;
 
   /// returns one of the directions at each vertex. \param which a number below `degree`
   Tangent_field directions(int which = 0) const {
@@ -88,9 +92,12 @@ Direction_problem direction_problem(const Triangulation& t, int degree,
 }
 
 template <class Triangulation>
-Direction_field solved(const Triangulation& t, const Direction_problem& problem) {
+Direction_field solved(const Triangulation& t, const Direction_problem& problem,
+                       const std::function<bool(Direction_step)>& progress) {
   const Halfedge_angles angles(t, Border_angles::half_circle);
-  return {problem.degree, solve(problem, connection_graph(t, angles))};
+  Direction_field field{problem.degree, solve(problem, connection_graph(t, angles), progress)};
+  if (field.powers.empty() && problem.guide.size() > 0) field.status = Status::cancelled;
+  return field;
 }
 
 } // namespace internal
@@ -109,6 +116,7 @@ components where there are any, with the others elsewhere.
 \param t the triangulation
 \param degree the number of directions at a vertex that are alike: 1 for vectors, 4 for crosses
 \param fixed vertices, and directions in their polar coordinates that are not to change
+\param progress is called after each step that takes long but the last, if given; tells whether to go on
 \return the field; on symmetric surfaces, one of several
 \throws Invalid_input if a face has no area
 \throws std::invalid_argument if the degree is not positive, or a direction cannot be fixed
@@ -117,8 +125,9 @@ components where there are any, with the others elsewhere.
 template <internal::Connected_triangulation Triangulation>
 Direction_field
 smoothest_direction_field(const Triangulation& t, int degree,
-                          const internal::Fixed_directions<Triangulation>& fixed = {}) {
-  return internal::solved(t, internal::direction_problem(t, degree, fixed));
+                          const internal::Fixed_directions<Triangulation>& fixed = {},
+                          const std::function<bool(Direction_step)>& progress = {}) {
+  return internal::solved(t, internal::direction_problem(t, degree, fixed), progress);
 }
 
 /*!
@@ -132,13 +141,14 @@ s the strength divided by the square of the mean length of edges.
   that matters more, zero where there is no wish. Principal directions have degree 2: of either sign.
 \param strength zero for the smoothest field that is guided at all; the greater, the nearer
 \param fixed as there
+\param progress as there
 \throws std::invalid_argument if there is not a vector per vertex, or the strength is negative, and as there
 */
 template <internal::Connected_triangulation Triangulation>
-Direction_field
-aligned_direction_field(const Triangulation& t, int degree, const Tangent_field& guide,
-                        double strength = 0,
-                        const internal::Fixed_directions<Triangulation>& fixed = {}) {
+Direction_field aligned_direction_field(const Triangulation& t, int degree,
+                                        const Tangent_field& guide, double strength = 0,
+                                        const internal::Fixed_directions<Triangulation>& fixed = {},
+                                        const std::function<bool(Direction_step)>& progress = {}) {
   internal::Direction_problem problem = internal::direction_problem(t, degree, fixed);
   if (guide.size() != static_cast<std::size_t>(problem.guide.size()))
     throw std::invalid_argument("there must be a vector per vertex to be near, " +
@@ -152,7 +162,7 @@ aligned_direction_field(const Triangulation& t, int degree, const Tangent_field&
   for (std::size_t i = 0; i < guide.size() && longest > 0; ++i)
     problem.guide[static_cast<Eigen::Index>(i)] = internal::power_of(guide[i] / longest, degree);
   problem.strength = strength;
-  return internal::solved(t, problem);
+  return internal::solved(t, problem, progress);
 }
 
 /*!

@@ -16,10 +16,13 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -35,6 +38,28 @@ double bending(const Input& input, std::uint32_t h, const Place& at) {
   const double length = e.norm();
   if (!(length > 0)) return 0;
   return std::atan2(e.dot(normal.cross(other)) / length, normal.dot(other)) * length;
+}
+
+// \param at where in space the source of a halfedge of the input is
+template <class Triangulation, class Place>
+Tangent_field principal_directions_at(const Triangulation& t, const Place& at) {
+  const Input& input = kept_input(t);
+  const Vertex_frames frames = input_frames(input);
+  std::vector<double> areas(input.number_of_vertices(), 0);
+  Tangent_field squares(input.number_of_vertices(), 0);
+  for (std::uint32_t h = 0; h < input.number_of_halfedges(); ++h) {
+    if (input.is_border(h)) continue;
+    const std::uint32_t v = input.names().vertices.user(input.source(h));
+    areas[v] += (at(input.next(h)) - at(h)).cross(at(input.next(input.next(h))) - at(h)).norm() / 6;
+    if (input.is_border(h ^ 1U)) continue;
+    squares[v] -= bending(input, h, at) / 4 * std::polar(1., 2 * frames.polar_angle(h));
+  }
+  for (std::size_t i = 0; i < squares.size(); ++i)
+    squares[i] =
+        areas[i] > 0 ? std::polar(std::abs(squares[i]) / areas[i], std::arg(squares[i]) / 2) : 0;
+  Tangent_field result = tangent_field_to_intrinsic(t, squares);
+  std::fill(result.begin() + input.number_of_vertices(), result.end(), 0);
+  return result;
 }
 
 } // namespace internal
@@ -56,30 +81,34 @@ orthogonal to convex edges.
 template <internal::Queried_triangulation Triangulation, class Mesh>
 Tangent_field principal_directions(const Triangulation& t, const Mesh& mesh) {
   const Input& input = internal::kept_input(t);
-  const internal::Vertex_frames frames = internal::input_frames(input);
-  const auto at = [&](std::uint32_t h) {
+  return internal::principal_directions_at(t, [&](std::uint32_t h) {
     const auto p = Mesh_adaptor<Mesh>::coordinates(point_in_space(
         t,
         Surface_point{input.is_border(h) ? h ^ 1U : h,
                       {input.is_border(h) ? 0. : 1., input.is_border(h) ? 1. : 0., 0}},
         mesh));
     return Eigen::Vector3d(p[0], p[1], p[2]);
-  };
-  std::vector<double> areas(input.number_of_vertices(), 0);
-  Tangent_field squares(input.number_of_vertices(), 0);
-  for (std::uint32_t h = 0; h < input.number_of_halfedges(); ++h) {
-    if (input.is_border(h)) continue;
-    const std::uint32_t v = input.names().vertices.user(input.source(h));
-    areas[v] += (at(input.next(h)) - at(h)).cross(at(input.next(input.next(h))) - at(h)).norm() / 6;
-    if (input.is_border(h ^ 1U)) continue;
-    squares[v] -= internal::bending(input, h, at) / 4 * std::polar(1., 2 * frames.polar_angle(h));
-  }
-  for (std::size_t i = 0; i < squares.size(); ++i)
-    squares[i] =
-        areas[i] > 0 ? std::polar(std::abs(squares[i]) / areas[i], std::arg(squares[i]) / 2) : 0;
-  Tangent_field result = tangent_field_to_intrinsic(t, squares);
-  std::fill(result.begin() + input.number_of_vertices(), result.end(), 0);
-  return result;
+  });
+}
+
+/*!
+\brief finds them from the points of the user's vertices, where there is no mesh; see above.
+\param t the triangulation
+\param points a point per row of the input
+\throws std::invalid_argument if there are fewer points
+*/
+template <internal::Queried_triangulation Triangulation>
+Tangent_field principal_directions(const Triangulation& t,
+                                   const std::vector<std::array<double, 3>>& points) {
+  const Input& input = internal::kept_input(t);
+  if (points.size() < input.number_of_rows())
+    throw std::invalid_argument("there must be a point per vertex of the input, " +
+                                std::to_string(input.number_of_rows()) + ", not " +
+                                std::to_string(points.size()));
+  return internal::principal_directions_at(t, [&](std::uint32_t h) {
+    const std::array<double, 3>& p = points[input.names().row(input.source(h))];
+    return Eigen::Vector3d(p[0], p[1], p[2]);
+  });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -19,10 +19,10 @@ namespace CGAL::Intrinsic_triangulations {
 /// A matrix is not positive definite, up to rounding.
 class Indefinite_matrix : public std::runtime_error {
 public:
-  /// constructs an error about row `row`.
-  explicit Indefinite_matrix(Eigen::Index row)
+  /// constructs an error about row `row`; `remedy` says what to do about it, if that is known.
+  explicit Indefinite_matrix(Eigen::Index row, const std::string& remedy = {})
       : std::runtime_error("the matrix is not positive definite up to rounding, at row " +
-                           std::to_string(row)),
+                           std::to_string(row) + (remedy.empty() ? "" : "; ") + remedy),
         row_(row) {}
   /// returns a row of the matrix that depends on others, up to rounding.
   Eigen::Index row() const { return row_; }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -112,6 +113,9 @@ public:
   // \param laplacian L times the time, compressed \param masses the diagonal of M, positive
   Diffusion(Eigen::SparseMatrix<Scalar> laplacian, const Eigen::VectorXd& masses)
       : matrix_(std::move(laplacian)), factored_(factored_flow(matrix_, masses)) {}
+  // \param factored what is made of them
+  Diffusion(Eigen::SparseMatrix<Scalar> laplacian, Factorization factored)
+      : matrix_(std::move(laplacian)), factored_(std::move(factored)) {}
 
   const Factorization& factorization() const { return factored_; }
 
@@ -139,7 +143,6 @@ public:
   }
 
 private:
-  static std::size_t number(Eigen::Index i) { return static_cast<std::size_t>(i); }
   static Eigen::Index column(std::size_t k) { return static_cast<Eigen::Index>(k); }
 
   // Where heat is below the range of doubles, it is found again from the heat at the limit, as a source: let w be u where it is
@@ -152,7 +155,7 @@ private:
       if (!(limit.cwiseAbs().maxCoeff() > 0)) break;
       const Vector found = factored_.solve(limit);
       for (Eigen::Index r = 0; r < found.size(); ++r)
-        if (heat.level[number(r)] > level) heat.value[r] = found[r];
+        if (heat.level[row_number(r)] > level) heat.value[r] = found[r];
     }
   }
 
@@ -163,12 +166,12 @@ private:
     const double least = std::ldexp(1.0, -Heat<Scalar>::step);
     bool is_any_lost = false, is_any_found = false;
     for (Eigen::Index r = 0; r < heat.value.size(); ++r) {
-      if (is_reached[number(r)] == 0 || heat.level[number(r)] != level) continue;
+      if (is_reached[row_number(r)] == 0 || heat.level[row_number(r)] != level) continue;
       if (std::abs(heat.value[r]) >= least || std::abs(start.at(r, level)) >= least) {
         is_any_found = true;
         continue;
       }
-      heat.level[number(r)] = level + 1;
+      heat.level[row_number(r)] = level + 1;
       is_any_lost = true;
     }
     return is_any_lost && is_any_found;
@@ -179,11 +182,11 @@ private:
     const double scale = std::ldexp(1.0, Heat<Scalar>::step);
     Vector source = Vector::Zero(heat.value.size());
     for (Eigen::Index r = 0; r < source.size(); ++r)
-      if (heat.level[number(r)] > level) source[r] = start.at(r, level + 1);
+      if (heat.level[row_number(r)] > level) source[r] = start.at(r, level + 1);
     for (int c = 0; c < matrix_.cols(); ++c)
       for (typename Eigen::SparseMatrix<Scalar>::InnerIterator i(matrix_, c); i; ++i) {
         const auto r = i.row();
-        const int from = heat.level[number(c)], to = heat.level[number(r)];
+        const int from = heat.level[row_number(c)], to = heat.level[row_number(r)];
         if (from == level && to > level)
           source[r] -= i.value() * (heat.value[c] * scale);
         else if (from > level && to == level)

@@ -6,11 +6,11 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Row_sums.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -27,15 +27,16 @@ inline bool has_finite_entries(const Eigen::SparseMatrix<double>& a) {
   return true;
 }
 
-inline void expect_symmetric(const Eigen::SparseMatrix<double>& a) {
+// The mean of a matrix and its transpose, if it is symmetric up to rounding, as a product of matrices is.
+inline Eigen::SparseMatrix<double> symmetrized(const Eigen::SparseMatrix<double>& a) {
   if (a.rows() != a.cols())
     throw std::invalid_argument("the matrix must be square, not " + std::to_string(a.rows()) +
                                 " x " + std::to_string(a.cols()));
   if (!has_finite_entries(a)) throw std::invalid_argument("the matrix must be finite");
   const Eigen::SparseMatrix<double> transposed = a.transpose();
-  // what rounding makes of a product of matrices is no asymmetry
   if ((a - transposed).norm() > 0x1p-30 * a.norm())
     throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
+  return 0.5 * (a + transposed);
 }
 
 // per row: the place among the free ones, or -1
@@ -67,34 +68,6 @@ inline Eigen::SparseMatrix<double> free_selection(const std::vector<int>& place,
   return s;
 }
 
-// Sums of the rows of a symmetric matrix, and what rounding may make of them where they are zero: of the entries on the diagonal, which were
-// summed, and of the sums.
-struct Row_sums {
-  explicit Row_sums(const Eigen::SparseMatrix<double>& a)
-      : sum(Eigen::VectorXd::Zero(a.rows())), bound(sum) {
-    Eigen::VectorXd count = sum;
-    for (int c = 0; c < a.outerSize(); ++c)
-      for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i) {
-        sum[i.row()] += i.value();
-        bound[i.row()] += std::abs(i.value());
-        count[i.row()] += 1;
-      }
-    bound = 0x1p-52 * count.cwiseProduct(bound);
-  }
-  bool may_be_zero(Eigen::Index row) const { return std::abs(sum[row]) <= bound[row]; }
-
-  Eigen::VectorXd sum, bound;
-};
-
-// Marks the components, at their least rows, of which all rows may sum to zero.
-inline std::vector<char> laplacian_components(const Row_sums& sums,
-                                              const std::vector<std::uint32_t>& component) {
-  std::vector<char> result(component.size(), 1);
-  for (std::size_t r = 0; r < component.size(); ++r)
-    if (!sums.may_be_zero(static_cast<Eigen::Index>(r))) result[component[r]] = 0;
-  return result;
-}
-
 // The diagonal beside which the free part is a Laplacian: what the rows sum to, with minus the entries of fixed ones. Where all sums of a
 // component are zero but for rounding, they are.
 struct Free_excess {
@@ -120,15 +93,22 @@ struct Free_excess {
   bool is_laplacian = true; // whether that is so in all components
 };
 
-// The least row of a component without any excess, to all solutions in which constants may be added.
-inline std::optional<std::uint32_t>
-row_without_excess(const Eigen::VectorXd& excess, const std::vector<std::uint32_t>& component) {
-  std::vector<char> has_excess(component.size(), 0);
+// Marks the components, at their least rows, without any excess: to solutions there, constants may be added.
+inline std::vector<char> components_without_excess(const Eigen::VectorXd& excess,
+                                                   const std::vector<std::uint32_t>& component) {
+  std::vector<char> result(component.size(), 1);
   for (std::size_t r = 0; r < component.size(); ++r)
-    if (excess[static_cast<Eigen::Index>(r)] != 0) has_excess[component[r]] = 1;
+    if (excess[static_cast<Eigen::Index>(r)] != 0) result[component[r]] = 0;
+  return result;
+}
+
+// The least rows of the components that are marked.
+inline std::vector<std::uint32_t> least_rows(const std::vector<std::uint32_t>& component,
+                                             const std::vector<char>& is_marked) {
+  std::vector<std::uint32_t> rows;
   for (std::uint32_t r = 0; r < component.size(); ++r)
-    if (component[r] == r && has_excess[r] == 0) return r;
-  return std::nullopt;
+    if (component[r] == r && is_marked[r] != 0) rows.push_back(r);
+  return rows;
 }
 
 [[noreturn]] inline void throw_no_value_in_component(int row) {
@@ -141,35 +121,30 @@ row_without_excess(const Eigen::VectorXd& excess, const std::vector<std::uint32_
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::uint32_t>
 rows_with_constant_kernel(const Eigen::SparseMatrix<double>& a) {
   const std::vector<std::uint32_t> component = components_of_matrix(a);
-  const std::vector<char> has_kernel =
-      internal::laplacian_components(internal::Row_sums(a), component);
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t r = 0; r < component.size(); ++r)
-    if (component[r] == r && has_kernel[r] != 0) rows.push_back(r);
-  return rows;
+  return internal::least_rows(component,
+                              internal::laplacian_components(internal::Row_sums(a), component));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
                                          std::span<const std::uint32_t> rows)
     : rows_(rows.begin(), rows.end()) {
-  internal::expect_symmetric(a);
+  const Eigen::SparseMatrix<double> symmetric = internal::symmetrized(a);
   const std::vector<int> place = internal::places_of_free_rows(a.rows(), rows);
   for (std::size_t r = 0; r < place.size(); ++r)
     if (place[r] >= 0) free_.push_back(static_cast<int>(r));
   const Eigen::SparseMatrix<double> selection =
       internal::free_selection(place, static_cast<int>(free_.size()));
-  coupling_ = selection.transpose() * a;
+  coupling_ = selection.transpose() * symmetric;
   if (free_.empty()) return;
   Eigen::SparseMatrix<double> free_part = coupling_ * selection;
   if (free_part.coeff(0, 0) < 0) sign_ = -1;
-  const Eigen::SparseMatrix<double> transposed = free_part.transpose();
-  free_part =
-      sign_ * 0.5 * (free_part + transposed); // what rounding left in one triangle is in both
+  free_part *= sign_;
   const std::vector<std::uint32_t> component = components_of_matrix(free_part);
   const internal::Free_excess found(sign_ * coupling_, free_, component);
-  if (const auto row = internal::row_without_excess(found.excess, component))
-    internal::throw_no_value_in_component(free_[*row]);
+  const std::vector<std::uint32_t> undetermined =
+      internal::least_rows(component, internal::components_without_excess(found.excess, component));
+  if (!undetermined.empty()) internal::throw_no_value_in_component(free_[undetermined.front()]);
   try {
     if (found.excess.minCoeff() >= 0 &&
         (found.is_laplacian || internal::has_no_positive_entry_off_diagonal(free_part)))

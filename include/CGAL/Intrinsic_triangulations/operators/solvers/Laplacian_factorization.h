@@ -5,30 +5,18 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Elimination.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
-
-// In which order the rows of a symmetric matrix are eliminated, and where its factor has entries: of the pattern alone.
-struct Elimination {
-  explicit Elimination(const Eigen::SparseMatrix<double>& a);
-
-  Eigen::Index entries_of_matrix;
-  std::vector<int> row; // at each place of the order
-  // Of each place: later places joined to it, and where `a` has their values.
-  std::vector<int> begin, neighbour, entry;
-  // The places below the diagonal of each column of the factor, ascending.
-  std::vector<int> column_begin, index;
-  // Blocks of columns that end alike, each with the next one as its first entry: where they begin, and of each column.
-  std::vector<int> block_begin, block;
-};
 
 // Whether no weight is negative.
 inline bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
@@ -74,8 +62,18 @@ public:
   Laplacian_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
                           const Laplacian_factorization& same_pattern);
 
+  /*!
+  \brief factors two matrices with entries at the same places at once, which takes far less than twice the time of one.
+  \param a,b the matrices, as above
+  \param diagonal_of_a,diagonal_of_b what is added to each
+  \return both factorizations
+  */
+  static std::pair<Laplacian_factorization, Laplacian_factorization>
+  of_both(const Matrix& a, const Eigen::VectorXd& diagonal_of_a, const Matrix& b,
+          const Eigen::VectorXd& diagonal_of_b);
+
   /// returns the number of rows.
-  Eigen::Index size() const { return factor_->pivot.size(); }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(factor_->pivot.size()); }
 
   /*!
   \brief solves `(L + D) x = b`.
@@ -93,9 +91,11 @@ private:
   // The unit triangular factor is minus `value` below its diagonal.
   struct Factor {
     std::shared_ptr<const internal::Elimination> elimination;
-    std::vector<double> value;
-    Eigen::VectorXd pivot;
+    std::vector<double> value, pivot;
   };
+
+  explicit Laplacian_factorization(std::shared_ptr<const Factor> factor)
+      : factor_(std::move(factor)) {}
 
   void factor(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
               std::shared_ptr<const internal::Elimination> elimination);

@@ -5,18 +5,19 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_elimination.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/OrderingMethods>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <new>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -26,88 +27,142 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-inline std::size_t place_number(int i) { return static_cast<std::size_t>(i); }
-
-// Calls `visit(i, k)` for each entry of the factor in column i and row k, rows ascending: the places from which the elimination tree
-// leads from an earlier neighbour of k to k.
-template <class Visit>
-void for_each_factor_entry(const std::vector<int>& begin, const std::vector<int>& earlier,
-                           std::vector<int>& parent, const Visit& visit) {
-  const int n = static_cast<int>(begin.size()) - 1;
-  std::vector<int> last(place_number(n), -1);
-  for (int k = 0; k < n; ++k) {
-    last[place_number(k)] = k;
-    for (int e = begin[place_number(k)]; e < begin[place_number(k + 1)]; ++e)
-      for (int i = earlier[place_number(e)]; last[place_number(i)] != k;
-           i = parent[place_number(i)]) {
-        if (parent[place_number(i)] < 0) parent[place_number(i)] = k;
-        last[place_number(i)] = k;
-        visit(i, k);
-      }
-  }
-}
-
-inline std::vector<int> begins_of(const std::vector<int>& counts) {
-  if (std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) >
-      std::numeric_limits<int>::max())
-    throw std::bad_alloc(); // a factor of more than 26 GB
-  std::vector<int> begin(counts.size() + 1, 0);
-  std::partial_sum(counts.begin(), counts.end(), begin.begin() + 1);
-  return begin;
-}
-
+// Whether there is an entry (c, r) for each (r, c); rows are sorted, so that those of a column are met in their order.
 inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
-  const Eigen::SparseMatrix<double> b = a.transpose();
-  return std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
-         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+  const int *const begin = a.outerIndexPtr(), *const row = a.innerIndexPtr();
+  std::vector<int> next(begin, begin + a.outerSize());
+  for (int c = 0; c < a.outerSize(); ++c)
+    for (int e = begin[c]; e < begin[c + 1]; ++e) {
+      int& mirror = next[row_number(row[e])];
+      if (mirror == begin[row[e] + 1] || row[mirror] != c) return false;
+      ++mirror;
+    }
+  return true;
+}
+
+inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& a) {
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  if (a.cols() > 0) Eigen::AMDOrdering<int>()(a.selfadjointView<Eigen::Lower>(), order);
+  return {order.indices().data(), order.indices().data() + order.indices().size()};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Elimination::Elimination(const Eigen::SparseMatrix<double>& a) : entries_of_matrix(a.nonZeros()) {
+Elimination::Elimination(const Eigen::SparseMatrix<double>& a)
+    : Elimination(a, minimum_degree_order(a)) {}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Elimination::Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order)
+    : entries_of_matrix(a.nonZeros()), row(std::move(order)) {
   if (!has_symmetric_pattern(a))
     throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
-  const int n = static_cast<int>(a.cols());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  if (n > 0) Eigen::AMDOrdering<int>()(a.selfadjointView<Eigen::Lower>(), order);
-  row.assign(order.indices().data(), order.indices().data() + order.indices().size());
-  std::vector<int> place(row.size()), later(row.size(), 0), before(row.size(), 0);
-  for (int k = 0; k < n; ++k) place[place_number(row[place_number(k)])] = k;
-  for (int k = 0; k < n; ++k)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(a, row[place_number(k)]); i; ++i) {
-      const int p = place[place_number(static_cast<int>(i.row()))];
-      later[place_number(k)] += p > k ? 1 : 0;
-      before[place_number(k)] += p < k ? 1 : 0;
-    }
-  begin = begins_of(later);
-  const std::vector<int> begin_before = begins_of(before);
-  neighbour.resize(place_number(begin.back()));
-  entry.resize(neighbour.size());
-  std::vector<int> earlier(place_number(begin_before.back()));
+  find_neighbours(a);
+  find_blocks();
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Elimination::find_neighbours(const Eigen::SparseMatrix<double>& a) {
+  const int n = static_cast<int>(row.size());
+  std::vector<int> place(row.size());
+  for (int k = 0; k < n; ++k) place[row_number(row[row_number(k)])] = k;
+  begin.reserve(row.size() + 1);
+  begin.push_back(0);
+  neighbour.reserve(row_number(a.nonZeros() / 2 + 1));
+  entry.reserve(neighbour.capacity());
   for (int k = 0; k < n; ++k) {
-    int to_later = begin[place_number(k)], to_before = begin_before[place_number(k)];
-    const int c = row[place_number(k)];
+    const int c = row[row_number(k)];
     for (int e = a.outerIndexPtr()[c]; e < a.outerIndexPtr()[c + 1]; ++e) {
-      const int p = place[place_number(a.innerIndexPtr()[e])];
-      if (p < k) earlier[place_number(to_before++)] = p;
+      const int p = place[row_number(a.innerIndexPtr()[e])];
       if (p <= k) continue;
-      neighbour[place_number(to_later)] = p;
-      entry[place_number(to_later++)] = e;
+      neighbour.push_back(p);
+      entry.push_back(e);
     }
+    begin.push_back(static_cast<int>(neighbour.size()));
   }
-  std::vector<int> parent(row.size(), -1), counts(row.size(), 0);
-  for_each_factor_entry(begin_before, earlier, parent,
-                        [&](int i, int) { ++counts[place_number(i)]; });
-  column_begin = begins_of(counts);
-  index.resize(place_number(column_begin.back()));
-  for (int k = 0; k < n; ++k) {
-    const std::size_t c = place_number(k);
-    if (k == 0 || parent[c - 1] != k || counts[c - 1] != counts[c] + 1) block_begin.push_back(k);
-    block.push_back(static_cast<int>(block_begin.size()) - 1);
+}
+
+// Finds where columns of the factor have entries: where the matrix has some, or an earlier column that has its first entry in the row of the diagonal, its
+// child in the elimination tree. A column is of the block of the one before if that adds nothing to what is left of it.
+class Block_finder {
+public:
+  explicit Block_finder(Elimination& e)
+      : e_(e), seen_(e.row.size(), -1), child_(e.row.size(), -1), sibling_(e.row.size(), -1) {}
+
+  void add_column(int k) {
+    own_.assign(e_.neighbour.begin() + e_.begin[row_number(k)],
+                e_.neighbour.begin() + e_.begin[row_number(k + 1)]);
+    if (k == 0 || !continues_block(k)) begin_block(k);
+    const int block = static_cast<int>(e_.block_begin.size()) - 1;
+    e_.block.push_back(block);
+    const int first = e_.block_rows_begin[row_number(block)] + k - e_.block_begin.back(),
+              end = static_cast<int>(e_.block_rows.size());
+    entries_ += end - first;
+    if (entries_ > std::numeric_limits<int>::max())
+      throw std::bad_alloc(); // a factor of more than 26 GB
+    e_.column_begin.push_back(static_cast<int>(entries_));
+    if (first == end) return;
+    const std::size_t parent = row_number(e_.block_rows[row_number(first)]);
+    sibling_[row_number(k)] = child_[parent];
+    child_[parent] = k;
   }
-  block_begin.push_back(n);
-  std::vector<int> next = column_begin;
-  for_each_factor_entry(begin_before, earlier, parent,
-                        [&](int i, int k) { index[place_number(next[place_number(i)]++)] = k; });
+
+private:
+  // Calls `visit(begin, end)` with the rows of each child but that of the diagonal, until that returns `false`.
+  template <class Visit>
+  bool for_each_child(int k, const Visit& visit) const {
+    for (int c = child_[row_number(k)]; c >= 0; c = sibling_[row_number(c)]) {
+      const std::size_t b = row_number(e_.block[row_number(c)]);
+      const int end = b + 1 < e_.block_rows_begin.size() ? e_.block_rows_begin[b + 1]
+                                                         : static_cast<int>(e_.block_rows.size());
+      const int count = e_.column_begin[row_number(c + 1)] - e_.column_begin[row_number(c)];
+      if (!visit(c, e_.block_rows.data() + end - count + 1, e_.block_rows.data() + end))
+        return false;
+    }
+    return true;
+  }
+
+  bool continues_block(int k) const {
+    const int block = static_cast<int>(e_.block_begin.size()) - 1;
+    const auto is_there = [&](int r) { return seen_[row_number(r)] == block; };
+    bool is_child = false;
+    return std::all_of(own_.begin(), own_.end(), is_there) &&
+           for_each_child(k,
+                          [&](int c, const int* first, const int* last) {
+                            if (c == k - 1) is_child = true;
+                            return c == k - 1 || std::all_of(first, last, is_there);
+                          }) &&
+           is_child;
+  }
+
+  void begin_block(int k) {
+    std::sort(own_.begin(), own_.end());
+    for_each_child(k, [&](int, const int* first, const int* last) {
+      merged_.clear();
+      std::set_union(own_.begin(), own_.end(), first, last, std::back_inserter(merged_));
+      own_.swap(merged_);
+      return true;
+    });
+    const int block = static_cast<int>(e_.block_begin.size());
+    for (const int r : own_) seen_[row_number(r)] = block;
+    e_.block_begin.push_back(k);
+    e_.block_rows_begin.push_back(static_cast<int>(e_.block_rows.size()));
+    e_.block_rows.insert(e_.block_rows.end(), own_.begin(), own_.end());
+  }
+
+  Elimination& e_;
+  std::vector<int> seen_;            // the last block with an entry there
+  std::vector<int> child_, sibling_; // of each column a child, and another of the same parent
+  std::vector<int> own_, merged_;    // entries of a column
+  std::int64_t entries_ = 0;
+};
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_blocks() {
+  column_begin.reserve(row.size() + 1);
+  column_begin.push_back(0);
+  block.reserve(row.size());
+  Block_finder finder(*this);
+  for (int k = 0; k < static_cast<int>(row.size()); ++k) finder.add_column(k);
+  block_begin.push_back(static_cast<int>(row.size()));
+  block_rows_begin.push_back(static_cast<int>(block_rows.size()));
 }
 
 inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {
@@ -120,101 +175,31 @@ inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::
     throw std::invalid_argument("the matrix must be finite");
 }
 
-// What is left of a Laplacian and a diagonal while places are eliminated in turn: weights between later places, and the sums of their rows.
-class Laplacian_elimination {
-public:
-  Laplacian_elimination(const Elimination& e, std::vector<double>& value, Eigen::VectorXd& pivot)
-      : e_(e), value_(value), pivot_(pivot), first_(e.row.size(), -1),
-        next_(e.block_begin.size(), -1), left_(e.block_begin.size(), 0), sum_(e.row.size(), 0),
-        weight_(e.row.size(), 0) {}
+// Throws if the order of one matrix is not one for another.
+inline void expect_same_pattern(const Elimination& e, const Eigen::SparseMatrix<double>& a) {
+  if (static_cast<Eigen::Index>(e.row.size()) != a.cols() || e.entries_of_matrix != a.nonZeros())
+    throw std::invalid_argument("the matrices must have the same pattern");
+}
 
-  // \return whether the pivot is positive, up to rounding
-  bool eliminate(int k, const Eigen::SparseMatrix<double>& a, double diagonal) {
-    for (int i = e_.begin[place_number(k)]; i < e_.begin[place_number(k + 1)]; ++i)
-      weight_[place_number(e_.neighbour[place_number(i)])] =
-          -a.valuePtr()[e_.entry[place_number(i)]];
-    double sum = diagonal;
-    for (int b = first_[place_number(k)]; b >= 0;) { // blocks with an entry in row k
-      const int next = next_[place_number(b)], left = left_[place_number(b)];
-      sum +=
-          add_columns(e_.block_begin[place_number(b)], e_.block_begin[place_number(b + 1)], left);
-      list(b, left - 1);
-      b = next;
-    }
-    const int own = e_.block[place_number(k)], count = column_end(k) - column_begin(k);
-    sum += add_columns(e_.block_begin[place_number(own)], k, count + 1);
-    sum_[place_number(k)] = sum;
-    const bool is_positive = finish(k, sum);
-    if (k + 1 == e_.block_begin[place_number(own + 1)]) list(own, count);
-    return is_positive;
+// Eliminates all places. \throws Indefinite_matrix
+template <class Number, class Entry, class Diagonal>
+void eliminate_all(const Elimination& e, std::vector<Number>& value, std::vector<Number>& pivot,
+                   const Entry& entry, const Diagonal& diagonal) {
+  value.resize(row_number(e.column_begin.back()));
+  pivot.resize(e.row.size());
+  Laplacian_elimination<Number> rest(e, value, pivot);
+  for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
+    const int row = e.row[row_number(k)];
+    if (!rest.eliminate(k, entry, diagonal(row))) throw Indefinite_matrix(row);
   }
+}
 
-private:
-  int column_begin(int k) const { return e_.column_begin[place_number(k)]; }
-  int column_end(int k) const { return e_.column_begin[place_number(k + 1)]; }
-
-  // Puts a block where its next entry is needed: that with so many left, itself included.
-  void list(int block, int left) {
-    left_[place_number(block)] = left;
-    if (left == 0) return;
-    const int last = e_.block_begin[place_number(block + 1)] - 1;
-    const std::size_t k = place_number(e_.index[place_number(column_end(last) - left)]);
-    next_[place_number(block)] = first_[k];
-    first_[k] = block;
-  }
-
-  // Adds what the elimination of columns, whose last `left` entries are in the same rows, adds to the weights of the first of these rows.
-  // \return what it adds to the sum of the row
-  double add_columns(int begin, int end, int left) {
-    if (begin == end) return 0;
-    const int* const rows = e_.index.data() + column_end(end - 1) - left;
-    double sum = 0;
-    const auto column = [&](int j) { return value_.data() + column_end(j) - left; };
-    const auto factor = [&](int j) {
-      const double l = *column(j);
-      sum += l * sum_[place_number(j)];
-      return l * pivot_[j];
-    };
-    double* const w = weight_.data();
-    int j = begin;
-    for (; j + 4 <= end; j += 4) { // at once, as what is added to is scattered
-      const double *const a = column(j), *const b = column(j + 1), *const c = column(j + 2),
-                          *const d = column(j + 3);
-      const double fa = factor(j), fb = factor(j + 1), fc = factor(j + 2), fd = factor(j + 3);
-      for (int i = 1; i < left; ++i)
-        w[rows[i]] += (a[i] * fa + b[i] * fb) + (c[i] * fc + d[i] * fd);
-    }
-    for (; j < end; ++j) {
-      const double* const a = column(j);
-      const double fa = factor(j);
-      for (int i = 1; i < left; ++i) w[rows[i]] += a[i] * fa;
-    }
-    return sum;
-  }
-
-  bool finish(int k, double sum) {
-    double pivot = sum, absolute = std::abs(sum);
-    for (int i = column_begin(k); i < column_end(k); ++i) {
-      double& w = weight_[place_number(e_.index[place_number(i)])];
-      value_[place_number(i)] = w;
-      pivot += w;
-      absolute += std::abs(w);
-      w = 0;
-    }
-    pivot_[k] = pivot;
-    const double inverse = 1 / pivot;
-    for (int i = column_begin(k); i < column_end(k); ++i) value_[place_number(i)] *= inverse;
-    return pivot > 64 * std::numeric_limits<double>::epsilon() * absolute;
-  }
-
-  const Elimination& e_;
-  std::vector<double>& value_;
-  Eigen::VectorXd& pivot_;
-  std::vector<int> first_, next_; // blocks by the row of the entry that is needed next
-  std::vector<int> left_;         // number of entries of a block from there on
-  std::vector<double> sum_;       // of each row, when it is eliminated
-  std::vector<double> weight_;    // from the place that is eliminated, by place
-};
+inline std::vector<double> column_of(const std::vector<Eigen::Array2d>& numbers, Eigen::Index c) {
+  std::vector<double> result;
+  result.reserve(numbers.size());
+  for (const Eigen::Array2d& n : numbers) result.push_back(n[c]);
+  return result;
+}
 
 } // namespace internal
 
@@ -236,46 +221,62 @@ Laplacian_factorization::Laplacian_factorization(const Matrix& laplacian,
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
 Laplacian_factorization::factor(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
                                 std::shared_ptr<const internal::Elimination> elimination) {
-  const internal::Elimination& e = *elimination;
-  if (static_cast<Eigen::Index>(e.row.size()) != laplacian.cols() ||
-      e.entries_of_matrix != laplacian.nonZeros())
-    throw std::invalid_argument("the matrices must have the same pattern");
+  internal::expect_same_pattern(*elimination, laplacian);
   auto result = std::make_shared<Factor>();
-  result->value.resize(e.index.size());
-  result->pivot.resize(laplacian.cols());
-  internal::Laplacian_elimination rest(e, result->value, result->pivot);
-  for (int k = 0; k < laplacian.cols(); ++k) {
-    const int row = e.row[internal::place_number(k)];
-    if (!rest.eliminate(k, laplacian, diagonal[row])) throw Indefinite_matrix(row);
-  }
+  const double* const values = laplacian.valuePtr();
+  internal::eliminate_all(
+      *elimination, result->value, result->pivot, [values](int i) { return values[i]; },
+      [&](int row) { return diagonal[row]; });
   result->elimination = std::move(elimination);
   factor_ = std::move(result);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::pair<Laplacian_factorization, Laplacian_factorization>
+Laplacian_factorization::of_both(const Matrix& a, const Eigen::VectorXd& diagonal_of_a,
+                                 const Matrix& b, const Eigen::VectorXd& diagonal_of_b) {
+  internal::expect_laplacian(a, diagonal_of_a);
+  internal::expect_laplacian(b, diagonal_of_b);
+  const auto elimination = std::make_shared<const internal::Elimination>(a);
+  internal::expect_same_pattern(*elimination, b);
+  std::vector<Eigen::Array2d> value, pivot;
+  const double *const of_a = a.valuePtr(), *const of_b = b.valuePtr();
+  internal::eliminate_all(
+      *elimination, value, pivot, [=](int i) { return Eigen::Array2d(of_a[i], of_b[i]); },
+      [&](int row) { return Eigen::Array2d(diagonal_of_a[row], diagonal_of_b[row]); });
+  const auto factor = [&](Eigen::Index c) {
+    return Laplacian_factorization(std::make_shared<const Factor>(
+        Factor{elimination, internal::column_of(value, c), internal::column_of(pivot, c)}));
+  };
+  return {factor(0), factor(1)};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::MatrixXd
 Laplacian_factorization::solved(const Eigen::MatrixXd& b) const {
   const internal::Elimination& e = *factor_->elimination;
-  const auto number = [](int i) { return internal::place_number(i); };
+  using internal::row_number;
   const int n = static_cast<int>(e.row.size());
   if (b.rows() != n)
     throw std::invalid_argument("the right side must have a row per row of the matrix, " +
                                 std::to_string(n) + ", not " + std::to_string(b.rows()));
   Eigen::MatrixXd x(b.rows(), b.cols());
-  std::vector<double> y(number(n));
+  std::vector<double> y(row_number(n));
   for (Eigen::Index c = 0; c < b.cols(); ++c) {
-    for (int k = 0; k < n; ++k) y[number(k)] = b(e.row[number(k)], c);
+    for (int k = 0; k < n; ++k) y[row_number(k)] = b(e.row[row_number(k)], c);
     for (int k = 0; k < n; ++k) {
-      if (y[number(k)] == 0) continue;
-      for (int i = e.column_begin[number(k)]; i < e.column_begin[number(k + 1)]; ++i)
-        y[number(e.index[number(i)])] += factor_->value[number(i)] * y[number(k)];
+      const double at = y[row_number(k)];
+      if (at == 0) continue;
+      const double* const value = factor_->value.data() + e.column_begin[row_number(k)];
+      const int *const rows = e.rows(k), count = e.count(k);
+      for (int i = 0; i < count; ++i) y[row_number(rows[i])] += value[i] * at;
     }
     for (int k = n - 1; k >= 0; --k) {
-      double sum = y[number(k)] / factor_->pivot[k];
-      for (int i = e.column_begin[number(k)]; i < e.column_begin[number(k + 1)]; ++i)
-        sum += factor_->value[number(i)] * y[number(e.index[number(i)])];
-      y[number(k)] = sum;
+      double sum = y[row_number(k)] / factor_->pivot[row_number(k)];
+      const double* const value = factor_->value.data() + e.column_begin[row_number(k)];
+      const int *const rows = e.rows(k), count = e.count(k);
+      for (int i = 0; i < count; ++i) sum += value[i] * y[row_number(rows[i])];
+      y[row_number(k)] = sum;
     }
-    for (int k = 0; k < n; ++k) x(e.row[number(k)], c) = y[number(k)];
+    for (int k = 0; k < n; ++k) x(e.row[row_number(k)], c) = y[row_number(k)];
   }
   return x;
 }

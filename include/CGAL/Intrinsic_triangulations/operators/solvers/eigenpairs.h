@@ -4,8 +4,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_EIGENPAIRS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_EIGENPAIRS_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <functional>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -14,6 +19,7 @@ struct Eigenpairs {
   Eigen::VectorXd values; ///< the eigenvalues, in ascending order
   Eigen::MatrixXd
       vectors; ///< an eigenvector per column, orthonormal in the inner product of the mass matrix
+  Status status = Status::done; ///< `cancelled` by the caller: there are none then
 };
 
 /*!
@@ -21,10 +27,13 @@ struct Eigenpairs {
 zero, several times until none is missing of eigenvalues that are several times there.
 
 With `a` the cotangent Laplacian and `m` a mass matrix they are the squared frequencies and modes of the surface: zero once for each of its
-components, with constants there.
+components, with constants there. Where `m` is diagonal and rows of `a` sum to zero, as of the cotangent Laplacian, the matrix is factored without subtraction
+(`Laplacian_factorization`), and the shift is made no greater than the smallest frequencies: values are right to rounding whatever the weights of slivers are.
 \param a the matrix \pre symmetric and positive semidefinite
 \param m the mass matrix \pre symmetric and positive definite; isolated vertices have no mass
 \param count how many, at most the size of the matrix
+\param progress is called before each solution with the factored matrix, if given, with the number of those before; tells whether to go on. Small matrices are solved without
+  a question.
 \return the pairs; the residual of each, \f$|a x - \lambda m x|\f$, is that of rounding
 \throws std::invalid_argument if sizes do not fit
 \throws Indefinite_matrix if a matrix is not definite up to rounding
@@ -32,7 +41,8 @@ components, with constants there.
 \complexity that of a factorization of `a`, and of some solutions for each pair; small matrices are solved densely
 */
 Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
-                               const Eigen::SparseMatrix<double>& m, Eigen::Index count);
+                               const Eigen::SparseMatrix<double>& m, Eigen::Index count,
+                               const std::function<bool(std::size_t)>& progress = {});
 
 } // namespace CGAL::Intrinsic_triangulations
 

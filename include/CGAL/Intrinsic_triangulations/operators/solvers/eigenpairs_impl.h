@@ -6,20 +6,34 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Row_sums.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/Eigenvalues>
 #include <Spectra/MatOp/SparseSymMatProd.h>
 #include <Spectra/SymGEigsShiftSolver.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+// Ends Spectra's loops, which cannot be told to end.
+struct Cancelled_eigenpairs {};
 
 // What Spectra asks of an operator, y = (a + s m)^-1 x, with a factorization that was made; eigenvectors that were found may be
 // taken out, so that others come to the fore.
@@ -27,26 +41,37 @@ class Shifted_inverse {
 public:
   using Scalar = double; // named by Spectra
 
-  explicit Shifted_inverse(const Eigen::SparseMatrix<double>& shifted) : factorization_(shifted) {}
-  Eigen::Index rows() const { return factorization_.size(); }
-  Eigen::Index cols() const { return factorization_.size(); }
+  explicit Shifted_inverse(Cholesky_factorization<double> factorization)
+      : factorization_(std::move(factorization)) {}
+  explicit Shifted_inverse(Laplacian_factorization factorization)
+      : factorization_(std::move(factorization)) {}
+  Eigen::Index rows() const {
+    return std::visit([](const auto& f) { return f.size(); }, factorization_);
+  }
+  Eigen::Index cols() const { return rows(); }
   void set_shift(double) {}
   void perform_op(const double* x, double* y) const {
+    if (progress_ && !progress_(solutions_++)) throw Cancelled_eigenpairs();
     const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(x, rows());
     Eigen::Map<Eigen::VectorXd> result(y, rows());
-    result = factorization_.solve(v);
+    result =
+        std::visit([&v](const auto& f) { return Eigen::VectorXd(f.solve(v)); }, factorization_);
     if (out_.values.size() == 0) return;
     const Eigen::VectorXd parts = out_.vectors.transpose() * v;
     result -= out_.vectors * parts.cwiseProduct(out_.values);
   }
+  void report_to(std::function<bool(std::size_t)> progress) { progress_ = std::move(progress); }
   // takes out pairs of `a x = lambda m x`
   void take_out(const Eigenpairs& pairs, double shift) {
-    out_ = {(pairs.values.array() + shift).inverse(), pairs.vectors};
+    out_.values = (pairs.values.array() + shift).inverse();
+    out_.vectors = pairs.vectors;
   }
 
 private:
-  Cholesky_factorization<double> factorization_;
+  std::variant<Cholesky_factorization<double>, Laplacian_factorization> factorization_;
   Eigenpairs out_{};
+  std::function<bool(std::size_t)> progress_;
+  mutable std::size_t solutions_ = 0;
 };
 
 inline Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
@@ -61,7 +86,7 @@ inline Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
   solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-13, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful)
     throw std::runtime_error("the eigenvalues have not converged; ask for others, or a finer mesh");
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  return {solver.eigenvalues(), solver.eigenvectors(), Status::done};
 }
 
 // Puts one pair among others, the greatest of which is dropped.
@@ -101,23 +126,81 @@ inline Eigenpairs dense_eigenpairs(const Eigen::SparseMatrix<double>& a,
   if (Eigen::LLT<Eigen::MatrixXd>(dense).info() != Eigen::Success)
     throw Indefinite_matrix(least_diagonal(m));
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(a), dense);
-  return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
+  return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count), Status::done};
 }
 
-// Inverted below zero by far less than the first frequency of a mesh, trace(a) / trace(m) / size or so, and by enough that rounding
-// leaves the matrix definite: its smallest eigenvalue is the shift, its condition about the square of the size.
-inline double spectral_shift(const Eigen::SparseMatrix<double>& a,
-                             const Eigen::SparseMatrix<double>& m) {
+// trace(a) / trace(m): of a mesh without slivers, the first frequency but zero times the size or so.
+inline double mean_eigenvalue(const Eigen::SparseMatrix<double>& a,
+                              const Eigen::SparseMatrix<double>& m) {
+  return a.diagonal().sum() / m.diagonal().sum() + std::numeric_limits<double>::min();
+}
+
+// `m` is a positive diagonal, and `a` the Laplacian of a graph: without negative weights, or with few at the border, their inverse with a shift is accurate
+// entry by entry.
+inline bool is_lumped_laplacian(const Eigen::SparseMatrix<double>& a,
+                                const Eigen::SparseMatrix<double>& m) {
+  for (int c = 0; c < m.cols(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(m, c); i; ++i)
+      if (i.value() != 0 && i.row() != c) return false;
+  return a.isCompressed() && is_laplacian(a) && m.diagonal().minCoeff() > 0;
+}
+
+// About how many eigenvalues there are below the shift, but those of constants in components: by a random vector x that is orthogonal to these,
+// the expectation of x^T m^1/2 (a + s m)^-1 m^1/2 x, the sum of s / (lambda + s).
+inline double eigenvalues_below(const Laplacian_factorization& inverse,
+                                const Eigen::VectorXd& masses,
+                                const std::vector<std::uint32_t>& component, double shift) {
+  std::mt19937 random(1);
+  Eigen::VectorXd x = masses.cwiseSqrt();
+  for (double& value : x) value *= (random() & 1U) != 0 ? 1 : -1;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(x.size()), mass = sum;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const std::uint32_t c = component[row_number(i)];
+    sum[c] += x[i];
+    mass[c] += masses[i];
+  }
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const std::uint32_t c = component[row_number(i)];
+    x[i] -= masses[i] * sum[c] / mass[c];
+  }
+  return shift * x.dot(inverse.solve(x));
+}
+
+// Eigenvalues of the inverse are right to rounding of its greatest one, 1 / shift: the shift must not be much above the eigenvalues that are asked for, as it
+// would be where few large weights make the trace.
+inline Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
+                                          const Eigen::VectorXd& masses, double& shift) {
+  constexpr double few = 8;
+  const std::vector<std::uint32_t> component = components_of_matrix(a);
+  Laplacian_factorization inverse(a, shift * masses);
+  while (eigenvalues_below(inverse, masses, component, shift) > few) {
+    shift *= 0x1p-10;
+    inverse = Laplacian_factorization(a, shift * masses, inverse);
+  }
+  return Shifted_inverse(std::move(inverse));
+}
+
+// Inverts `a` plus a shift that is set. Of others than Laplacians, it is far less than the first frequency, and so much that rounding leaves the
+// matrix definite: its smallest eigenvalue is the shift, its condition about the square of the size.
+inline Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
+                                       const Eigen::SparseMatrix<double>& m, double& shift) {
   const double size = static_cast<double>(a.rows());
-  return a.diagonal().sum() / m.diagonal().sum() / (size * size) +
-         std::numeric_limits<double>::min();
+  shift = mean_eigenvalue(a, m) / (8 * size);
+  if (is_lumped_laplacian(a, m)) {
+    try {
+      return inverted_laplacian(a, m.diagonal(), shift);
+    } catch (const Indefinite_matrix&) { // has many negative weights
+    }
+  }
+  shift = mean_eigenvalue(a, m) / (size * size);
+  return Shifted_inverse(Cholesky_factorization<double>(a + shift * m));
 }
 
 } // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigenpairs
 smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& m,
-                    Eigen::Index count) {
+                    Eigen::Index count, const std::function<bool(std::size_t)>& progress) {
   const Eigen::Index size = a.rows();
   if (a.cols() != size || m.rows() != size || m.cols() != size)
     throw std::invalid_argument("both matrices must be square and of one size");
@@ -125,14 +208,19 @@ smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMat
     throw std::invalid_argument("a matrix with " + std::to_string(size) + " rows has not " +
                                 std::to_string(count) + " eigenvalues");
   constexpr Eigen::Index small = 64; // a dense method is faster
-  if (count == 0) return {{}, Eigen::MatrixXd(size, 0)};
+  if (count == 0) return {{}, Eigen::MatrixXd(size, 0), Status::done};
   if (size <= std::max(small, 2 * count + 1)) return internal::dense_eigenpairs(a, m, count);
-  const double shift = internal::spectral_shift(a, m);
-  internal::Shifted_inverse inverse(a + shift * m);
+  double shift = 0;
+  internal::Shifted_inverse inverse = internal::shifted_inverse(a, m, shift);
+  inverse.report_to(progress);
   const Spectra::SparseSymMatProd<double> mass(m);
-  Eigenpairs pairs = internal::lanczos_eigenpairs(inverse, mass, count, shift);
-  internal::find_missed_pairs(pairs, inverse, mass, shift);
-  return pairs;
+  try {
+    Eigenpairs pairs = internal::lanczos_eigenpairs(inverse, mass, count, shift);
+    internal::find_missed_pairs(pairs, inverse, mass, shift);
+    return pairs;
+  } catch (const internal::Cancelled_eigenpairs&) {
+    return {{}, Eigen::MatrixXd(size, 0), Status::cancelled};
+  }
 }
 
 } // namespace CGAL::Intrinsic_triangulations

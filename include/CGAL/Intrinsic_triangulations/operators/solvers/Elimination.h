@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_H
+
+#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// In which order the rows of a symmetric matrix are eliminated, and where its factor has entries: of the pattern alone.
+struct Elimination {
+  // by approximate minimum degree
+  explicit Elimination(const Eigen::SparseMatrix<double>& a);
+  // \param order the rows, each once
+  Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order);
+
+  Eigen::Index entries_of_matrix;
+  std::vector<int> row; // at each place of the order
+  // Of each place: later places joined to it, and where `a` has their values.
+  std::vector<int> begin, neighbour, entry;
+  // Where the entries of each column of the factor begin, below the diagonal.
+  std::vector<int> column_begin;
+  // Blocks of columns that end alike, each with the next one as its first entry: where they begin, and of each column.
+  std::vector<int> block_begin, block;
+  // The places of the entries of the first column of each block, ascending, which end with those of the others.
+  std::vector<int> block_rows_begin, block_rows;
+
+  int count(int column) const {
+    return column_begin[row_number(column + 1)] - column_begin[row_number(column)];
+  }
+  const int* rows_end(int of_block) const {
+    return block_rows.data() + block_rows_begin[row_number(of_block + 1)];
+  }
+  // the places of the entries of a column
+  const int* rows(int column) const { return rows_end(block[row_number(column)]) - count(column); }
+
+private:
+  void find_neighbours(const Eigen::SparseMatrix<double>& a);
+  void find_blocks();
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_H
