@@ -35,8 +35,9 @@ Surface_choice surface_of(const Options& options) {
 
 void expect_mesh_file(const std::string& path) {
   if (is_triangulation_file(path))
-    throw std::runtime_error(path + ": a stored triangulation does not know where its edges run on "
-                                    "the input; start from the mesh");
+    throw std::runtime_error(path +
+                             ": this command does not go on from stored triangulations; start "
+                             "from the mesh that this one was made of");
 }
 
 std::string arithmetic_of(const Options& options) {
