@@ -16,7 +16,6 @@ void run_delaunay_with_crossings(const Options& options);
 void run_delaunay_with_signposts(const Options& options);
 
 void run_delaunay(const Options& options) {
-<<<<<<< HEAD
   const bool is_stored = is_triangulation_file(options.input);
   const std::string& asked = options.correspondence;
   if (is_stored && (asked == "crossings" || asked == "signposts"))
@@ -25,12 +24,6 @@ void run_delaunay(const Options& options) {
   const bool is_needed =
       !is_stored || needs_correspondence(options) || has_constraints(options) || asked == "integer";
   if (asked == "none" || !is_needed)
-=======
-  if (needs_correspondence(options) || has_constraints(options) || !options.metric.empty() ||
-      (!options.correspondence.empty() && options.correspondence != "none"))
-    expect_mesh_file(options.input);
-  if (options.correspondence == "none" || is_triangulation_file(options.input))
->>>>>>> w_s18
     run_delaunay_with<IT::No_correspondence>(options);
   else if (options.correspondence == "crossings")
     run_delaunay_with_crossings(options);
