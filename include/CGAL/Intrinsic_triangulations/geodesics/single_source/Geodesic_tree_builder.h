@@ -74,7 +74,8 @@ public:
       do drain(go_on);
       while (result_.status == Status::done && finds_more());
       find_shortcuts(go_on);
-      if (queue_.empty() && changed_.empty()) find_ways_to_all();
+      if (queue_.empty() && changed_.empty() && has_accepted_since(accepted_before_all_))
+        find_ways_to_all();
     } while (result_.status == Status::done && !(queue_.empty() && changed_.empty()));
     return result_;
   }
@@ -244,6 +245,11 @@ private:
     progress_before_ = progress;
     return result_.status == Status::done;
   }
+  // Whether any vertex has been, since this was asked last. Flips alone are no progress: where a way is shorter than the one to a vertex in
+  // the tree, the flips end in one that is taken. With rounding they need not, and would be made back and forth.
+  bool has_accepted_since(std::uint64_t& before) const {
+    return std::exchange(before, accepted_) != accepted_;
+  }
   // Ways that were bent when they were looked at may have become better, and so have others, as lengths have been told more accurately.
   void find_ways_to_all() {
     for (Label& l : labels_) l.bound = l.distance;
@@ -309,7 +315,7 @@ private:
   std::priority_queue<Candidate> queue_;
   std::vector<std::uint32_t> changed_; // vertices from which shortcuts have not been looked for
   Shortening_result result_;
-  std::uint64_t cap_ = 0, steps_ = 0, accepted_ = 0, progress_before_ = 0;
+  std::uint64_t cap_ = 0, steps_ = 0, accepted_ = 0, progress_before_ = 0, accepted_before_all_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
