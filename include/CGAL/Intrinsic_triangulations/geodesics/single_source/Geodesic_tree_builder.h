@@ -41,7 +41,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // in the triangle p u n_j and shorter than p u n_j, so that no d increases. When none can be flipped, d(v) is less than by
 // way of u, where it was attained. There are finitely many geodesic edges below a length, so that the sum of all d decreases
 // finitely often. This holds as far as sums of lengths in doubles tell apart what differs: a vertex of the tree is taken out only
-// if it becomes nearer by `least_gain`, so that rounding does not take one out again and again.
+// if it becomes nearer by `least_gain`, so that rounding does not take one out again and again; and one to which ways are bent again and
+// again, but do not become shorter, is given up after `most_futile` of them.
 //
 // So far a path is compared with those that are longer by an edge before they are straightened, and is often not the shortest: that passes
 // a vertex of small curvature on the other side. Then straight ways from the vertices of the tree are looked for by windows, see
@@ -57,12 +58,13 @@ class Geodesic_tree_builder {
   static constexpr std::uint32_t none = Gluing::none;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
-  static constexpr double least_gain = 1e-10; // relative
+  static constexpr double least_gain = 1e-10;    // relative
+  static constexpr unsigned most_futile = 10000; // with exact traits, there were 712 at most
 
 public:
   Geodesic_tree_builder(const Triangulation& t, Session& session, Flip_log<Triangulation>* log)
       : t_(t), session_(session), flip_wedge_(t, session, log),
-        labels_(t.numbers().vertex_capacity(t.mesh())),
+        labels_(t.numbers().vertex_capacity(t.mesh())), bends_(labels_.size()),
         flips_when_bent_(2 * t.numbers().edge_capacity(t.mesh()), never) {}
 
   // `go_on(result)` is called now and then
@@ -74,8 +76,10 @@ public:
       do drain(go_on);
       while (result_.status == Status::done && finds_more());
       find_shortcuts(go_on);
-      if (queue_.empty() && changed_.empty()) find_ways_to_all();
+      if (queue_.empty() && changed_.empty() && has_accepted_since(accepted_before_all_))
+        find_ways_to_all();
     } while (result_.status == Status::done && !(queue_.empty() && changed_.empty()));
+    if (result_.status == Status::done && lacks_way()) result_.status = Status::stalled;
     return result_;
   }
 
@@ -93,6 +97,11 @@ private:
     double distance = infinity;    // in the tree
     std::uint32_t halfedge = none; // to it in the tree
     bool is_in_tree = false;
+  };
+  // ways to a vertex that were bent
+  struct Bends {
+    double distance = infinity; // of the last one
+    unsigned futile = 0;        // how many were not shorter than the one before
   };
   struct Candidate {
     double distance;
@@ -148,7 +157,7 @@ private:
 
   // takes note of a way along a halfedge
   void relax(std::uint32_t h) {
-    if (!labels_[source_of(h)].is_in_tree) return;
+    if (!labels_[source_of(h)].is_in_tree || bends_[target_of(h)].futile > most_futile) return;
     Label& to = labels_[target_of(h)];
     const double d = distance_along(h);
     if (!(d < to.bound) || (to.is_in_tree && !(d < to.distance * (1 - least_gain)))) return;
@@ -169,8 +178,16 @@ private:
       accept(v, c.distance, c.halfedge);
     } else {
       flips_when_bent_[c.halfedge] = result_.flips;
+      note_bend(v, c.distance);
       search(v);
     }
+  }
+
+  // A way that is bent is shortened, so that the next one to the vertex should be shorter; rounding can hide that, or make up bends.
+  void note_bend(std::uint32_t v, double distance) {
+    Bends& b = bends_[v];
+    if (!(distance < b.distance)) ++b.futile;
+    b.distance = distance;
   }
 
   // whether the path goes on straight from u along h; if not, edges are flipped
@@ -207,6 +224,7 @@ private:
   void accept(std::uint32_t v, double distance, std::uint32_t h) {
     if (labels_[v].is_in_tree) take_out(v);
     labels_[v] = {distance, distance, h, true};
+    bends_[v].distance = infinity;
     ++accepted_;
     changed_.push_back(v);
     if (!is_isolated(t_.numbers().vertex_at(v)))
@@ -244,6 +262,11 @@ private:
     progress_before_ = progress;
     return result_.status == Status::done;
   }
+  // Whether any vertex has been, since this was asked last. Flips alone are no progress: where a way is shorter than the one to a vertex in
+  // the tree, the flips end in one that is taken. With rounding they need not, and would be made back and forth.
+  bool has_accepted_since(std::uint64_t& before) const {
+    return std::exchange(before, accepted_) != accepted_;
+  }
   // Ways that were bent when they were looked at may have become better, and so have others, as lengths have been told more accurately.
   void find_ways_to_all() {
     for (Label& l : labels_) l.bound = l.distance;
@@ -251,6 +274,15 @@ private:
       const std::uint32_t i = t_.numbers().halfedge(h);
       if (flips_when_bent_[i] != result_.flips) relax(i);
     }
+  }
+
+  // whether a vertex next to the tree is not in it, as all ways to it seem to be bent
+  bool lacks_way() const {
+    for (const Halfedge h : halfedges(t_.mesh())) {
+      const std::uint32_t i = t_.numbers().halfedge(h);
+      if (labels_[source_of(i)].is_in_tree && !labels_[target_of(i)].is_in_tree) return true;
+    }
+    return false;
   }
 
   // Looks for shorter ways straight on from all vertices that have been reached anew, near ones first.
@@ -305,11 +337,12 @@ private:
   Session& session_;
   Wedge_flipper<Triangulation> flip_wedge_;
   std::vector<Label> labels_;
+  std::vector<Bends> bends_;                   // per vertex
   std::vector<std::uint64_t> flips_when_bent_; // per halfedge
   std::priority_queue<Candidate> queue_;
   std::vector<std::uint32_t> changed_; // vertices from which shortcuts have not been looked for
   Shortening_result result_;
-  std::uint64_t cap_ = 0, steps_ = 0, accepted_ = 0, progress_before_ = 0;
+  std::uint64_t cap_ = 0, steps_ = 0, accepted_ = 0, progress_before_ = 0, accepted_before_all_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

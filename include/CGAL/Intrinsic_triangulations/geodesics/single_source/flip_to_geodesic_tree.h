@@ -28,7 +28,8 @@ not certified; see `Polyhedral_distance`.
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100 per edge and a million.
   - `visitor(v)`: see `Shortening_visitor`
 \return the tree, which refers to `t`. Its status is `done`, `stalled` if a vertex that is connected with the source has no path as
-flips were refused, `cap` or `cancelled`; what is in the tree is geodesic in any case.
+flips were refused or, if the traits are not exact, all ways to it seem to be bent; `cap` or `cancelled`. What is in the tree is geodesic in any
+case.
 \complexity n log n in the number of edges, and of the flips, for which no bound is known
 */
 template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
