@@ -21,9 +21,10 @@ void run_delaunay(const Options& options) {
   if (is_stored && (asked == "crossings" || asked == "signposts"))
     throw std::runtime_error(options.input + ": a stored triangulation has its correspondence, "
                                              "integer coordinates; start from the mesh");
-  const bool is_needed =
-      !is_stored || needs_correspondence(options) || has_constraints(options) || asked == "integer";
-  if (asked == "none" || !is_needed)
+  const bool is_needed = !is_stored || needs_correspondence(options) || asked == "integer";
+  // of a stored triangulation, coordinates tell where edges of the input are
+  const bool tells_constraints = is_stored && has_constraints(options);
+  if (!tells_constraints && (asked == "none" || !is_needed))
     run_delaunay_with<IT::No_correspondence>(options);
   else if (options.correspondence == "crossings")
     run_delaunay_with_crossings(options);

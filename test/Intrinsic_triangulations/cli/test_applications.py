@@ -214,7 +214,7 @@ class Vectors(Applications):
         mesh = self.write_off("c.off", points, faces)
         for degree in (2, 4):
             stats = self.stats("field", mesh, "--degree", degree, "--align", "1", "-o", "f.txt")
-            self.assertTrue(stats["field"]["aligned_to_curvature"])
+            self.assertEqual(stats["field"]["alignment"], 1)
             self.assertEqual(stats["field"]["singular_faces"], 0)
         # directions are those of curvature, however strongly it is followed; lines have no sign
         fields = []

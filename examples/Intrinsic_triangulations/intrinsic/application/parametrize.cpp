@@ -39,18 +39,22 @@ template <class Triangulation>
 IT::Injective_map certified(const Triangulation& t, Eigen::MatrixX2d uv) {
   IT::Injective_map map{IT::Status::done, std::move(uv), {}};
   map.certificate = IT::certify_map(t, map.uv);
-  if (!map.certificate.is_injective()) map.status = IT::Status::stalled;
   return map;
 }
 
 // Only harmonic maps can be made injective, and only by flips and splits of all edges.
+bool is_made_injective(const Options& options) {
+  const std::string& method = options.application.map;
+  return method != "spectral" && method != "lscm" && !has_constraints(options);
+}
+
 template <class Triangulation>
 IT::Injective_map map_of(Triangulation& t, const Options& options) {
   const std::string& method = options.application.map;
   if (method == "spectral") return certified(t, IT::spectral_conformal_map(t));
   if (method == "lscm") return certified(t, IT::least_squares_conformal_map(t));
-  if (has_constraints(options)) return certified(t, IT::harmonic_map(t));
-  return IT::injective_harmonic_map(t);
+  if (is_made_injective(options)) return IT::injective_harmonic_map(t);
+  return certified(t, IT::harmonic_map(t));
 }
 
 // Certifies the map of the faces of the file, linear on each of them.
@@ -71,7 +75,6 @@ bool is_injective_on_input(const Triangulation& t, const Eigen::MatrixX2d& uv) {
 Json json_of(const IT::Injective_map& map, const IT::Map_distortion& distortion,
              const std::string& method) {
   return {{"method", method},
-          {"status", name_of(map.status)},
           {"injective", map.certificate.is_injective()},
           {"flipped_faces", map.certificate.flipped},
           {"degenerate_faces", map.certificate.degenerate},
@@ -93,6 +96,7 @@ void run_parametrize(const Options& options) {
     computed.functions = {{"u", map.uv.col(0)}, {"v", map.uv.col(1)}};
     computed.is_map = true;
     computed.json = json_of(map, IT::measure_distortion(t, map.uv), options.application.map);
+    if (is_made_injective(options)) computed.json["status"] = name_of(map.status);
     if (t.input().names().sheets == 1)
       computed.json["injective_on_input"] = is_injective_on_input(t, map.uv);
     return computed;

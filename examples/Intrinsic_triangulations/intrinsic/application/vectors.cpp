@@ -127,14 +127,16 @@ Computed direction_field(const Triangulation& t, const Options& options, const P
   for (const auto& [h, n] : singular.turns) turns += n;
   Computed computed{"field", {}, {}};
   computed.directions = {field.directions(), options.application.degree, first_copies(t)};
-  computed.json = {{"degree", degree},
-                   {"fixed", fixed.size()},
-                   {"aligned_to_curvature", options.application.alignment.has_value()},
-                   {"singular_faces",
-                    singular.index.size() - static_cast<std::size_t>(std::count(
-                                                singular.index.begin(), singular.index.end(), 0))},
-                   {"index_sum", singular.sum()},
-                   {"border_turns", turns}};
+  computed.json = {
+      {"degree", degree},
+      {"fixed", fixed.size()},
+      {"alignment",
+       options.application.alignment ? Json(*options.application.alignment) : Json(nullptr)},
+      {"singular_faces",
+       singular.index.size() -
+           static_cast<std::size_t>(std::count(singular.index.begin(), singular.index.end(), 0))},
+      {"index_sum", singular.sum()},
+      {"border_turns", turns}};
   return computed;
 }
 

@@ -120,6 +120,8 @@ public:
                                            Side left, Side right,
                                            const Recorded_diamond_expression& expression,
                                            std::size_t most);
+  /// returns how many flips that function has repeated so far, or looked for in vain.
+  std::size_t repeated_flips() const;
 
   /*!
   \brief returns the sign of an expression in the values of the diamond between two sides.

@@ -137,8 +137,10 @@ struct Exact_evaluation::Memory {
     using FT = Ball<Double_double>;
     if (short_moves.size() > maximal_memory) short_moves.clear();
     const auto face = short_balls.of(input);
+    const std::size_t known = short_moves.size();
     const auto faces = History_evaluator<FT, decltype(face)>(history, face, short_moves)
                            .faces({left, right}, most);
+    repeated += faces ? short_moves.size() - known : most;
     if (!faces) return std::nullopt;
     return with_value(expression, diamond_values((*faces)[0], (*faces)[1]));
   }
@@ -147,6 +149,7 @@ struct Exact_evaluation::Memory {
   Input_face_intervals<Interval_nt<false>> doubles;
   Input_face_intervals<Ball<Double_double>> short_balls;
   History_values<Ball<Double_double>> short_moves;
+  std::size_t repeated = 0;                           // flips, see `repeated_flips()`
   Input_face_intervals<Ball<Mpfr_number>> long_balls; // of 256 bits
   std::map<Gmpfi::Precision_type, Intervals> by_precision;
 
@@ -271,6 +274,10 @@ Exact_evaluation::short_enclosure(const Input_metric& input, const Flip_history&
       [&] { return memory().short_value(input, history, left, right, expression, most); });
   if (!value) return std::nullopt;
   return internal::intervals(*value);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t Exact_evaluation::repeated_flips() const {
+  return memory_ == nullptr ? 0 : memory_->repeated;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_evaluation::sign(

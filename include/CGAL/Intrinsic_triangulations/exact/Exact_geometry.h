@@ -133,6 +133,8 @@ private:
   bool is_unfolder_started() const;
 
   // by repeating flips, unless they are many, or as many as would have to be followed
+  bool may_repeat_many_flips() const;
+
   std::optional<Exact_evaluation::Enclosure>
   value_by_flips(const Diamond& d, const Recorded_diamond_expression& expression) const;
 

@@ -121,7 +121,7 @@ Exact_geometry::nonzero_enclosure(const Diamond& d,
   Exact_evaluation::Enclosure value;
   for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
     ++statistics_.sharpenings[bits];
-    const Unfolded_diamond* u = repeats_flips ? nullptr : unfolded(d);
+    const Unfolded_diamond* u = unfolded(d);
     value = u != nullptr
                 ? evaluation_.enclosure(*input_, *u, expression, bits)
                 : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
@@ -172,11 +172,18 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Exact_geometry::is_unfolder_started() 
   return unfolder() != nullptr && unfolder()->is_started();
 }
 
+// Until as many were repeated as there are: by then, it would have cost as much to repeat them all, and unfold.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Exact_geometry::may_repeat_many_flips() const {
+  return unfolder() != nullptr && !unfolder()->is_started() &&
+         evaluation_.repeated_flips() <= versions_.history().number_of_flips();
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
 Exact_geometry::value_by_flips(const Diamond& d,
                                const Recorded_diamond_expression& expression) const {
   constexpr std::uint32_t few = 32;
-  const std::uint32_t more = is_unfolder_started() ? 0 : versions_.history().number_of_flips() / 16;
+  const std::uint32_t more =
+      may_repeat_many_flips() ? versions_.history().number_of_flips() / 16 : 0;
   return evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
                                      versions_.right_side(d), expression, few + more);
 }
@@ -184,7 +191,7 @@ Exact_geometry::value_by_flips(const Diamond& d,
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
 Exact_geometry::sign_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
                               Diamond_values<FT>& better) const {
-  if (is_defined_by_places_ || is_unfolder_started()) return std::nullopt;
+  if (is_defined_by_places_ || !may_repeat_many_flips()) return std::nullopt;
   const std::optional<Exact_evaluation::Enclosure> value = value_by_flips(d, expression);
   if (!value) return std::nullopt;
   better = value->second;

@@ -110,6 +110,46 @@ TEST(Eigenpairs, are_right_beside_great_weights) {
   }
 }
 
+/// Square grids with weights 1, in a chain that weak edges join.
+Eigen::SparseMatrix<double> chain_of_grids(int grids, int n, double weight) {
+  const int rows = grids * n * n;
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto join = [&](int i, int j, double w) {
+    entries.insert(entries.end(), {{i, j, -w}, {j, i, -w}, {i, i, w}, {j, j, w}});
+  };
+  for (int v = 0; v < rows; ++v) {
+    const int x = v % n, y = v / n % n;
+    if (x + 1 < n) join(v, v + 1, 1);
+    if (y + 1 < n) join(v, v + n, 1);
+    if (v % (n * n) == 0 && v > 0) join(v - 1, v, weight);
+  }
+  Eigen::SparseMatrix<double> l(rows, rows);
+  l.setFromTriplets(entries.begin(), entries.end());
+  return l;
+}
+
+TEST(Eigenpairs, beyond_a_cluster_of_small_ones_are_right_or_refused) {
+  // those of one grid, of which the smallest but zero is that of a path of 12 vertices, twice
+  const double first = 2 - 2 * std::cos(std::numbers::pi / 12);
+  for (const auto& [grids, weight] :
+       {std::pair(9, 1e-6), {9, 1e-8}, {20, 1e-6}, {9, 1e-14}, {12, 1e-18}}) {
+    const Eigen::SparseMatrix<double> l = chain_of_grids(grids, 12, weight);
+    Eigen::SparseMatrix<double> m(l.rows(), l.rows());
+    m.setIdentity();
+    IT::Eigenpairs pairs;
+    try {
+      pairs = IT::smallest_eigenpairs(l, m, grids + 2);
+    } catch (const std::runtime_error&) {
+      EXPECT_LT(weight, 1e-10) << grids; // sixteen digits from the others
+      continue;
+    }
+    for (int i = 0; i < grids; ++i)
+      EXPECT_LT(pairs.values[i], 4 * weight) << grids << ' ' << weight;
+    for (int i = grids; i < grids + 2; ++i)
+      EXPECT_NEAR(pairs.values[i], first, 8 * weight + 1e-12) << grids << ' ' << weight;
+  }
+}
+
 TEST(Eigenpairs, can_be_followed_and_cancelled) {
   const Exact t(torus(20, 0));
   const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);

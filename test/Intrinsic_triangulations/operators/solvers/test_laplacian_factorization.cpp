@@ -71,6 +71,11 @@ TEST(Laplacian_factorization, patterns_that_are_not_symmetric_are_refused) {
                                           ones);
   EXPECT_THROW(IT::Laplacian_factorization(laplacian_of(4, {{0, 1, 1.}, {1, 2, 1.}}), ones, chain),
                std::invalid_argument);
+  // nor by one with as many
+  const Matrix ring = laplacian_of(4, {{0, 1, 1.}, {2, 3, 1.}, {1, 2, 1.}, {0, 3, 1.}}),
+               other = laplacian_of(4, {{0, 2, 1.}, {1, 3, 1.}, {0, 1, 1.}, {2, 3, 1.}});
+  EXPECT_THROW(IT::Laplacian_factorization::of_both(ring, ones, other, ones),
+               std::invalid_argument);
 }
 
 TEST(Laplacian_factorization, solves_what_cholesky_solves) {

@@ -27,6 +27,23 @@ inline Eigen::SparseMatrix<double> bilaplacian(const Eigen::SparseMatrix<double>
 
 } // namespace internal
 
+namespace internal {
+
+// whether rows that are not handles, and have neighbours, have masses
+inline bool all_free_have_mass(const Eigen::SparseMatrix<double>& laplacian,
+                               const Eigen::VectorXd& mass,
+                               std::span<const std::uint32_t> handles) {
+  std::vector<char> needs_none(static_cast<std::size_t>(mass.size()), 0);
+  for (const std::uint32_t r : handles) needs_none[r] = 1;
+  for (Eigen::Index r = 0; r < mass.size(); ++r)
+    if (mass[r] == 0 && needs_none[static_cast<std::size_t>(r)] == 0 &&
+        laplacian.outerIndexPtr()[r + 1] - laplacian.outerIndexPtr()[r] > 1)
+      return false;
+  return true;
+}
+
+} // namespace internal
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& laplacian,
                                          const Eigen::VectorXd& mass,
@@ -35,6 +52,8 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
     : rows_(handles.begin(), handles.end()), handles_(handles.size()), size_(laplacian.rows()) {
   if (mass.size() != size_)
     throw std::invalid_argument("there must be a mass per row of the Laplacian");
+  if (!mass.allFinite() || !(mass.array() >= 0).all())
+    throw std::invalid_argument("masses must be finite and not negative");
   std::vector<char> is_handle(static_cast<std::size_t>(size_), 0);
   for (const std::uint32_t r : handles) {
     if (r >= is_handle.size())
@@ -57,15 +76,20 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
 Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian,
                                        const Eigen::VectorXd& mass) {
-  constexpr std::size_t few = 64, numbers = 100000000;
+  constexpr std::size_t few = 64, many = 2000, numbers = 100000000;
   std::vector<std::uint32_t> beside = internal::rows_beside_free_ones(laplacian, rows_);
-  const bool is_laplacian = internal::is_laplacian(laplacian);
-  const auto by_handles = [&] { by_handles_.emplace(laplacian, mass, rows_, std::move(beside)); };
+  // rows without mass, which the product leaves out, would have to be harmonic
+  const bool is_laplacian =
+      internal::is_laplacian(laplacian) && internal::all_free_have_mass(laplacian, mass, rows_);
+  const auto by_handles = [&] { // the unit of masses is that of the energy alone
+    by_handles_.emplace(laplacian, mass / mass.maxCoeff(), rows_, std::move(beside));
+  };
   if (is_laplacian && beside.size() <= few) return by_handles();
   try {
     solver_.emplace(internal::bilaplacian(laplacian, mass), rows_);
   } catch (const Indefinite_matrix& error) {
-    if (!is_laplacian || beside.size() > numbers / static_cast<std::size_t>(size_))
+    if (!is_laplacian || beside.size() > many ||
+        beside.size() > numbers / static_cast<std::size_t>(size_))
       throw Indefinite_matrix(error.row(), "faces there are too different in size for so many "
                                            "handles; give fewer, or take the harmonic energy");
     by_handles();

@@ -95,8 +95,7 @@ public:
     if (is_decided_) return;
     const std::size_t edges = coordinates.number_of_edges();
     if (are_kept_) {
-      are_kept_ = size_ <= 2 * most_per_edge * edges;
-      if (!are_kept_) lists_ = {};
+      forget_beyond(edges, 0);
     } else if (steps - steps_before_ > patience * edges) {
       steps_before_ = steps;
       std::size_t all = 0;
@@ -104,6 +103,14 @@ public:
         all += static_cast<std::size_t>(crossings(coordinates.normal_coordinate(e)));
       if (all <= most_per_edge * edges) keep(edge_crossings(t, coordinates));
     }
+  }
+
+  /// forgets crossings that need not be kept, if there are too many together with `more` of them on an edge to come.
+  void forget_beyond(std::size_t edges, Normal_coordinate more) {
+    if (is_decided_ || size_ + static_cast<std::size_t>(more) <= 2 * most_per_edge * edges) return;
+    lists_ = {};
+    size_ = 0;
+    are_kept_ = false;
   }
 
   /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.

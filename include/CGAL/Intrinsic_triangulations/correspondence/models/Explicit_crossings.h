@@ -56,8 +56,10 @@ public:
   /// \throws std::length_error see `edge_crossings()` \complexity linear in the number of edges and crossings
   template <class Triangulation>
   void restore(const Triangulation& t, Integer_coordinates coordinates) {
+    const Edge_crossings all =
+        edge_crossings(t, coordinates); // may throw: nothing has changed then
     Integer_coordinates::restore(t, std::move(coordinates));
-    kept_.keep_always(edge_crossings(t, *this));
+    kept_.keep_always(all);
   }
 
   /// returns the input halfedge that intrinsic halfedge `h` runs along, or along a part of which; none

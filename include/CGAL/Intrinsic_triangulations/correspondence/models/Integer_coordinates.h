@@ -119,6 +119,7 @@ public:
     const Corner_coordinates f = corner_coordinates(left), g = corner_coordinates(right);
     flipped_ = flipped_normal_coordinate(left[0], f, g);
     if (flipped_ > maximal_normal_coordinate) return false;
+    kept_.forget_beyond(normal_.size(), crossings(flipped_));
     if (kept_)
       kept_.announce(move, f, g, crossings(left[2]), crossings(right[1]),
                      left[0] < 0 ? fans_.halfedge(roundabout_[move.ij ^ 1U]) : Gluing::none);

@@ -68,7 +68,9 @@ public:
 
   // whether the coordinates are known without repeating flips
   bool are_started(const Triangulation& t) const {
-    return state_ != State::unknown || is_shared(t);
+    if (state_ != State::unknown) return true;
+    if (!is_shared_) is_shared_ = is_shared(t); // linear: not to be found at every sign
+    return *is_shared_;
   }
 
   // the coordinates; null if an edge crosses more input edges than they can count
@@ -136,7 +138,7 @@ private:
   // mutable: a cache of what the history tells, until they define the metric
   mutable std::unique_ptr<Integer_coordinates> own_;
   mutable State state_ = State::unknown;
-  mutable std::optional<bool> are_on_input_; // unless nobody has asked
+  mutable std::optional<bool> are_on_input_, is_shared_; // unless nobody has asked
   bool define_metric_ = false;
   std::unique_ptr<Unfolder> unfolder_;
 };

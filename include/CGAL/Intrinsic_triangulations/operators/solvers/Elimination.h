@@ -20,7 +20,7 @@ struct Elimination {
   // \param order the rows, each once
   Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order);
 
-  Eigen::Index entries_of_matrix;
+  std::size_t pattern;  // a hash of that of the matrix
   std::vector<int> row; // at each place of the order
   // Of each place: later places joined to it, and where `a` has their values.
   std::vector<int> begin, neighbour, entry;

@@ -11,6 +11,8 @@
 
 #include <Eigen/OrderingMethods>
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -46,13 +48,19 @@ inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& 
   return {order.indices().data(), order.indices().data() + order.indices().size()};
 }
 
+inline std::size_t hash_of_pattern(const Eigen::SparseMatrix<double>& a) {
+  std::size_t hash = boost::hash_range(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1);
+  boost::hash_range(hash, a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros());
+  return hash;
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Elimination::Elimination(const Eigen::SparseMatrix<double>& a)
     : Elimination(a, minimum_degree_order(a)) {}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Elimination::Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order)
-    : entries_of_matrix(a.nonZeros()), row(std::move(order)) {
+    : pattern(hash_of_pattern(a)), row(std::move(order)) {
   if (!has_symmetric_pattern(a))
     throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
   find_neighbours(a);
@@ -177,7 +185,7 @@ inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::
 
 // Throws if the order of one matrix is not one for another.
 inline void expect_same_pattern(const Elimination& e, const Eigen::SparseMatrix<double>& a) {
-  if (static_cast<Eigen::Index>(e.row.size()) != a.cols() || e.entries_of_matrix != a.nonZeros())
+  if (static_cast<Eigen::Index>(e.row.size()) != a.cols() || e.pattern != hash_of_pattern(a))
     throw std::invalid_argument("the matrices must have the same pattern");
 }
 

@@ -17,6 +17,7 @@
 #include <Spectra/SymGEigsShiftSolver.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -79,14 +80,18 @@ inline Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
                                      Eigen::Index count, double shift) {
   auto m = mass; // which Spectra takes as not constant
   const Eigen::Index space = std::min(inverse.rows(), std::max<Eigen::Index>(2 * count + 1, 20));
-  Spectra::SymGEigsShiftSolver<Shifted_inverse, Spectra::SparseSymMatProd<double>,
-                               Spectra::GEigsMode::ShiftInvert>
-      solver(inverse, m, count, space, -shift);
-  solver.init();
-  solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-13, Spectra::SortRule::SmallestAlge);
-  if (solver.info() != Spectra::CompInfo::Successful)
-    throw std::runtime_error("the eigenvalues have not converged; ask for others, or a finer mesh");
-  return {solver.eigenvalues(), solver.eigenvectors(), Status::done};
+  // of eigenvalues far above a cluster of others, rounding leaves fewer digits
+  for (const double tolerance : {1e-13, 1e-10}) {
+    Spectra::SymGEigsShiftSolver<Shifted_inverse, Spectra::SparseSymMatProd<double>,
+                                 Spectra::GEigsMode::ShiftInvert>
+        solver(inverse, m, count, space, -shift);
+    solver.init();
+    solver.compute(Spectra::SortRule::LargestMagn, 1000, tolerance,
+                   Spectra::SortRule::SmallestAlge);
+    if (solver.info() == Spectra::CompInfo::Successful)
+      return {solver.eigenvalues(), solver.eigenvectors(), Status::done};
+  }
+  throw std::runtime_error("the eigenvalues have not converged; ask for others, or a finer mesh");
 }
 
 // Puts one pair among others, the greatest of which is dropped.
@@ -113,6 +118,20 @@ inline void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
   }
 }
 
+// Throws if a pair is none: beside the terms of the sums, what is left of them is rounding, or noise that Lanczos' method took for a vector.
+inline void expect_eigenpairs(const Eigen::SparseMatrix<double>& a,
+                              const Eigen::SparseMatrix<double>& m, const Eigenpairs& pairs) {
+  const Eigen::SparseMatrix<double> sizes_a = a.cwiseAbs(), sizes_m = m.cwiseAbs();
+  for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
+    const Eigen::VectorXd x = pairs.vectors.col(i), size = x.cwiseAbs();
+    const double value = pairs.values[i];
+    const double terms = (sizes_a * size + std::abs(value) * (sizes_m * size)).norm();
+    if (!((a * x - value * (m * x)).norm() <= 0x1p-26 * terms))
+      throw std::runtime_error("eigenvalue " + std::to_string(i) +
+                               " has not converged; ask for fewer");
+  }
+}
+
 // the row of the least diagonal entry
 inline Eigen::Index least_diagonal(const Eigen::SparseMatrix<double>& m) {
   Eigen::Index row = 0;
@@ -132,7 +151,8 @@ inline Eigenpairs dense_eigenpairs(const Eigen::SparseMatrix<double>& a,
 // trace(a) / trace(m): of a mesh without slivers, the first frequency but zero times the size or so.
 inline double mean_eigenvalue(const Eigen::SparseMatrix<double>& a,
                               const Eigen::SparseMatrix<double>& m) {
-  return a.diagonal().sum() / m.diagonal().sum() + std::numeric_limits<double>::min();
+  const double mean = a.diagonal().sum() / m.diagonal().sum();
+  return mean > 0 ? mean : 1; // without edges there is nothing but zero
 }
 
 // `m` is a positive diagonal, and `a` the Laplacian of a graph: without negative weights, or with few at the border, their inverse with a shift is accurate
@@ -169,8 +189,9 @@ inline double eigenvalues_below(const Laplacian_factorization& inverse,
 // Eigenvalues of the inverse are right to rounding of its greatest one, 1 / shift: the shift must not be much above the eigenvalues that are asked for, as it
 // would be where few large weights make the trace.
 inline Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
-                                          const Eigen::VectorXd& masses, double& shift) {
-  constexpr double few = 8;
+                                          const Eigen::VectorXd& masses, Eigen::Index count,
+                                          double& shift) {
+  const double few = std::max(8., static_cast<double>(count));
   const std::vector<std::uint32_t> component = components_of_matrix(a);
   Laplacian_factorization inverse(a, shift * masses);
   while (eigenvalues_below(inverse, masses, component, shift) > few) {
@@ -183,12 +204,13 @@ inline Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
 // Inverts `a` plus a shift that is set. Of others than Laplacians, it is far less than the first frequency, and so much that rounding leaves the
 // matrix definite: its smallest eigenvalue is the shift, its condition about the square of the size.
 inline Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
-                                       const Eigen::SparseMatrix<double>& m, double& shift) {
+                                       const Eigen::SparseMatrix<double>& m, Eigen::Index count,
+                                       double& shift) {
   const double size = static_cast<double>(a.rows());
   shift = mean_eigenvalue(a, m) / (8 * size);
   if (is_lumped_laplacian(a, m)) {
     try {
-      return inverted_laplacian(a, m.diagonal(), shift);
+      return inverted_laplacian(a, m.diagonal(), count, shift);
     } catch (const Indefinite_matrix&) { // has many negative weights
     }
   }
@@ -211,12 +233,13 @@ smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMat
   if (count == 0) return {{}, Eigen::MatrixXd(size, 0), Status::done};
   if (size <= std::max(small, 2 * count + 1)) return internal::dense_eigenpairs(a, m, count);
   double shift = 0;
-  internal::Shifted_inverse inverse = internal::shifted_inverse(a, m, shift);
+  internal::Shifted_inverse inverse = internal::shifted_inverse(a, m, count, shift);
   inverse.report_to(progress);
   const Spectra::SparseSymMatProd<double> mass(m);
   try {
     Eigenpairs pairs = internal::lanczos_eigenpairs(inverse, mass, count, shift);
     internal::find_missed_pairs(pairs, inverse, mass, shift);
+    internal::expect_eigenpairs(a, m, pairs);
     return pairs;
   } catch (const internal::Cancelled_eigenpairs&) {
     return {{}, Eigen::MatrixXd(size, 0), Status::cancelled};
