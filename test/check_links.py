@@ -101,7 +101,7 @@ class Checker:
     def defect(self, file, link):
         """Why a link of a file leads nowhere, or None."""
         if DOXYGEN.match(link):
-            return "a git host does not know this: write a link, see doc/page_text.awk"
+            return "no link on a git host: write one, [name.cpp: part](path), see doc/page_text.awk"
         parts = urllib.parse.urlsplit(link)
         if parts.scheme in DYNAMIC:
             return None

@@ -68,7 +68,7 @@ class Links(unittest.TestCase):
 
     def test_files_folders_and_headings_that_exist_are_right(self):
         self.assertEqual([], self.markdown(
-            "# Some `code` here {#label}\n[a](next.md) [b](#some-code-here) [c](next.md#two-words) [d](.)",
+            "# Some `code` here\n[a](next.md) [b](#some-code-here) [c](next.md#two-words) [d](.)",
             next="## Two words"))
 
     def test_a_file_and_a_heading_that_are_missing(self):

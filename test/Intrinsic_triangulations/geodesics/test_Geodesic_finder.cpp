@@ -75,8 +75,9 @@ State state(const T& t) {
       s.normal.push_back(
           static_cast<std::int64_t>(t.correspondence().normal_coordinate(t.index(e))));
     if constexpr (requires { t.correspondence().entered_on(0U); })
-      for (const std::uint32_t x : t.correspondence().entered_on(t.index(e)))
-        s.crossed.push_back(x);
+      if (t.correspondence().knows_crossings())
+        for (const std::uint32_t x : t.correspondence().entered_on(t.index(e)))
+          s.crossed.push_back(x);
   }
   for (const auto f : faces(t.mesh()))
     s.areas.push_back(t.metric().approximate_quadruple_area(t.index(f)));

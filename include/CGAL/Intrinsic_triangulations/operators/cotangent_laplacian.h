@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,9 @@ void for_each_cotangent_weight(const Triangulation& t, const Visit& visit) {
     if (t.metric().is_degenerate(t.index(f))) throw_degenerate_face(t, f);
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const double weight = session.cotangent_weight(e);
-    if (!std::isfinite(weight)) throw_degenerate_face(t, smaller_face(t, e));
+    // where rounding is upwards, what overflows below is the least of doubles
+    if (!(std::abs(weight) < std::numeric_limits<double>::max()))
+      throw_degenerate_face(t, smaller_face(t, e));
     visit(e, weight);
   }
 }
