@@ -172,10 +172,11 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Exact_geometry::is_unfolder_started() 
   return unfolder() != nullptr && unfolder()->is_started();
 }
 
-// Until as many were repeated as there are: by then, it would have cost as much to repeat them all, and unfold.
+// Until an eighth of them was repeated, a flip in balls each: by then, it would have cost as much to follow them all once, in
+// integers, and unfold.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Exact_geometry::may_repeat_many_flips() const {
   return unfolder() != nullptr && !unfolder()->is_started() &&
-         evaluation_.repeated_flips() <= versions_.history().number_of_flips();
+         evaluation_.repeated_flips() <= versions_.history().number_of_flips() / 8;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
