@@ -130,17 +130,12 @@ private:
   std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const;
 
   // whether someone unfolds without following all flips first
-  bool is_unfolder_started() const;
 
   // by repeating flips, unless they are many, or as many as would have to be followed
   bool may_repeat_many_flips() const;
 
   std::optional<Exact_evaluation::Enclosure>
   value_by_flips(const Diamond& d, const Recorded_diamond_expression& expression) const;
-
-  // by repeating some of the flips, if nothing can be unfolded before all of them are
-  std::optional<Sign> sign_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
-                                    Diamond_values<FT>& better) const;
 
   // in integers of fixed size, if two faces of the input are known to be there
   std::optional<Sign> sign_on_input(const Diamond& d,

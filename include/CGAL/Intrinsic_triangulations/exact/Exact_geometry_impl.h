@@ -89,7 +89,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign
 Exact_geometry::sign(const Diamond& d, const Recorded_diamond_expression& expression,
                      Diamond_values<FT>& better) const {
   if (const std::optional<Sign> s = sign_on_input(d, expression)) return *s;
-  if (const std::optional<Sign> s = sign_by_flips(d, expression, better)) return *s;
   if (const std::optional<Sign> s = sign_in_plane(d, expression, better)) return *s;
   if (const Unfolded_diamond* u = unfolded(d))
     return evaluation_.sign(*input_, *u, expression, better, statistics_);
@@ -109,14 +108,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_geometry::sign(
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
 Exact_geometry::nonzero_enclosure(const Diamond& d,
                                   const Recorded_diamond_expression& expression) const {
-  bool repeats_flips = false;
   if (!is_defined_by_places_)
     if (const std::optional<Exact_evaluation::Enclosure> value = value_by_flips(d, expression)) {
       ++statistics_.sharpenings[106];
-      repeats_flips = !is_unfolder_started();
-      if (internal::holds_for_all(*value, repeats_flips ? internal::is_known_to_42_bits
-                                                        : internal::is_known_to_a_unit))
-        return *value;
+      if (internal::holds_for_all(*value, internal::is_known_to_a_unit)) return *value;
     }
   Exact_evaluation::Enclosure value;
   for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
@@ -168,11 +163,7 @@ Exact_geometry::sign_on_input(const Diamond& d,
   return s;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Exact_geometry::is_unfolder_started() const {
-  return unfolder() != nullptr && unfolder()->is_started();
-}
-
-// Until an eighth of them was repeated, a flip in balls each: by then, it would have cost as much to follow them all once, in
+// Until an eighth of them was repeated, in balls each: by then, it would have cost as much to follow them all once, in
 // integers, and unfold.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Exact_geometry::may_repeat_many_flips() const {
   return unfolder() != nullptr && !unfolder()->is_started() &&
@@ -187,19 +178,6 @@ Exact_geometry::value_by_flips(const Diamond& d,
       may_repeat_many_flips() ? versions_.history().number_of_flips() / 16 : 0;
   return evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
                                      versions_.right_side(d), expression, few + more);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
-Exact_geometry::sign_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
-                              Diamond_values<FT>& better) const {
-  if (is_defined_by_places_ || !may_repeat_many_flips()) return std::nullopt;
-  const std::optional<Exact_evaluation::Enclosure> value = value_by_flips(d, expression);
-  if (!value) return std::nullopt;
-  better = value->second;
-  const Uncertain<Sign> s = CGAL::sign(value->first);
-  if (!is_certain(s)) return std::nullopt;
-  ++statistics_.escalations[106];
-  return get_certain(s);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>

@@ -82,7 +82,8 @@ Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplac
   const bool is_laplacian =
       internal::is_laplacian(laplacian) && internal::all_free_have_mass(laplacian, mass, rows_);
   const auto by_handles = [&] { // the unit of masses is that of the energy alone
-    by_handles_.emplace(laplacian, mass / mass.maxCoeff(), rows_, std::move(beside));
+    by_handles_.emplace(laplacian, mass * std::ldexp(1., -std::ilogb(mass.maxCoeff())), rows_,
+                        std::move(beside));
   };
   if (is_laplacian && beside.size() <= few) return by_handles();
   try {
