@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Row_sums.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -82,8 +83,9 @@ Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplac
   const bool is_laplacian =
       internal::is_laplacian(laplacian) && internal::all_free_have_mass(laplacian, mass, rows_);
   const auto by_handles = [&] { // the unit of masses is that of the energy alone
-    by_handles_.emplace(laplacian, mass * std::ldexp(1., -std::ilogb(mass.maxCoeff())), rows_,
-                        std::move(beside));
+    const double greatest = size_ > 0 ? mass.maxCoeff() : 0;
+    const double unit = greatest > 0 ? std::ldexp(1., -std::ilogb(greatest)) : 1;
+    by_handles_.emplace(laplacian, unit * mass, rows_, std::move(beside));
   };
   if (is_laplacian && beside.size() <= few) return by_handles();
   try {
