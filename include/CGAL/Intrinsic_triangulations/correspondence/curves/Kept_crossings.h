@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -142,8 +144,8 @@ public:
     append(move.mj ^ 1U, g.cutting[0], g.cutting[0] + g.emanating[1]);
     append(move.im, std::min(g.cutting[1], f.cutting[0] + f.emanating[2]), n_im);
   }
-  /// keeps what was announced, of a flip.
-  void store(const Flip& move) { store(move.km, announced_[0]); }
+  /// keeps what was announced, of a flip that makes an edge with `n` crossings.
+  void store(const Flip& move, Normal_coordinate n) { store(move.km, n, announced_[0]); }
 
   /// finds the crossings of the edges from the corners of a face to a region of it.
   void announce(const std::array<std::uint32_t, 3>& sides, const Normals& normals,
@@ -154,8 +156,10 @@ public:
       find_crossings_of_spoke(k, sides, normals, c, region, Appender{lists_, announced_[k]});
     }
   }
-  /// keeps what was announced, of the edge from corner `k`, of which a halfedge starts there.
-  void store_spoke(unsigned k, std::uint32_t halfedge) { store(halfedge, announced_[k]); }
+  /// keeps what was announced, of the edge from corner `k`, of which a halfedge starts there, with `n` crossings.
+  void store_spoke(unsigned k, std::uint32_t halfedge, Normal_coordinate n) {
+    store(halfedge, n, announced_[k]);
+  }
 
   /// makes room for edges, which cross nothing.
   void grow(std::size_t number_of_edges) { lists_.grow(number_of_edges); }
@@ -193,7 +197,9 @@ private:
   };
 
   // lists are stored along even halfedges
-  void store(std::uint32_t h, std::vector<std::uint32_t>& list) {
+  void store(std::uint32_t h, [[maybe_unused]] Normal_coordinate n,
+             std::vector<std::uint32_t>& list) {
+    CGAL_assertion(list.size() == static_cast<std::size_t>(crossings(n))); // Eq. 13
     if (h % 2 != 0) {
       std::reverse(list.begin(), list.end());
       for (std::uint32_t& x : list) x ^= 1U;

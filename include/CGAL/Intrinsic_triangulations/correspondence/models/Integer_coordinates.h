@@ -135,7 +135,7 @@ public:
     normal_[move.ij / 2] = flipped_;
     update_roundabout(move.km, move.ki, move.im);
     update_roundabout(move.km ^ 1U, move.mj, move.jk);
-    if (kept_) kept_.store(move);
+    if (kept_) kept_.store(move, flipped_);
   }
 
   /// announces the insertion of a vertex in a face.
@@ -155,7 +155,7 @@ public:
       normal_[to[k] / 2] = insertion_.normal[k];
       roundabout_[to[k]] = insertion_.roundabout[k];
       roundabout_[to[k] ^ 1U] = Gluing::none;
-      if (kept_) kept_.store_spoke(k, to[k]);
+      if (kept_) kept_.store_spoke(k, to[k], insertion_.normal[k]);
     }
     if (insertion_.along_side)
       start_curves_on_side(move.sides[0], to);
@@ -193,7 +193,9 @@ public:
     roundabout_[pj ^ 1U] = roundabout_[ip ^ 1U];
     roundabout_[pj] = slot;
     roundabout_[pk] = roundabout_[ip ^ 1U] = slot + 1;
-    if (kept_) kept_.store_spoke(2, pk ^ 1U); // parts of the border edge are crossed by nothing
+    if (kept_)
+      kept_.store_spoke(2, pk ^ 1U,
+                        insertion_.normal[2]); // parts of the border edge are crossed by nothing
   }
 
   /// announces the removal of a vertex of degree three.
