@@ -24,19 +24,18 @@ struct Surface {
   const IT::Gluing_map& mesh;
   const std::vector<Point>& points;
   const IT::Input_names& names;
-  const std::vector<std::uint32_t>& polygon_of_triangle; // by the names of triangles
 };
 
 // What polygons were cut by is no edge of the file.
 bool is_diagonal(const Surface& s, std::uint32_t e) {
-  if (s.polygon_of_triangle.empty()) return false;
+  if (s.names.polygon_of_triangle.empty()) return false;
   std::uint32_t f = s.mesh.face(Halfedge{2 * e}).index, g = s.mesh.face(Halfedge{2 * e + 1}).index;
   if (f == IT::Gluing::none || g == IT::Gluing::none) return false;
   f = s.names.faces.user(f);
   g = s.names.faces.user(g);
   // the sides of a triangle are consecutive
   return f / s.names.sheets != g / s.names.sheets &&
-         s.polygon_of_triangle[f] == s.polygon_of_triangle[g];
+         s.names.polygon_of_triangle[f] == s.names.polygon_of_triangle[g];
 }
 
 // The unit normal of a face; NaN if it has no area. Lengths of sides are scaled to 1: no square underflows.
@@ -124,11 +123,8 @@ void constrain(const Surface& s, const Options& options, Constraints& c) {
 Constraints constraints_of(const Mesh_file& file, const Options& options) {
   Constraints c;
   const IT::Intrinsic_input& in = file.input;
-  if (!options.geodesic.paths.empty() || !options.geodesic.loops.empty() ||
-      !options.application.sources.empty() || !options.application.curves.empty())
-    c.mesh = in.mesh;
   if (!has_constraints(options)) return c;
-  constrain({in.mesh, in.points, in.names, file.polygon_of_triangle}, options, c);
+  constrain({in.mesh, in.points, in.names}, options, c);
   if (c.count > 0) c.mesh = in.mesh;
   return c;
 }
@@ -141,9 +137,7 @@ Constraints constraints_of(const IT::Input& input, const Options& options) {
     throw std::runtime_error(options.input +
                              ": the stored triangulation has lengths and no points, so that no "
                              "edge is sharp; name edges with --constrain");
-  constrain(
-      {input.mesh(), input.metric().points(), input.names(), input.names().polygon_of_triangle},
-      options, c);
+  constrain({input.mesh(), input.metric().points(), input.names()}, options, c);
   return c;
 }
 

@@ -18,7 +18,7 @@ namespace program {
 
 /// Edges of the input that are never flipped.
 struct Constraints {
-  IT::Gluing_map mesh; ///< the mesh as it was read; empty if nothing refers to it, or it was stored
+  IT::Gluing_map mesh; ///< the mesh as it was read; empty if no edge is kept, or it was stored
   std::vector<char> is_constrained; ///< per edge of it, or of the input that is stored
   std::size_t count = 0;
   bool is_stored = false; ///< whether edges are those of the input of a stored triangulation

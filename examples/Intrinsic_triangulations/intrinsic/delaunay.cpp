@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
-#include <stdexcept>
 #include <string>
 
 namespace program {
@@ -18,9 +17,6 @@ void run_delaunay_with_signposts(const Options& options);
 void run_delaunay(const Options& options) {
   const bool is_stored = is_triangulation_file(options.input);
   const std::string& asked = options.correspondence;
-  if (is_stored && (asked == "crossings" || asked == "signposts"))
-    throw std::runtime_error(options.input + ": a stored triangulation has its correspondence, "
-                                             "integer coordinates; start from the mesh");
   const bool is_needed = !is_stored || needs_correspondence(options) || asked == "integer";
   // of a stored triangulation, coordinates tell where edges of the input are
   const bool tells_constraints = is_stored && has_constraints(options);

@@ -86,9 +86,9 @@ template <class Triangulation>
 Drawn_subdivision drawn_subdivision(const Loaded<Triangulation>& loaded, const Options& options,
                                     Json& json) {
   IT::Common_subdivision s = subdivide(loaded, options, json);
-  IT::label_with_polygons(s, loaded.polygon_of_triangle);
+  IT::label_with_polygons(s, loaded.triangulation.input().names().polygon_of_triangle);
   std::vector<Point> points = IT::positions(s, input_points(loaded), loaded.triangulation.input());
-  json["subdivision"]["area"] = area(s, points) / loaded.domain.sheets;
+  json["subdivision"]["area"] = area(s, points) / loaded.triangulation.input().names().sheets;
   return {std::move(s), std::move(points)};
 }
 

@@ -33,11 +33,9 @@ Surface_choice surface_of(const Options& options) {
       options.polygons == "planar" ? IT::Nonplanar_polygons::planar : IT::Nonplanar_polygons::fan};
 }
 
-void expect_mesh_file(const std::string& path) {
-  if (is_triangulation_file(path))
-    throw std::runtime_error(path +
-                             ": this command does not go on from stored triangulations; start "
-                             "from the mesh that this one was made of");
+std::size_t number_of_polygons(const IT::Input& input) {
+  const std::vector<std::uint32_t>& polygon = input.names().polygon_of_triangle;
+  return polygon.empty() ? input.number_of_faces() : std::size_t{polygon.back()} + 1;
 }
 
 std::string arithmetic_of(const Options& options) {
@@ -49,6 +47,8 @@ std::string arithmetic_of(const Options& options) {
   if (options.is_arithmetic_given && options.arithmetic != arithmetic)
     fail("the triangulation is stored in " + arithmetic +
          " arithmetic; leave --arithmetic out, or start from the mesh");
+  if (options.correspondence == "crossings" || options.correspondence == "signposts")
+    fail("a stored triangulation has its correspondence, integer coordinates; start from the mesh");
   if (options.is_mollification_given)
     fail("a stored triangulation cannot be mollified; leave --mollification out, or start from the "
          "mesh");

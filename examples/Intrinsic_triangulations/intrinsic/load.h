@@ -42,8 +42,6 @@ struct Loaded {
   /// One point per vertex of the triangulation, scaled as its metric is; empty where that keeps
   /// them itself or there are none.
   std::vector<Point> points;
-  /// Face of the file that each triangle of the input is a part or a side of; empty if each is one.
-  std::vector<std::uint32_t> polygon_of_triangle;
   Constraints constraints;                       ///< edges of the input that are kept
   Metric_report metric{};                        ///< what changed lengths needed
   IT::Domain_report domain{};                    ///< which surface was made of a file
@@ -66,8 +64,8 @@ inline bool is_triangulation_file(const std::string& path) {
   return std::filesystem::path(path).extension() == ".idt";
 }
 
-/// throws std::runtime_error if a file name has it: of what is stored, the input is not known as a surface
-void expect_mesh_file(const std::string& path);
+/// returns the number of faces of the user that an input was made of, as far as it has parts of them.
+std::size_t number_of_polygons(const IT::Input& input);
 
 /// counts the elements of a triangulation before its first move: those of the input, in an order that is fast.
 template <class Triangulation>
@@ -96,7 +94,6 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
                                  {},
                                  {},
                                  {},
-                                 std::move(file.polygon_of_triangle),
                                  std::move(constraints),
                                  metric,
                                  std::move(file.domain),
@@ -148,11 +145,11 @@ Loaded<Triangulation> load_triangulation(const Options& options, Progress& progr
       {}};
   loaded.seconds.read = watch.lap();
   describe(loaded);
+  const IT::Input& input = loaded.triangulation.input();
+  loaded.facts.polygons = number_of_polygons(input);
+  loaded.facts.triangulated_polygons = loaded.triangulation.report().triangulated_polygons;
   if constexpr (Triangulation::has_correspondence) {
-    const IT::Input& input = loaded.triangulation.input();
     if (!Triangulation::Metric::is_exact) loaded.points = input.metric().points();
-    loaded.polygon_of_triangle = input.names().polygon_of_triangle;
-    loaded.domain.sheets = input.names().sheets;
     loaded.constraints = constraints_of(input, options);
     restore_constrained_edges(loaded, options);
   }

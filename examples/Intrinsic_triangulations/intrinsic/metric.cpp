@@ -52,7 +52,7 @@ IT::Scaled_metric scaled_by_tensors(const Mesh_file& file, const Number_table& t
   return IT::scale_by_norm_in_space(
       file.input,
       [&](IT::Gluing_map::Face f, const Point& v) {
-        const std::vector<std::uint32_t>& polygon = file.polygon_of_triangle;
+        const std::vector<std::uint32_t>& polygon = file.input.names.polygon_of_triangle;
         return std::sqrt(squared_norm(tensor(polygon.empty() ? f.index : polygon[f.index]), v));
       },
       IT::parameters::triangle_inequality(IT::Triangle_inequality::repair));

@@ -106,7 +106,7 @@ void transfer(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   json["seconds"]["transfer"] = watch.lap();
   progress.show("writing");
   Output_files files;
-  IT::label_with_polygons(s, loaded.polygon_of_triangle);
+  IT::label_with_polygons(s, loaded.triangulation.input().names().polygon_of_triangle);
   if (is_mesh_output(options))
     write_fields(options.output, result, s,
                  IT::positions(s, input_points(loaded), loaded.triangulation.input()), files);

@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -38,7 +37,6 @@ struct Drawn_results {
 };
 
 void expect_writable_results(const Options& options) {
-  expect_mesh_file(options.input);
   if (is_mesh_output(options) && options.application.on == "intrinsic")
     throw std::runtime_error(
         options.output +
@@ -95,24 +93,32 @@ void write_results_view(std::ostream& out, const Drawn_results& results, const C
   write_view(out, results.drawn.s, results.drawn.points, options, json, viewed);
 }
 
-/// returns the mesh of the file: the common subdivision before the first move.
+/// returns the mesh of the file, or the input that was stored: the common subdivision before the first move.
 template <class Triangulation>
-std::optional<Drawn_subdivision> drawn_input(const Loaded<Triangulation>& loaded,
-                                             const Options& options) {
-  if (options.application.on != "input" || !needs_subdivision(options)) return std::nullopt;
+Drawn_subdivision drawn_input(const Loaded<Triangulation>& loaded, const Options& options) {
+  const IT::Input& input = loaded.triangulation.input();
+  IT::Intrinsic_input in(input.mesh(), loaded.scaled_points(), IT::Mollification::none);
+  for (Point& p : in.points)
+    for (double& x : p) x = std::ldexp(x, -input.scale_exponent());
+  in.names = input.names();
+  in.may_renumber = false;
+  Loaded<Triangulation> alone{Triangulation(std::move(in)), {}, {}, {}, {}};
+  if (!Triangulation::Metric::is_exact)
+    alone.points = alone.triangulation.input().metric().points();
   Json unread;
-  return drawn_subdivision(loaded, options, unread);
+  return drawn_subdivision(alone, options, unread);
 }
 
 /// writes what was computed.
 template <class Triangulation>
-void write_results(const Loaded<Triangulation>& loaded, std::optional<Drawn_subdivision> input,
-                   const Computed& computed, const Options& options, Json& json,
-                   Output_files& files, Progress& progress, Stopwatch& watch) {
+void write_results(const Loaded<Triangulation>& loaded, const Computed& computed,
+                   const Options& options, Json& json, Output_files& files, Progress& progress,
+                   Stopwatch& watch) {
   const bool is_on_input = options.application.on == "input";
   if (needs_subdivision(options)) {
     progress.show("subdividing");
-    Drawn_subdivision drawn = input ? std::move(*input) : drawn_subdivision(loaded, options, json);
+    Drawn_subdivision drawn =
+        is_on_input ? drawn_input(loaded, options) : drawn_subdivision(loaded, options, json);
     const Eigen::SparseMatrix<double> interpolation =
         is_on_input ? IT::interpolation_from_input(drawn.s)
                     : IT::interpolation_from_intrinsic(drawn.s);
@@ -154,8 +160,7 @@ Options about_source(Options options, const std::vector<Asked_curve>& asked) {
 template <class Traits>
 void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
          const Solver<Traits>& solve, Progress& progress) {
-  std::optional<Drawn_subdivision> input = drawn_input(loaded, options);
-  Asked_vertices find(loaded, options);
+  Asked_vertices find(loaded.triangulation, options);
   const std::vector<Asked_curve> asked =
       asked_points(options, loaded.triangulation.input().number_of_rows(), loaded.facts.polygons);
   Sources sources;
@@ -167,7 +172,7 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
   json[computed.command] = computed.json;
   json["seconds"]["solve"] = watch.lap();
   Output_files files;
-  write_results(loaded, std::move(input), computed, options, json, files, progress, watch);
+  write_results(loaded, computed, options, json, files, progress, watch);
   finish(json, options, files, watch);
   print_summary_on_terminal(json);
 }

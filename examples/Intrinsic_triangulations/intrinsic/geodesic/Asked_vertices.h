@@ -4,13 +4,13 @@
 #ifndef INTRINSIC_GEODESIC_ASKED_VERTICES_H
 #define INTRINSIC_GEODESIC_ASKED_VERTICES_H
 
-#include "../load.h"
 #include "../options.h"
 #include "asked_curves.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,9 +28,8 @@ class Asked_vertices {
   using Vertices = std::vector<Vertex>;
 
 public:
-  /// finds them on what was loaded, before its first flip.
-  Asked_vertices(Loaded<Triangulation>& loaded, const Options& options)
-      : loaded_(loaded), t_(loaded.triangulation), options_(options) {}
+  /// finds them on a triangulation.
+  Asked_vertices(Triangulation& t, const Options& options) : t_(t), options_(options) {}
 
   /// finds the points of a curve, in order. \throws std::runtime_error naming the element that cannot be one
   Vertices operator()(const Asked_curve& curve) {
@@ -73,24 +72,23 @@ private:
     const std::string face =
         curve.source + ": face " + std::to_string(p.element) + " of " + options_.input;
     std::uint32_t triangle = p.element;
-    if (const std::vector<std::uint32_t>& polygon = loaded_.polygon_of_triangle; !polygon.empty()) {
+    const IT::Input_names& names = t_.input().names();
+    if (const std::vector<std::uint32_t>& polygon = names.polygon_of_triangle; !polygon.empty()) {
       const auto [begin, end] = std::equal_range(polygon.begin(), polygon.end(), p.element);
       if (end == begin)
         throw std::runtime_error(face + " has no three different vertices; choose another");
-      if (end - begin != loaded_.domain.sheets)
+      if (end - begin != names.sheets)
         throw std::runtime_error(face + " is a polygon, in which barycentric coordinates name no "
                                         "point; triangulate it before");
       triangle = static_cast<std::uint32_t>(begin - polygon.begin());
     }
-    const auto v =
-        IT::insert_point(t_, IT::surface_point(t_, {IT::Gluing_map::Face{triangle}, p.weights},
-                                               loaded_.constraints.mesh));
+    const std::uint32_t first = t_.input().halfedge_of_face(names.faces.here(triangle));
+    const auto v = IT::insert_point(t_, IT::Surface_point{first, p.weights});
     if (v.status != IT::Move_status::done)
       throw std::runtime_error(face + " has no room for a vertex at that point; choose another");
     return v.vertex;
   }
 
-  Loaded<Triangulation>& loaded_;
   Triangulation& t_;
   const Options& options_;
 };

@@ -41,7 +41,7 @@ public:
   Curve_builder(Loaded<Triangulation>& loaded, const Options& options,
                 IT::Curve_network<Triangulation>& network)
       : loaded_(loaded), t_(loaded.triangulation), options_(options), network_(network),
-        points_(loaded, options) {}
+        points_(loaded.triangulation, options) {}
 
   /// adds the curves. \throws std::runtime_error naming what cannot be added, and the remedy
   void run() {

@@ -47,7 +47,6 @@ void print_geodesic_summary_on_terminal(const Json& json) {
 }
 
 void run_geodesic(const Options& options) {
-  expect_mesh_file(options.input);
   if (options.correspondence == "crossings")
     run_geodesic_with_crossings(options);
   else if (options.correspondence == "signposts")

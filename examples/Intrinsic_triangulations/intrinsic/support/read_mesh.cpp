@@ -47,7 +47,6 @@ Mesh_file mesh_of_points(const IT::Triangle_soup& soup, const Surface_choice& ch
   IT::Point_cloud made = IT::make_point_cloud(
       soup.points, choice.neighbors.value_or(usual_neighbors), choice.mollification);
   Mesh_file file;
-  file.polygon_of_triangle = std::move(made.input.names.polygon_of_triangle);
   file.input = std::move(made.input);
   file.domain = std::move(made.report);
   file.cloud = std::move(made.points);
@@ -64,9 +63,6 @@ Mesh_file mesh_of_faces(IT::Triangle_soup soup, const Surface_choice& choice) {
   file.triangulated_polygons = soup.triangulated_polygons;
   file.faces_with_repeated_vertices = soup.faces_with_repeated_vertices;
   IT::Domain made = IT::make_domain(std::move(soup), choice.kind, choice.mollification);
-  file.polygon_of_triangle = made.input.planar_polygons.empty()
-                                 ? std::move(made.input.names.polygon_of_triangle)
-                                 : made.input.names.polygon_of_triangle;
   file.input = std::move(made.input);
   file.domain = std::move(made.report);
   return file;

@@ -46,8 +46,6 @@ struct Surface_choice {
 /// What a mesh file contains.
 struct Mesh_file {
   IT::Intrinsic_input input;
-  /// Face of the file that each triangle is a part or a side of; empty if each is one.
-  std::vector<std::uint32_t> polygon_of_triangle;
   std::size_t polygons = 0, triangulated_polygons = 0, faces_with_repeated_vertices = 0;
   double seconds = 0; ///< that reading took, without matching edges
   IT::Domain_report domain;
