@@ -50,6 +50,41 @@ class Programs(Applications):
         self.assertEqual(outputs[0].splitlines()[:3], outputs[1].splitlines()[:3])
 
 
+class Stored(Applications):
+    def test_methods_go_on_from_stored_triangulations(self):
+        """With the same results where Delaunay triangulations are unique, in and outside of files."""
+        points, faces = jittered_grid(9)
+        points = [(x, y, math.sin(x) * y / 3) for x, y, _ in points]
+        mesh = self.write_off("g.off", points, faces)
+        for arithmetic in ("exact", "double"):
+            self.stats("delaunay", mesh, "--arithmetic", arithmetic, "-o", "t.idt")
+            for command, *rest in (("distance", "--source", "3,5:0.25:0.25:0.5"),
+                                   ("eigen", "--count", "3"),
+                                   ("logmap", "--source", "44"),
+                                   ("parametrize", "--method", "harmonic")):
+                self.stats(command, mesh, *rest, "--arithmetic", arithmetic, "-o", "a.txt")
+                self.stats(command, "t.idt", *rest, "-o", "b.txt")
+                for asked, stored in zip(self.values("a.txt"), self.values("b.txt"), strict=True):
+                    for x, y in zip(asked, stored, strict=True):
+                        self.assertLess(abs(x - y), 1e-7 * (1 + abs(x)))
+
+    def test_results_are_drawn_on_the_stored_input(self):
+        for arithmetic in ("exact", "double"):
+            for scale in (1, 1e-30):
+                points = [[scale * x for x in p] for p in self.points]
+                mesh = self.write_off("s.off", points, self.faces)
+                self.stats("refine", mesh, "--arithmetic", arithmetic, "--min-angle", "25", "-o",
+                           "t.idt")
+                self.stats("distance", "t.idt", "--source", "0", "--on", "input", "-o", "d.obj")
+                with open(self.path("d.obj"), encoding="ascii") as file:
+                    lines = [line.split() for line in file]
+                drawn = [[float(x) for x in words[1:4]] for words in lines if words[0] == "v"]
+                self.assertEqual(len(drawn), len(points))
+                for p, q in zip(points, drawn):
+                    self.assertLess(math.dist(p, q), 1e-14 * scale)
+                self.assertEqual(sum(words[0] == "f" for words in lines), len(self.faces))
+
+
 class Eigen(Applications):
     def test_frequencies_of_a_sphere_are_those_of_spherical_harmonics(self):
         for arithmetic in ("exact", "double"):

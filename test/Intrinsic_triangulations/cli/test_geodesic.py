@@ -412,10 +412,45 @@ class Errors(Geodesic_test):
             for word in words:
                 self.assertIn(word, run.err)
 
-    def test_a_stored_triangulation_is_refused(self):
+    def test_a_stored_triangulation_has_the_points_of_its_mesh(self):
+        """In the plane, where geodesics are straight whatever was flipped or inserted before."""
+        points, faces = jittered_grid(8)
+        mesh = self.write_off("g.off", points, faces)
+        weights, face = (0.5, 0.25, 0.25), 37
+        inside = [sum(w * points[v][c] for w, v in zip(weights, faces[face])) for c in range(3)]
+        way = f"10,{face}:0.5:0.25:0.25,70"
+        straight = distance(points[10], inside) + distance(inside, points[70])
+        for arithmetic in ("exact", "double"):
+            for command in (("delaunay",), ("refine", "--min-angle", "25")):
+                stored = self.stats(command[0], mesh, *command[1:], "--arithmetic", arithmetic,
+                                    "-o", "t.idt")
+                g = self.geodesic("t.idt", "--path", "10,70", "--path", way, "-o", "c.obj")
+                self.assertEqual(g["status"], "geodesic")
+                self.assert_close(g["curves"][0]["length"], distance(points[10], points[70]), 1e-9)
+                # the point inside is a corner of the path, which is shortened on both sides of it
+                self.assert_close(g["curves"][1]["length"],
+                                  min(straight, distance(points[10], points[70])), 1e-9)
+                where, curves = self.obj("c.obj")
+                self.assertLess(distance(where[curves[0][0]], points[10]), 1e-12)
+                self.assertLess(distance(where[curves[0][-1]], points[70]), 1e-12)
+                self.assertGreater(stored["delaunay"]["flips"], 0)
+
+    def test_faces_of_stored_polygons_are_those_of_the_file(self):
+        square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 0.5, 0)]
+        mesh = self.write_off("s.off", square, [(0, 1, 2, 3), (1, 4, 2)])
+        self.stats("delaunay", mesh, "-o", "s.idt")
+        for file in (mesh, "s.idt"):
+            g = self.geodesic(file, "--path", "1:0:1:0,1:0.5:0:0.5")
+            self.assert_close(g["length"], 1, 1e-12)
+            self.assert_fails(self.run_program("geodesic", file, "--path", "0:1:0:0,4"),
+                              "face 0", "polygon")
+            self.assertEqual(self.run_program("geodesic", file, "--path", "2:1:0:0,4").code, 1)
+
+    def test_a_stored_triangulation_has_integer_coordinates(self):
         self.stats("delaunay", self.mesh, "-o", "t.idt")
-        run = self.run_program("geodesic", "t.idt", "--path", "0,3")
-        self.assert_fails(run, "t.idt", "start from the mesh")
+        for kind in ("crossings", "signposts"):
+            run = self.run_program("geodesic", "t.idt", "--path", "0,3", "--correspondence", kind)
+            self.assert_fails(run, "t.idt", "start from the mesh")
 
 
 if __name__ == "__main__":

@@ -69,6 +69,22 @@ class Polygons(Cli_test):
         self.assert_close(stored["laplacian"]["trace"], stats["laplacian"]["trace"], 1e-14)
         self.assert_fails(self.run_program("delaunay", "s.idt", *option), "--polygons")
 
+    def test_stored_triangulations_know_the_polygons_of_their_file(self):
+        points, faces = saddle(3)
+        mesh = self.write_off("s.off", points, faces)
+        for arithmetic in ("exact", "double"):
+            for polygons in ("fan", "planar"):
+                asked = self.stats("delaunay", mesh, "--polygons", polygons, "--arithmetic",
+                                   arithmetic, "-o", "a.vtp")
+                self.stats("delaunay", mesh, "--polygons", polygons, "--arithmetic", arithmetic,
+                           "-o", "s.idt")
+                stored = self.stats("delaunay", "s.idt", "-o", "b.vtp")
+                with open(self.path("a.vtp"), "rb") as a, open(self.path("b.vtp"), "rb") as b:
+                    self.assertEqual(a.read(), b.read())  # with the face of the file under each
+                for key in ("polygons", "triangulated_polygons"):
+                    self.assertEqual(stored["input"][key], asked["input"][key])
+                self.assertEqual(stored["input"]["polygons"], len(faces))
+
     def test_symmetric_surfaces_have_symmetric_laplacians(self):
         n = 5
         points, faces = saddle(n)
