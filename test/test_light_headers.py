@@ -23,11 +23,15 @@ PROGRAM = """
 namespace IT = CGAL::Intrinsic_triangulations;
 int main() {
   IT::Corresponding_triangulation t(IT::read_triangle_soup("mesh.off"));
-  IT::flip_to_delaunay(t);
-  IT::delaunay_refine(t);
+  IT::flip_to_delaunay(t%s);
+  IT::delaunay_refine(t%s);
   return IT::common_subdivision(t).number_of_faces() > 0;
 }
 """
+OPTIONS = (", IT::parameters::maximum_number(99)",
+           ", IT::parameters::minimum_angle(25).maximum_edge_length(1).maximum_insertions(9).conforming(true)")
+ALGORITHMS = ("common_subdivision", "read_triangle_soup", "Delaunay_refiner<", "Refinement_moves<", "Delaunay_flipper<",
+              "Mover<", "Exact_evaluation::", "Integer_coordinates::before")
 compiler = os.environ.get("CXX", "g++")
 
 
@@ -51,15 +55,20 @@ class LightHeaders(unittest.TestCase):
         self.assertTrue(any(HEAVY.search(h) for h in found))
         self.assertTrue(any(h.endswith("/Exact_evaluation_impl.h") for h in found))
 
-    def test_the_library_has_what_most_programs_do(self):
+    def assert_not_defined(self, program, names):
         with tempfile.TemporaryDirectory() as folder:
             out = pathlib.Path(folder) / "program.o"
-            run([COMPILED, "-O1", "-c", "-o", str(out)], PROGRAM)
+            run([COMPILED, "-O1", "-c", "-o", str(out)], program)
             symbols = subprocess.run(["nm", "-C", str(out)], text=True, capture_output=True, check=True).stdout
         defined = [line for line in symbols.splitlines() if re.search(r" [TtWV] ", line)]
-        for name in ("flip_to_delaunay", "delaunay_refine", "common_subdivision", "read_triangle_soup",
-                     "Delaunay_refiner<", "Mover<", "Exact_evaluation::", "Integer_coordinates::before"):
+        for name in names:
             self.assertEqual([line for line in defined if name in line and "~" not in line], [], name)
+
+    def test_the_library_has_what_most_programs_do(self):
+        self.assert_not_defined(PROGRAM % ("", ""), (*ALGORITHMS, "flip_to_delaunay", "delaunay_refine"))
+
+    def test_it_has_that_with_any_numbers_that_are_named(self):
+        self.assert_not_defined(PROGRAM % OPTIONS, ALGORITHMS)
 
 
 if __name__ == "__main__":

@@ -22,6 +22,10 @@ What most programs do with the usual triangulations, which the library has compi
 #endif
 
 #define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(...)                                     \
+  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Flip_to_delaunay_result internal::flip_from(    \
+      __VA_ARGS__&, const Iterator_range<boost::graph_traits<Gluing_map>::edge_iterator>&,         \
+      const Static_boolean_property_map<Gluing_map::Edge, false>&, Flip_to_delaunay_visitor&,      \
+      std::uint64_t);                                                                              \
   CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Flip_to_delaunay_result flip_to_delaunay(       \
       __VA_ARGS__&, const parameters::Parameters<>&);                                              \
   CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE bool is_delaunay(const __VA_ARGS__&);           \
@@ -29,11 +33,9 @@ What most programs do with the usual triangulations, which the library has compi
   check_delaunay(const __VA_ARGS__&);                                                              \
   CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE class internal::Delaunay_flipper<__VA_ARGS__>;  \
   CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE class internal::Refinement_moves<__VA_ARGS__>;  \
-  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Refinement_result<Gluing_map::Face>             \
-  internal::Delaunay_refiner<__VA_ARGS__, Refinement_visitor>::run(                                \
-      const Static_boolean_property_map<Gluing_map::Edge, false>&);                                \
-  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE class internal::Delaunay_refiner<               \
-      __VA_ARGS__, Refinement_visitor>;                                                            \
+  CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE internal::Refined<Gluing_map::Face>             \
+  internal::refine(__VA_ARGS__&, const internal::Refinement_settings&, const std::vector<char>&,   \
+                   Refinement_visitor&);                                                           \
   CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCE Refinement_result<Gluing_map::Face>             \
   delaunay_refine(__VA_ARGS__&, const parameters::Parameters<>&)
 

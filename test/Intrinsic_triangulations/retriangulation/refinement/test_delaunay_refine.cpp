@@ -458,6 +458,31 @@ TYPED_TEST(Delaunay_refine, Stops_where_it_is_told_to) {
   EXPECT_EQ(visitor.calls, 1U);
 }
 
+// Before the first insertion, too: while it flips, and while it looks for faces that do not meet the criteria.
+TYPED_TEST(Delaunay_refine, Asks_visitors_at_once) {
+  struct Impatient : IT::Refinement_visitor {
+    bool progress(const IT::Refinement_counts&) { return ++calls < last; }
+    int calls = 0, last = 1;
+  };
+  const auto refined = [](TypeParam& t, int last) {
+    Impatient visitor;
+    visitor.last = last;
+    const auto r = IT::delaunay_refine(t, IT::parameters::visitor(std::ref(visitor)));
+    EXPECT_EQ(r.status, Status::cancelled);
+    EXPECT_EQ(visitor.calls, last);
+    EXPECT_EQ(r.counts.inserted_vertices(), 0U);
+    EXPECT_EQ(t.number_of_vertices(), 181U * 181U);
+    return r.counts.flips;
+  };
+  TypeParam t(input(meshes::sheared_grid(180, 180, 3)));
+  const std::uint64_t flips = refined(t, 1);
+  EXPECT_GT(flips, 0U);
+  const auto rest = IT::flip_to_delaunay(t);
+  EXPECT_EQ(rest.status, Status::done);
+  EXPECT_GT(rest.flips, 0U);
+  EXPECT_EQ(refined(t, 2), 0U); // 97,000 checks of edges, then 65,000 faces
+}
+
 TYPED_TEST(Delaunay_refine, Refines_what_a_visitor_asks_for) {
   struct Near_the_origin : IT::Refinement_visitor {
     bool is_bad(const TypeParam& t, typename TypeParam::face_descriptor f) {

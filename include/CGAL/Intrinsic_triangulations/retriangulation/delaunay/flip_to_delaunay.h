@@ -82,6 +82,20 @@ private:
   std::uint64_t cap_;
 };
 
+// Not inline, and without parameters by name: the library has it compiled for the usual triangulations.
+template <class Triangulation, class EdgeRange, class Constrained, class Visitor>
+Flip_to_delaunay_result flip_from(Triangulation& t, const EdgeRange& edges,
+                                  const Constrained& constrained, Visitor& visitor,
+                                  std::uint64_t cap) {
+  typename Triangulation::Session session(t);
+  Flip_observer<Triangulation, Constrained, Visitor> observer(t, session, constrained, visitor,
+                                                              cap);
+  Delaunay_flipper<Triangulation> flipper(t, session);
+  for (const typename Triangulation::edge_descriptor e : edges) flipper.push(halfedge(e, t.mesh()));
+  flipper.run(observer);
+  return observer.result;
+}
+
 } // namespace internal
 
 /*!
@@ -122,14 +136,7 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
   const std::uint64_t cap = internal::value_or<maximum_number>(
       np, Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
                                           : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
-  typename Triangulation::Session session(t);
-  internal::Flip_observer<Triangulation, std::remove_cv_t<decltype(constrained)>,
-                          std::remove_reference_t<decltype(observed)>>
-      observer(t, session, constrained, observed, cap);
-  internal::Delaunay_flipper<Triangulation> flipper(t, session);
-  for (const Edge e : edges) flipper.push(halfedge(e, t.mesh()));
-  flipper.run(observer);
-  return observer.result;
+  return internal::flip_from(t, edges, constrained, observed, cap);
 }
 
 /*!

@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
+#include <CGAL/property_map.h>
+
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
@@ -14,7 +16,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Gives the parts of constrained edges what a property map says of the edges that are split, if it is writable.
+// Knows which edges a property map constrains; gives the parts of those that are split what it says of them, if it is writable.
 template <class Triangulation, class Map>
 class Constrained_parts {
   using Value = typename boost::property_traits<Map>::value_type;
@@ -30,6 +32,17 @@ public:
       for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
         values_[t.index(e)] = get(map_, e);
     }
+  }
+
+  // tells of each edge, by number, whether it is constrained; empty: none is
+  std::vector<char> marks(const Triangulation& t) const {
+    using Edge = typename Triangulation::edge_descriptor;
+    std::vector<char> result;
+    if constexpr (!std::is_same_v<Map, Static_boolean_property_map<Edge, false>>) {
+      result.resize(t.numbers().edge_capacity(t.mesh()), 0);
+      for (const Edge e : edges(t.mesh())) result[t.index(e)] = get(map_, e) ? 1 : 0;
+    }
+    return result;
   }
 
   // `whole(e)` is the edge that edge e is a part of, or `Gluing::none`

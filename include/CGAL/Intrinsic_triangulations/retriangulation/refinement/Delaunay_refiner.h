@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_moves.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -22,6 +23,27 @@
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// What `delaunay_refine()` is asked for: one type whatever was named, so that refinement is compiled once.
+struct Refinement_settings {
+  static constexpr double any = std::numeric_limits<double>::infinity();
+
+  double minimum_angle = 25, maximum_circumradius = any, maximum_edge_length = any;
+  Refinement_order order = Refinement_order::first_come;
+  bool is_conforming = false;
+  std::optional<std::uint64_t> maximum_insertions = std::nullopt;
+
+  Refinement_settings() = default;
+  template <class NP>
+  explicit Refinement_settings(const NP& np)
+      : minimum_angle(value_or<tags::minimum_angle>(np, 25.)),
+        maximum_circumradius(value_or<tags::maximum_circumradius>(np, any)),
+        maximum_edge_length(value_or<tags::maximum_edge_length>(np, any)),
+        order(value_or<tags::order>(np, Refinement_order::first_come)),
+        is_conforming(value_or<tags::conforming>(np, false)),
+        maximum_insertions(value_or<tags::maximum_insertions>(np, std::optional<std::uint64_t>())) {
+  }
+};
 
 /*!
 Refines a triangulation: Chew's second algorithm, intrinsically (§4.3 of the course, Algorithm 5).
@@ -44,21 +66,16 @@ class Delaunay_refiner : public Refinement_moves<Triangulation> {
 public:
   using Result = Refinement_result<Face>;
 
-  /// takes the named parameters of `delaunay_refine()`.
-  template <class NP>
-  Delaunay_refiner(Triangulation& t, const NP& np, Visitor& visitor)
-      : Base(t, value_or<tags::conforming>(np, false)),
-        test_(value_or<tags::minimum_angle>(np, 25.),
-              value_or<tags::maximum_circumradius>(np, infinity),
-              value_or<tags::maximum_edge_length>(np, infinity), t.metric().scale_exponent()),
-        visitor_(visitor), order_(value_or<tags::order>(np, Refinement_order::first_come)),
-        cap_(value_or<tags::maximum_insertions>(np, std::optional<std::uint64_t>())
-                 .value_or(1000000 + 10 * std::uint64_t{num_faces(t.mesh())})) {}
+  Delaunay_refiner(Triangulation& t, const Refinement_settings& asked, Visitor& visitor)
+      : Base(t, asked.is_conforming), test_(asked.minimum_angle, asked.maximum_circumradius,
+                                            asked.maximum_edge_length, t.metric().scale_exponent()),
+        visitor_(visitor), order_(asked.order),
+        cap_(asked.maximum_insertions.value_or(1000000 + 10 * std::uint64_t{num_faces(t.mesh())})) {
+  }
 
-  /// refines; `constrained` tells which edges are kept.
-  template <class Constrained>
-  Result run(const Constrained& constrained) {
-    Base::find_segments(constrained);
+  /// refines; `is_kept` tells of edges, by number, whether they are constrained; empty: none is.
+  Result run(const std::vector<char>& is_kept) {
+    Base::find_segments(is_kept);
     for (const auto e : edges(mesh_)) flipper_.push(halfedge(e, mesh_));
     flipper_.run(*this);
     touched_.clear();
@@ -69,12 +86,13 @@ public:
     return std::move(result_);
   }
 
-  /// returns the edges that were kept, and the parts of those that were split.
-  const Constrained_segments& segments() const { return segments_; }
+  /// gives away the edges that were kept, and the parts of those that were split.
+  Constrained_segments take_segments() { return std::move(segments_); }
+
+  // ---- observer of the first flips
+  bool before_check() { return (++checks_ & 0xffffU) != 0 || ask_visitor(); }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   Face_state state(Face f) {
     const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_), l = next(n, mesh_);
     const auto corner = [this](Halfedge g) { return t_.index(source(g, mesh_)); };
@@ -99,6 +117,7 @@ private:
     for (const Face f : touched_) {
       const std::uint32_t i = t_.index(f);
       if (!queue_.begin_check(i)) continue; // seen
+      if (!is_going_on_ || ((++checks_ & 0x3fffU) == 0 && !ask_visitor())) continue;
       if (state(f) == Face_state::bad)
         queue_.push(i, priority(f));
       else
@@ -146,12 +165,16 @@ private:
     if (n >= cap_) {
       result_.status = Status::cap;
       is_going_on_ = false;
-    } else if (is_time_to_report(n) &&
-               !session_.suspended([this] { return visitor_.progress(result_.counts); })) {
-      result_.status = Status::cancelled;
-      is_going_on_ = false;
+    } else if (is_time_to_report(n)) {
+      ask_visitor();
     }
     return is_going_on_;
+  }
+
+  bool ask_visitor() {
+    if (session_.suspended([this] { return visitor_.progress(result_.counts); })) return true;
+    result_.status = Status::cancelled;
+    return is_going_on_ = false;
   }
 
   bool is_time_to_report(std::uint64_t insertions) {
@@ -192,8 +215,27 @@ private:
   Visitor& visitor_;
   Refinement_order order_;
   std::uint64_t cap_;
-  std::uint64_t next_report_ = 255;
+  std::uint64_t next_report_ = 255, checks_ = 0;
 };
+
+// The result of refinement, and the edges that were kept, with the parts of those that were split.
+template <class Face>
+struct Refined {
+  Refinement_result<Face> result;
+  Constrained_segments segments;
+};
+
+// Not inline, and of few types: the library has it compiled for the usual triangulations.
+template <class Triangulation, class Visitor>
+Refined<typename Triangulation::face_descriptor>
+refine(Triangulation& t, const Refinement_settings& asked, const std::vector<char>& is_kept,
+       Visitor& visitor) {
+  const Surface_check<Triangulation> check(t);
+  Delaunay_refiner<Triangulation, Visitor> refiner(t, asked, visitor);
+  auto result = refiner.run(is_kept);
+  check.conclude(result);
+  return {std::move(result), refiner.take_segments()};
+}
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -48,13 +48,12 @@ protected:
       : t_(t), mesh_(t.mesh()), copies_(t), session_(t), view_(t), flipper_(t, session_),
         is_conforming_(is_conforming) {}
 
-  // \param constrained tells which edges are kept
-  template <class Constrained>
-  void find_segments(const Constrained& constrained) {
+  // \param is_kept tells of edges, by number, whether they are constrained; empty: none is
+  void find_segments(const std::vector<char>& is_kept) {
     result_.counts.flips += copies_.restore_seams(session_);
     for (const auto e : edges(mesh_)) {
       const Halfedge h = halfedge(e, mesh_);
-      const bool is_constrained = get(constrained, e);
+      const bool is_constrained = !is_kept.empty() && is_kept[number(h) / 2] != 0;
       if (is_constrained || is_border(h) || is_border(opposite(h, mesh_)) ||
           copies_.is_seam(number(h) / 2))
         segments_.add(view_, number(h), is_constrained);

@@ -80,8 +80,9 @@ struct Refinement_result {
 */
 struct Refinement_visitor {
   /*!
-  \brief is called now and then, about every 256 insertions.
-  \return whether to go on
+  \brief is called now and then: about every 256 insertions, and before the first one every 65536 edges and 16384 faces that
+  are looked at.
+  \return whether to go on; if not before the first insertion, some edges may not be locally Delaunay yet
   */
   bool progress(const Refinement_counts&) { return true; }
   /*!

@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
@@ -71,17 +70,13 @@ delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
   auto& observed = internal::unwrapped(stored_visitor);
   static_assert(std::is_base_of_v<Refinement_visitor, std::remove_reference_t<decltype(observed)>>,
                 "a visitor of refinement derives from Refinement_visitor");
-  const internal::Surface_check<Triangulation> check(t);
-  internal::Delaunay_refiner<Triangulation, std::remove_reference_t<decltype(observed)>> refiner(
-      t, np, observed);
   const internal::Constrained_parts parts(t, constrained);
-  auto result = refiner.run(constrained);
-  check.conclude(result);
-  const Constrained_segments& segments = refiner.segments();
+  auto refined = internal::refine(t, internal::Refinement_settings(np), parts.marks(t), observed);
+  const Constrained_segments& segments = refined.segments;
   parts.write(t, [&](std::uint32_t e) {
     return segments.is_constrained(e) ? segments.whole(e) : Gluing::none;
   });
-  return result;
+  return std::move(refined.result);
 }
 
 /// \cond
