@@ -1,4 +1,4 @@
-// expect at once: takes options by name
+// expect at once: parameters::minimum_angle
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 

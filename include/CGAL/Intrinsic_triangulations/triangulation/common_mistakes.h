@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_COMMON_MISTAKES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_COMMON_MISTAKES_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -30,7 +31,8 @@ what all candidates lack.
   function(const Mesh&, const Options&...);
 
 /// refuses, of a function that changes a triangulation, a mesh, a const triangulation and an option without name.
-#define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(function, Concept)                           \
+/// `example` is an option that it has.
+#define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(function, Concept, example)                  \
   CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(function)                                              \
   template <Concept Triangulation, NamedParameters... NP>                                          \
   CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
@@ -41,15 +43,18 @@ what all candidates lack.
   template <Concept Triangulation, class Number>                                                   \
     requires std::is_arithmetic_v<Number> CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                   \
         #function "() takes options by name: for a number, such as " #function                     \
-                  "(t, parameters::maximum_number(1000)); its page lists the names")               \
+                  "(t, parameters::" example "); its page lists the names")                        \
   internal::Refused_call function(const Triangulation&, Number);
 
 /// refuses, of a constructor from a mesh in space, what is none.
 #define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_INPUT(Class)                                          \
   template <internal::Not_a_surface<Class> Other>                                                  \
   CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
-      "this is no mesh of which BGL knows the vertices and faces: for one of OpenMesh include "    \
-      "CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h; read a file by "    \
+      "this is no mesh whose vertices and faces BGL knows and numbers: for one of OpenMesh "       \
+      "include "                                                                                   \
+      "CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h, for a "             \
+      "Polyhedron_3 "                                                                              \
+      "Polyhedron_3_adaptor.h there; of a Domain or Point_cloud pass its input; read a file by "   \
       "read_triangle_soup(name)")                                                                  \
   explicit Class(const Other&, Mollification = Mollification::automatic);
 
@@ -63,9 +68,18 @@ concept Mesh_without_metric = Has_mesh_elements<Mesh> && !requires(const Mesh& m
   m.metric();
 };
 
+// a `CGAL::Polyhedron_3`, whose elements have no numbers of their own
+template <class Mesh>
+concept Lacks_adaptor = requires {
+  typename Mesh::HalfedgeDS;
+  typename Mesh::Facet_handle;
+  requires Mesh_adaptor<Mesh>::is_primary;
+};
+
 // what triangulations are built from, but for an `Intrinsic_input`
 template <class Surface>
-concept Surface_in_space = std::is_same_v<Surface, Triangle_soup> || Mesh_without_metric<Surface>;
+concept Surface_in_space = std::is_same_v<Surface, Triangle_soup> ||
+    (Mesh_without_metric<Surface> && !Lacks_adaptor<Surface>);
 
 template <class Other, class Triangulation>
 concept Not_a_surface = !Surface_in_space<Other> && !std::is_base_of_v<Triangulation, Other> &&

@@ -66,6 +66,9 @@ class Mesh_adaptor : public Indexed_mesh_adaptor<Mesh> {
   using Traits = boost::graph_traits<Mesh>;
 
 public:
+  /// tells this template from its specialisations.
+  static constexpr bool is_primary = true;
+
   /// numbers the elements of `mesh`; numbers may have gaps where elements were removed.
   explicit Mesh_adaptor(const Mesh& mesh)
       : vertex_(get(boost::vertex_index, mesh)), halfedge_(get(boost::halfedge_index, mesh)),

@@ -151,7 +151,8 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t,
 }
 
 /// \cond
-CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(flip_to_delaunay, IntrinsicTriangulation)
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(flip_to_delaunay, IntrinsicTriangulation,
+                                              "maximum_number(1000)")
 /// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -63,7 +63,8 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
 }
 
 /// \cond
-CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(odt_optimize, RefinableTriangulation)
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(odt_optimize, RefinableTriangulation,
+                                              "number_of_iterations(10)")
 /// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations

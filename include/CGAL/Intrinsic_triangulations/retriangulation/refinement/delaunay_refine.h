@@ -80,7 +80,8 @@ delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
 }
 
 /// \cond
-CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(delaunay_refine, RefinableTriangulation)
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(delaunay_refine, RefinableTriangulation,
+                                              "minimum_angle(25)")
 /// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
