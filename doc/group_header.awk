@@ -40,7 +40,7 @@ BEGIN {
   group["correspondence/models/No_correspondence.h"]         = "ref_correspondence"
   group["correspondence/models/Signposts.h"]                 = "ref_correspondence"
   group["correspondence/queries/common_subdivision.h"]       = "ref_subdivision"
-  group["correspondence/queries/Vertex_frames.h"]            = "ref_inside_tracing"
+  group["correspondence/queries/Vertex_frames.h"]            = "ref_tracing"
   group["correspondence/queries/tangent.h"]                  = "ref_tracing"
   group["correspondence/queries/tangent_field.h"]            = "ref_tracing"
   group["correspondence/queries/trace_geodesic.h"]           = "ref_tracing"

@@ -55,7 +55,7 @@ def name_of(declaration):
 def brief(comment):
     """The sentence that a comment begins with, as text."""
     comment = comment.removeprefix("\\brief ")
-    text = re.split(r"\n\s*\n|\n\\(?!it|ref|f\$)", comment)[0]
+    text = re.split(r"\n\s*\n|\n\\(?!it|ref|f\$)|\s\\complexity", comment)[0]
     text = re.sub(r"\\it([cf])\{(\w+)\}", lambda m: f"`{m[2]}{'()' if m[1] == 'f' else ''}`", text)
     text = re.sub(r'\\ref (?:::)?(\w+)(?: "([^"]*)")?', lambda m: m[2] or m[1], text)
     return " ".join(text.replace("\\f$", "").replace("|", "\\|").split())
@@ -81,7 +81,7 @@ def members():
         topic = topic_of(header, groups)
         text = INTERNAL.sub("", header.read_text(encoding="utf-8"))
         for long, short, declaration in ENTITY.findall(text):
-            if name := name_of(declaration):
+            if "\\cond" not in long + short and (name := name_of(declaration)):
                 result[topic].setdefault((name, header), brief(long or short.replace("/// ", "")))
     return result
 

@@ -29,7 +29,7 @@ MARKDOWN_REFERENCE = re.compile(r"^\[[^\]]+\]:\s*(\S+)", re.MULTILINE)
 HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*#*$", re.MULTILINE)
 LABEL = re.compile(r"^<a id=\"([\w-]+)\"></a>$", re.MULTILINE)
 # what a git host shows as it is written, and what doc/page_text.awk makes it of
-DOXYGEN = re.compile(r"^\\snippet .*|\\(?:ref|itf|itc|subpage|page)\b(?:\{[^}]*\}| [\w:]+)|\\f[$\[{]|^\[TOC\]$|\{#[\w-]+\}", re.MULTILINE)
+DOXYGEN = re.compile(r"^\\snippet .*|\\(?:ref|itf|itc|subpage|page)\b(?:\{[^}]*\}|\s[\w:]+)|\\f[$\[{]|^\[TOC\]$|\{#[\w-]+\}", re.MULTILINE)
 
 
 def url_defect(url):
