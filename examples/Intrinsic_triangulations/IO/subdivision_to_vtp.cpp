@@ -35,10 +35,7 @@ int main(int argc, char* argv[]) {
   const IT::Common_subdivision s = IT::common_subdivision(t);
 
   //! [write]
-  std::vector<std::array<double, 3>> points; // of the input
-  for (const Mesh::Vertex_index v : mesh.vertices())
-    points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
-  const std::vector<std::array<double, 3>> positions = IT::positions(s, points);
+  const std::vector<std::array<double, 3>> positions = IT::positions(s, mesh);
 
   std::vector<double> height; // any function on the surface: one value for each vertex of s
   for (const std::array<double, 3>& p : positions) height.push_back(p[2]);

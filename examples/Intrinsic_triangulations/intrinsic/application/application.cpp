@@ -157,6 +157,19 @@ Options about_source(Options options, const std::vector<Asked_curve>& asked) {
   return options;
 }
 
+// What methods refuse is in the file.
+template <class Traits>
+Computed solved(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
+                const Solver<Traits>& solve, const Sources& sources) {
+  try {
+    return solve(loaded.triangulation, sources, input_points(loaded));
+  } catch (const IT::Invalid_input& e) {
+    throw IT::Invalid_input(e.kind(), e.index(), options.input + ": " + e.what());
+  } catch (const std::invalid_argument& e) {
+    throw std::runtime_error(options.input + ": " + e.what());
+  }
+}
+
 template <class Traits>
 void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
          const Solver<Traits>& solve, Progress& progress) {
@@ -168,7 +181,7 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
   Json json = improve_and_measure(loaded, about_source(options, asked), progress);
   Stopwatch watch;
   progress.show("solving");
-  const Computed computed = solve(loaded.triangulation, sources, input_points(loaded));
+  const Computed computed = solved(loaded, options, solve, sources);
   json[computed.command] = computed.json;
   json["seconds"]["solve"] = watch.lap();
   Output_files files;
