@@ -47,6 +47,7 @@ struct Exact_evaluation::Memory {
   static constexpr std::size_t many_triangles = 256;
   // entries that are kept between calls, up to a kilobyte each
   static constexpr std::size_t maximal_memory = 50000;
+  static constexpr std::size_t maximal_short_memory = 1U << 20; // up to 100 bytes each
 
   // intervals of one precision
   struct Intervals {
@@ -135,12 +136,12 @@ struct Exact_evaluation::Memory {
   short_value(const Input_metric& input, const Flip_history& history, Side left, Side right,
               const Recorded_diamond_expression& expression, std::size_t most) {
     using FT = Ball<Double_double>;
-    if (short_moves.size() > maximal_memory) short_moves.clear();
+    if (short_moves.size() > maximal_short_memory) short_moves.clear();
     const auto face = short_balls.of(input);
     const std::size_t known = short_moves.size();
     const auto faces = History_evaluator<FT, decltype(face)>(history, face, short_moves)
                            .faces({left, right}, most);
-    repeated += faces ? short_moves.size() - known : most;
+    repeated += 1 + (faces ? short_moves.size() - known : most);
     if (!faces) return std::nullopt;
     return with_value(expression, diamond_values((*faces)[0], (*faces)[1]));
   }

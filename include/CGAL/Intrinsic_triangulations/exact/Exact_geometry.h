@@ -129,13 +129,15 @@ private:
   // the input under faces, if that is known of all
   std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const;
 
-  // whether someone unfolds without following all flips first
-
-  // by repeating flips, unless they are many, or as many as would have to be followed
-  bool may_repeat_many_flips() const;
-
+  // by repeating flips, unless more than `most` have been repeated by then in sum
   std::optional<Exact_evaluation::Enclosure>
-  value_by_flips(const Diamond& d, const Recorded_diamond_expression& expression) const;
+  value_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
+                 std::size_t most) const;
+
+  // by repeating flips, if these are some of them only: to unfold, all have to be followed first. It does not ask
+  // whether they have been: intervals must not depend on who unfolds.
+  std::optional<Sign> sign_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
+                                    Diamond_values<FT>& better) const;
 
   // in integers of fixed size, if two faces of the input are known to be there
   std::optional<Sign> sign_on_input(const Diamond& d,

@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
+#include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
@@ -89,6 +90,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign
 Exact_geometry::sign(const Diamond& d, const Recorded_diamond_expression& expression,
                      Diamond_values<FT>& better) const {
   if (const std::optional<Sign> s = sign_on_input(d, expression)) return *s;
+  if (const std::optional<Sign> s = sign_by_flips(d, expression, better)) return *s;
   if (const std::optional<Sign> s = sign_in_plane(d, expression, better)) return *s;
   if (const Unfolded_diamond* u = unfolded(d))
     return evaluation_.sign(*input_, *u, expression, better, statistics_);
@@ -108,11 +110,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_geometry::sign(
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
 Exact_geometry::nonzero_enclosure(const Diamond& d,
                                   const Recorded_diamond_expression& expression) const {
-  if (!is_defined_by_places_)
-    if (const std::optional<Exact_evaluation::Enclosure> value = value_by_flips(d, expression)) {
-      ++statistics_.sharpenings[106];
-      if (internal::holds_for_all(*value, internal::is_known_to_a_unit)) return *value;
-    }
+  if (const auto value = value_by_flips(d, expression, 2 * versions_.history().number_of_flips())) {
+    ++statistics_.sharpenings[106];
+    if (internal::holds_for_all(*value, internal::is_known_to_a_unit)) return *value;
+  }
   Exact_evaluation::Enclosure value;
   for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
     ++statistics_.sharpenings[bits];
@@ -163,21 +164,25 @@ Exact_geometry::sign_on_input(const Diamond& d,
   return s;
 }
 
-// Until an eighth of them was repeated, in balls each: by then, it would have cost as much to follow them all once, in
-// integers, and unfold.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Exact_geometry::may_repeat_many_flips() const {
-  return unfolder() != nullptr && !unfolder()->is_started() &&
-         evaluation_.repeated_flips() <= versions_.history().number_of_flips() / 8;
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
+Exact_geometry::value_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
+                               std::size_t most) const {
+  const std::size_t repeated = evaluation_.repeated_flips();
+  if (is_defined_by_places_ || repeated >= most) return std::nullopt;
+  return evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
+                                     versions_.right_side(d), expression, most - repeated);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
-Exact_geometry::value_by_flips(const Diamond& d,
-                               const Recorded_diamond_expression& expression) const {
-  constexpr std::uint32_t few = 32;
-  const std::uint32_t more =
-      may_repeat_many_flips() ? versions_.history().number_of_flips() / 16 : 0;
-  return evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
-                                     versions_.right_side(d), expression, few + more);
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
+Exact_geometry::sign_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
+                              Diamond_values<FT>& better) const {
+  const auto value = value_by_flips(d, expression, versions_.history().number_of_flips() / 8);
+  if (!value) return std::nullopt;
+  const std::optional<Sign> s = certain_sign(value->first);
+  if (!s || *s == ZERO) return std::nullopt;
+  better = value->second;
+  ++statistics_.escalations[106];
+  return s;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INITIAL_VALUES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
@@ -126,27 +127,38 @@ inline Interval_nt<false> squared_distance_interval(const Input_metric::Point& p
   return {-minus_inf, sup};
 }
 
-// a = 2 |u x v| of a face in space, in floating point with a bound on the error, or an interval below
-// zero where that is not good enough. With e = 2^-52, whatever the rounding: sides are off by e times
-// themselves, the two products of a component by 3e, the norm of the cross product by 4.2 e m at
-// most, m the sum of all six products; squares and root add 2.5e a, the
-// bounds e a, a <= 2m. Together less than 16 e m.
+// ab - cd, when rounding upwards: the error of one product is found exactly, so that nothing is lost where they cancel.
+inline Interval_nt<false> difference_of_products(double a, double b, double c, double d) {
+  const double product = c * d, error = std::fma(-c, d, product);
+  return {-(std::fma(-a, b, product) - error), std::fma(a, b, -product) + error};
+}
+
+// whether the error of a product of doubles is a double
+inline bool has_exact_error(double a, double b) {
+  return a == 0 || b == 0 || std::abs(a * b) > 0x1p-900;
+}
+
+// a = 2 |u x v| of a face in space, to a few units, or an interval below zero where sides are no doubles.
+// This is where most of the error of everything else would come from.
 inline Interval_nt<false> embedded_area_interval(const Input_metric& m, std::uint32_t f) {
+  using FT = Interval_nt<false>;
   const Input_metric::Sides& s = m.sides(f);
   const Input_metric::Point &p = m.points()[s[0]], &q = m.points()[s[1]], &r = m.points()[s[2]];
-  const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  const double v[3] = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
-  double squares = 0, sum = 0;
+  double u[3], v[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    u[k] = q[k] - p[k];
+    v[k] = r[k] - p[k];
+    if (u[k] != -(p[k] - q[k]) || v[k] != -(p[k] - r[k])) return {-1.0, -1.0}; // rounded
+  }
+  FT squares(0);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const double x = u[i] * v[j], y = u[j] * v[i];
-    squares = squares + (x - y) * (x - y);
-    sum = sum + (std::abs(x) + std::abs(y));
+    if (!has_exact_error(u[j], v[i])) return {-1.0, -1.0};
+    squares = squares + interval_square(difference_of_products(u[i], v[j], u[j], v[i]));
   }
-  const double area = 2 * std::sqrt(squares), error = 0x1p-48 * sum;
-  if (area > 0x1p-400 && area < 0x1p400 && error <= 0x1p-38 * area)
-    return {area - error, area + error};
-  return {-1.0, -1.0};
+  if (!(squares.inf() > 0x1p-800 && squares.sup() < 0x1p800)) return {-1.0, -1.0};
+  const double root = std::sqrt(squares.inf()), below = -(root * 0x1p-52 - root);
+  return {2 * below, 2 * std::sqrt(squares.sup())};
 }
 
 // exactly
