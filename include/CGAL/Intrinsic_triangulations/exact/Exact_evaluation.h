@@ -19,7 +19,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -55,8 +54,6 @@ public:
 
   /// A slot of a version of a face.
   using Side = Face_side;
-  /// Encloses an expression in the values of a diamond, and the values.
-  using Enclosure = std::pair<Interval_nt<false>, Diamond_values<Interval_nt<false>>>;
 
   /*!
   \brief returns the sign of an expression in the values of a diamond that is unfolded.
@@ -104,24 +101,30 @@ public:
                                     unsigned bits);
 
   /*!
-  \brief encloses an expression in the values of a diamond that is unfolded.
-  \param input, diamond, expression see `sign()`
-  \param bits 53, 106, 256, or any more
+  \brief returns the double nearest to the cotangent weight of a diamond that is unfolded, if so many bits tell which one
+  that is, and it is not zero.
+  \param input, diamond see `sign()`
+  \param bits 106, 256, or any more
   */
-  Enclosure enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Recorded_diamond_expression& expression, unsigned bits);
+  std::optional<double> weight(const Input_metric& input, const Unfolded_diamond& diamond,
+                               unsigned bits);
 
-  /// encloses an expression in the values of a diamond between two sides; see the other `enclosure()`.
-  Enclosure enclosure(const Input_metric& input, const Flip_history& history, Side left, Side right,
-                      const Recorded_diamond_expression& expression, unsigned bits);
+  /// returns that of the diamond between two sides, from 512 bits on; see above.
+  std::optional<double> weight(const Input_metric& input, const Flip_history& history, Side left,
+                               Side right, unsigned bits);
 
-  /// encloses an expression by repeating flips in 106 bits, unless there are more than `most` to repeat; see above.
-  std::optional<Enclosure> short_enclosure(const Input_metric& input, const Flip_history& history,
-                                           Side left, Side right,
-                                           const Recorded_diamond_expression& expression,
-                                           std::size_t most);
-  /// returns how many flips that function has repeated so far, or looked for in vain.
-  std::size_t repeated_flips() const;
+  /// returns that by repeating flips, in 106 bits or 256, unless they are too many in sum; see above.
+  std::optional<double> weight_by_flips(const Input_metric& input, const Flip_history& history,
+                                        Side left, Side right);
+
+  /*!
+  \brief returns the sign of an expression by repeating flips in 106 bits, unless it is zero or not certain, or so many have
+  been repeated that all could have been followed instead, to unfold.
+  */
+  std::optional<Sign> sign_by_flips(const Input_metric& input, const Flip_history& history,
+                                    Side left, Side right,
+                                    const Recorded_diamond_expression& expression,
+                                    Diamond_values<Interval_nt<false>>& better);
 
   /*!
   \brief returns the sign of an expression in the values of the diamond between two sides.

@@ -10,10 +10,12 @@
 #include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_side_values.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_tie_of_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/nearest_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
@@ -27,6 +29,8 @@
 
 #include <CGAL/Gmpfi.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,22 +51,13 @@ struct Exact_evaluation::Memory {
   static constexpr std::size_t many_triangles = 256;
   // entries that are kept between calls, up to a kilobyte each
   static constexpr std::size_t maximal_memory = 50000;
-  static constexpr std::size_t maximal_short_memory = 1U << 20; // up to 100 bytes each
+  static constexpr std::size_t maximal_moves = 1U << 20; // in balls, about a hundred bytes each
 
   // intervals of one precision
   struct Intervals {
     Input_face_intervals<Gmpfi> faces;
     History_values<Gmpfi> moves; // faces made next have them as ancestors
   };
-
-  // an expression in the values of a diamond, and the values
-  template <class FT>
-  using Enclosed = std::pair<FT, Diamond_values<FT>>;
-  template <class FT>
-  static Enclosed<FT> with_value(const Recorded_diamond_expression& expression,
-                                 const Diamond_values<FT>& values) {
-    return {expression(values), values};
-  }
 
   // whether an expression is proven to be zero in integers of fixed size, which takes a microsecond
   static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
@@ -131,26 +126,49 @@ struct Exact_evaluation::Memory {
     return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
   }
 
-  // by the history, if no more than so many flips are to be repeated
-  std::optional<Enclosed<Ball<Double_double>>>
-  short_value(const Input_metric& input, const Flip_history& history, Side left, Side right,
-              const Recorded_diamond_expression& expression, std::size_t most) {
-    using FT = Ball<Double_double>;
-    if (short_moves.size() > maximal_short_memory) short_moves.clear();
-    const auto face = short_balls.of(input);
-    const std::size_t known = short_moves.size();
-    const auto faces = History_evaluator<FT, decltype(face)>(history, face, short_moves)
-                           .faces({left, right}, most);
-    repeated += 1 + (faces ? short_moves.size() - known : most);
-    if (!faces) return std::nullopt;
-    return with_value(expression, diamond_values((*faces)[0], (*faces)[1]));
+  // what is known of flips in balls
+  template <class FT>
+  struct Repeated {
+    History_values<FT> moves;
+    std::size_t number = 0; // repeated so far, or looked for in vain
+  };
+
+  // by the history, unless more than so many flips would have been repeated then in sum; rounding is to the nearest
+  template <class FT>
+  static std::optional<Diamond_values<FT>> by_flips(const Input_metric& input,
+                                                    const Flip_history& history, Side left,
+                                                    Side right, std::size_t most,
+                                                    Repeated<FT>& repeated) {
+    auto& [moves, number] = repeated;
+    if (number > most) return std::nullopt;
+    if (moves.size() > maximal_moves) moves.clear();
+    if (moves.empty()) moves.reserve(std::min<std::size_t>(history.number_of_flips(), maximal_moves));
+    const Input_side_values<FT> sides(input);
+    const std::size_t known = moves.size();
+    const auto values = History_evaluator<FT, Input_side_values<FT>>(history, sides, moves)
+                            .diamond(left, right, most - number);
+    number += values ? moves.size() - known : most;
+    return values;
+  }
+
+  // of a diamond that is unfolded
+  std::optional<double> weight(const Input_metric& input, const Unfolded_diamond& diamond,
+                               unsigned bits) {
+    const auto compute = [&](auto& numbers) {
+      using FT = typename std::decay_t<decltype(numbers)>::Number;
+      return nearest_double(cotangent_weight(diamond.values<FT>(numbers.of(input))));
+    };
+    if (bits <= 106) return internal::to_nearest(compute, short_balls);
+    if (bits <= 256) return internal::to_nearest(compute, long_balls);
+    const Gmpfi_precision precision(bits);
+    return compute(intervals().faces);
   }
 
   Diamond_zero_test is_zero;
   Input_face_intervals<Interval_nt<false>> doubles;
   Input_face_intervals<Ball<Double_double>> short_balls;
-  History_values<Ball<Double_double>> short_moves;
-  std::size_t repeated = 0;                           // flips, see `repeated_flips()`
+  Repeated<Ball<Double_double>> short_moves;
+  Repeated<Ball<Mpfr_number>> long_moves;
   Input_face_intervals<Ball<Mpfr_number>> long_balls; // of 256 bits
   std::map<Gmpfi::Precision_type, Intervals> by_precision;
 
@@ -249,36 +267,49 @@ Exact_evaluation::squared_length(const Input_metric& input, const Unfolded_diamo
   });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
-Exact_evaluation::enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
-                            const Recorded_diamond_expression& expression, unsigned bits) {
-  return memory().at_precision<Enclosure>(bits, [&](auto& numbers) {
-    using FT = typename std::decay_t<decltype(numbers)>::Number;
-    return Memory::with_value(expression, diamond.values<FT>(numbers.of(input)));
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
+Exact_evaluation::weight(const Input_metric& input, const Unfolded_diamond& diamond,
+                         unsigned bits) {
+  return memory().weight(input, diamond, bits);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
+Exact_evaluation::weight(const Input_metric& input, const Flip_history& history, Side left,
+                         Side right, unsigned bits) {
+  const Gmpfi_precision precision(std::max(bits, internal::first_bits));
+  return nearest_double(cotangent_weight(memory().values(input, history, left, right)));
+}
+
+// Unfolding, all flips have to be followed first: in integers, each in a fifth of the time that it takes in balls of 256 bits.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
+Exact_evaluation::weight_by_flips(const Input_metric& input, const Flip_history& history, Side left,
+                                  Side right) {
+  const auto compute = [&](auto& repeated, std::size_t most) -> std::optional<double> {
+    const auto values = Memory::by_flips(input, history, left, right, most, repeated);
+    if (!values) return std::nullopt;
+    return nearest_double(cotangent_weight(*values));
+  };
+  const std::size_t flips = history.number_of_flips();
+  return internal::to_nearest([&] {
+    const auto weight = compute(memory().short_moves, 2 * flips);
+    return weight ? weight : compute(memory().long_moves, flips / 16);
   });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
-Exact_evaluation::enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                            Side right, const Recorded_diamond_expression& expression,
-                            unsigned bits) {
-  const Gmpfi_precision precision(std::max(bits, internal::first_bits));
-  return internal::intervals(
-      Memory::with_value(expression, memory().values(input, history, left, right)));
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
-Exact_evaluation::short_enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                                  Side right, const Recorded_diamond_expression& expression,
-                                  std::size_t most) {
-  const auto value = internal::to_nearest(
-      [&] { return memory().short_value(input, history, left, right, expression, most); });
-  if (!value) return std::nullopt;
-  return internal::intervals(*value);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t Exact_evaluation::repeated_flips() const {
-  return memory_ == nullptr ? 0 : memory_->repeated;
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
+Exact_evaluation::sign_by_flips(const Input_metric& input, const Flip_history& history, Side left,
+                                Side right, const Recorded_diamond_expression& expression,
+                                Diamond_values<Interval_nt<false>>& better) {
+  auto& repeated = memory().short_moves;
+  ++repeated.number; // ties are not told so: there must not be too many
+  std::optional<Diamond_values<Ball<Double_double>>> values;
+  const Uncertain<Sign> s = internal::to_nearest([&]() -> Uncertain<Sign> {
+    values = Memory::by_flips(input, history, left, right, history.number_of_flips() / 8, repeated);
+    return values ? expression(*values).sign() : Uncertain<Sign>::indeterminate();
+  });
+  if (!is_certain(s) || get_certain(s) == ZERO) return std::nullopt;
+  better = internal::intervals(*values);
+  return get_certain(s);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_evaluation::sign(
@@ -310,7 +341,8 @@ Exact_evaluation::enclosures(const Input_metric& input, const Flip_history& hist
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Exact_evaluation::forget_flip(std::uint32_t flip) {
   if (memory_ == nullptr) return;
-  memory_->short_moves.erase(flip);
+  memory_->short_moves.moves.erase(flip);
+  memory_->long_moves.moves.erase(flip);
   for (auto& [bits, intervals] : memory_->by_precision) intervals.moves.erase(flip);
 }
 

@@ -98,15 +98,18 @@ public:
   FT first_squared_length(const Indexed_face& face, unsigned bits) const;
 
   /*!
-  \brief encloses the value of an expression in the values of a diamond, and the areas among them, to 2^-42 of themselves.
-  \pre the value is not zero
-  \return the value, and all values of the diamond
-  \complexity that of the precision that it takes
-  \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before, and weights are
-  to have the same digits after a triangulation is read from a file.
+  \brief returns the double nearest to the cotangent weight of a diamond by repeating flips, if they are not
+  too many, and 256 bits tell which one that is: nothing of a tie.
   */
-  Exact_evaluation::Enclosure
-  nonzero_enclosure(const Diamond& d, const Recorded_diamond_expression& expression) const;
+  std::optional<double> weight_by_flips(const Diamond& d) const;
+
+  /*!
+  \brief returns the double nearest to the cotangent weight of a diamond, unless it is in the middle between two.
+  \pre the weight is not zero
+  \complexity that of the precision that it takes
+  \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before.
+  */
+  std::optional<double> nonzero_weight(const Diamond& d) const;
 
 private:
   // not copied: each triangulation has its own
@@ -128,11 +131,6 @@ private:
 
   // the input under faces, if that is known of all
   std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const;
-
-  // by repeating flips, unless more than `most` have been repeated by then in sum
-  std::optional<Exact_evaluation::Enclosure>
-  value_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
-                 std::size_t most) const;
 
   // by repeating flips, if these are some of them only: to unfold, all have to be followed first. It does not ask
   // whether they have been: intervals must not depend on who unfolds.

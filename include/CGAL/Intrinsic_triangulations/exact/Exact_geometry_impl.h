@@ -18,17 +18,13 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
-#include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -36,26 +32,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// whether a predicate holds for a value and for the areas that it depends on
-template <class Predicate>
-bool holds_for_all(const Exact_evaluation::Enclosure& x, const Predicate& predicate) {
-  return predicate(x.first) && predicate(x.second.area_f) && predicate(x.second.area_g);
-}
-
-// To a unit in the last place: by unfolding, too, the same double is found, as a rule.
-inline bool is_known_to_a_unit(const Interval_nt<false>& x) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return x.sup() <= std::nextafter(std::nextafter(x.inf(), infinity), infinity);
-}
-
-inline bool is_known_to_42_bits(const Interval_nt<false>& x) {
-  return CGAL::width(x) <= 0x1p-42 * CGAL::magnitude(x) && CGAL::is_finite(x);
-}
-
-} // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Exact_geometry(const std::shared_ptr<const Input>& input)
@@ -107,24 +83,26 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_geometry::sign(
                           statistics_);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
-Exact_geometry::nonzero_enclosure(const Diamond& d,
-                                  const Recorded_diamond_expression& expression) const {
-  if (const auto value = value_by_flips(d, expression, 2 * versions_.history().number_of_flips())) {
-    ++statistics_.sharpenings[106];
-    if (internal::holds_for_all(*value, internal::is_known_to_a_unit)) return *value;
-  }
-  Exact_evaluation::Enclosure value;
-  for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
+Exact_geometry::weight_by_flips(const Diamond& d) const {
+  if (is_defined_by_places_) return std::nullopt;
+  ++statistics_.sharpenings[106];
+  return evaluation_.weight_by_flips(*input_, versions_.history(), versions_.left_side(d),
+                                     versions_.right_side(d));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
+Exact_geometry::nonzero_weight(const Diamond& d) const {
+  for (unsigned bits = 106; bits <= 8192; bits = bits == 106 ? 256 : 2 * bits) {
     ++statistics_.sharpenings[bits];
     const Unfolded_diamond* u = unfolded(d);
-    value = u != nullptr
-                ? evaluation_.enclosure(*input_, *u, expression, bits)
-                : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
-                                        versions_.right_side(d), expression, bits);
-    if (internal::holds_for_all(value, internal::is_known_to_42_bits)) break;
+    const std::optional<double> weight =
+        u != nullptr ? evaluation_.weight(*input_, *u, bits)
+                     : evaluation_.weight(*input_, versions_.history(), versions_.left_side(d),
+                                          versions_.right_side(d), bits);
+    if (weight) return weight;
   }
-  return value;
+  return std::nullopt;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Input_unfolder* Exact_geometry::unfolder() const {
@@ -164,24 +142,14 @@ Exact_geometry::sign_on_input(const Diamond& d,
   return s;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
-Exact_geometry::value_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
-                               std::size_t most) const {
-  const std::size_t repeated = evaluation_.repeated_flips();
-  if (is_defined_by_places_ || repeated >= most) return std::nullopt;
-  return evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
-                                     versions_.right_side(d), expression, most - repeated);
-}
-
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
 Exact_geometry::sign_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
                               Diamond_values<FT>& better) const {
-  const auto value = value_by_flips(d, expression, versions_.history().number_of_flips() / 8);
-  if (!value) return std::nullopt;
-  const std::optional<Sign> s = certain_sign(value->first);
-  if (!s || *s == ZERO) return std::nullopt;
-  better = value->second;
-  ++statistics_.escalations[106];
+  if (is_defined_by_places_) return std::nullopt;
+  const std::optional<Sign> s =
+      evaluation_.sign_by_flips(*input_, versions_.history(), versions_.left_side(d),
+                                versions_.right_side(d), expression, better);
+  if (s) ++statistics_.escalations[106];
   return s;
 }
 

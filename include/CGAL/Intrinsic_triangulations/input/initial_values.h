@@ -127,38 +127,40 @@ inline Interval_nt<false> squared_distance_interval(const Input_metric::Point& p
   return {-minus_inf, sup};
 }
 
-// ab - cd, when rounding upwards: the error of one product is found exactly, so that nothing is lost where they cancel.
-inline Interval_nt<false> difference_of_products(double a, double b, double c, double d) {
+// ab - cd, when rounding upwards.
+inline Interval_nt<false> determinant_interval(double a, double b, double c, double d) {
+  return {-(-a * b + c * d), a * b + -c * d};
+}
+
+// The same if the error of one product is found, so that nothing is lost where they cancel; a wide interval if it may be
+// no double.
+inline Interval_nt<false> sharp_determinant(double a, double b, double c, double d) {
   const double product = c * d, error = std::fma(-c, d, product);
+  if (std::abs(product) < 0x1p-900 && c != 0 && d != 0) return determinant_interval(a, b, c, d);
   return {-(std::fma(-a, b, product) - error), std::fma(a, b, -product) + error};
 }
 
-// whether the error of a product of doubles is a double
-inline bool has_exact_error(double a, double b) {
-  return a == 0 || b == 0 || std::abs(a * b) > 0x1p-900;
-}
-
-// a = 2 |u x v| of a face in space, to a few units, or an interval below zero where sides are no doubles.
-// This is where most of the error of everything else would come from.
+// a = 2 |u x v| of a face in space to a few units, when rounding upwards, or an interval below zero where sides are no doubles.
+// This is where most of the errors of all other values come from.
 inline Interval_nt<false> embedded_area_interval(const Input_metric& m, std::uint32_t f) {
   using FT = Interval_nt<false>;
   const Input_metric::Sides& s = m.sides(f);
   const Input_metric::Point &p = m.points()[s[0]], &q = m.points()[s[1]], &r = m.points()[s[2]];
-  double u[3], v[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    u[k] = q[k] - p[k];
-    v[k] = r[k] - p[k];
-    if (u[k] != -(p[k] - q[k]) || v[k] != -(p[k] - r[k])) return {-1.0, -1.0}; // rounded
-  }
-  FT squares(0);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    if (!has_exact_error(u[j], v[i])) return {-1.0, -1.0};
-    squares = squares + interval_square(difference_of_products(u[i], v[j], u[j], v[i]));
-  }
-  if (!(squares.inf() > 0x1p-800 && squares.sup() < 0x1p800)) return {-1.0, -1.0};
-  const double root = std::sqrt(squares.inf()), below = -(root * 0x1p-52 - root);
-  return {2 * below, 2 * std::sqrt(squares.sup())};
+  const std::array<double, 3> u = {q[0] - p[0], q[1] - p[1], q[2] - p[2]},
+                              v = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (u[k] != -(p[k] - q[k]) || v[k] != -(p[k] - r[k])) return {-1.0, -1.0};
+  const auto squared_norm = [&](const auto& difference) {
+    return interval_square(difference(u[1], v[2], u[2], v[1])) +
+           interval_square(difference(u[2], v[0], u[0], v[2])) +
+           interval_square(difference(u[0], v[1], u[1], v[0]));
+  };
+  FT squared = squared_norm(determinant_interval);
+  if (squared.sup() - squared.inf() > 0x1p-48 * squared.sup())
+    squared = squared_norm(sharp_determinant);
+  if (!(squared.inf() > 0x1p-800 && squared.sup() < 0x1p800)) return {-1.0, -1.0};
+  const double root = std::sqrt(squared.inf());
+  return {-2 * (root * 0x1p-52 - root), 2 * std::sqrt(squared.sup())};
 }
 
 // exactly

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,10 +57,12 @@ Exact_euclidean_metric::cotangent_weight(const Diamond& d) const {
            : product.sup() < 0 ? std::min(weight, 0.0)
                                : 0;
   }
+  const auto known = signs_.find(d.ij);
+  if (!known || known->sign != ZERO)
+    if (const std::optional<double> weight = geometry_.weight_by_flips(d)) return *weight;
   if (sign(d, Delaunay_expression()) == ZERO) return 0;
-  const auto [value, better] = geometry_.nonzero_enclosure(d, recorded(Delaunay_expression()));
-  return CGAL::to_double(value) / CGAL::to_double(better.area_f) /
-         (2 * CGAL::to_double(better.area_g));
+  if (const std::optional<double> weight = geometry_.nonzero_weight(d)) return *weight;
+  return cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Enclosed_values
