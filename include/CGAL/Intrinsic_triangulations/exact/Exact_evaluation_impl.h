@@ -135,14 +135,14 @@ struct Exact_evaluation::Memory {
 
   // by the history, unless more than so many flips would have been repeated then in sum; rounding is to the nearest
   template <class FT>
-  static std::optional<Diamond_values<FT>> by_flips(const Input_metric& input,
-                                                    const Flip_history& history, Side left,
-                                                    Side right, std::size_t most,
-                                                    Repeated<FT>& repeated) {
+  static std::optional<Diamond_values<FT>>
+  by_flips(const Input_metric& input, const Flip_history& history, Side left, Side right,
+           std::size_t most, Repeated<FT>& repeated) {
     auto& [moves, number] = repeated;
     if (number > most) return std::nullopt;
     if (moves.size() > maximal_moves) moves.clear();
-    if (moves.empty()) moves.reserve(std::min<std::size_t>(history.number_of_flips(), maximal_moves));
+    if (moves.empty())
+      moves.reserve(std::min<std::size_t>(history.number_of_flips(), maximal_moves));
     const Input_side_values<FT> sides(input);
     const std::size_t known = moves.size();
     const auto values = History_evaluator<FT, Input_side_values<FT>>(history, sides, moves)

@@ -45,7 +45,7 @@ inline Interval_nt<false> product_with_nonnegative(const Interval_nt<false>& a,
 \pre the bounds are finite
 */
 inline Interval_nt<false> interval_square(const Interval_nt<false>& a) {
-  const double low = std::max({a.inf(), -a.sup(), 0.0}), high = std::max(-a.inf(), a.sup());
+  const double low = std::max(std::max(a.inf(), -a.sup()), 0.0), high = std::max(-a.inf(), a.sup());
   return {-(-low * low), high * high};
 }
 
