@@ -100,9 +100,12 @@ public:
   Interval_nt<false> squared_length(const Input_metric& input, const Unfolded_diamond& diamond,
                                     unsigned bits);
 
+  /// Bits in which the nearest double to any weight is told.
+  static constexpr unsigned last_bits = 8192;
+
   /*!
   \brief returns the double nearest to the cotangent weight of a diamond that is unfolded, if so many bits tell which one
-  that is, and it is not zero.
+  that is, and it is neither zero nor infinite; with `last_bits` it is returned always.
   \param input, diamond see `sign()`
   \param bits 106, 256, or any more
   */

@@ -34,6 +34,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <type_traits>
@@ -161,7 +162,13 @@ struct Exact_evaluation::Memory {
     if (bits <= 106) return internal::to_nearest(compute, short_balls);
     if (bits <= 256) return internal::to_nearest(compute, long_balls);
     const Gmpfi_precision precision(bits);
-    return compute(intervals().faces);
+    return told_weight(cotangent_weight(values(input, diamond)), bits);
+  }
+
+  // in the end that nearest to a lower bound: the number is in the middle between two doubles, or beyond all of them
+  static std::optional<double> told_weight(const Gmpfi& weight, unsigned bits) {
+    if (bits < last_bits) return nearest_double(weight);
+    return weight.inf().to_double(std::round_to_nearest);
   }
 
   Diamond_zero_test is_zero;
@@ -277,7 +284,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
 Exact_evaluation::weight(const Input_metric& input, const Flip_history& history, Side left,
                          Side right, unsigned bits) {
   const Gmpfi_precision precision(std::max(bits, internal::first_bits));
-  return nearest_double(cotangent_weight(memory().values(input, history, left, right)));
+  return Memory::told_weight(cotangent_weight(memory().values(input, history, left, right)), bits);
 }
 
 // Unfolding, all flips have to be followed first: in integers, each in a fifth of the time that it takes in balls of 256 bits.

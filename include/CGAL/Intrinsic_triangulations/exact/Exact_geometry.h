@@ -104,12 +104,12 @@ public:
   std::optional<double> weight_by_flips(const Diamond& d) const;
 
   /*!
-  \brief returns the double nearest to the cotangent weight of a diamond, unless it is in the middle between two.
+  \brief returns the double nearest to the cotangent weight of a diamond.
   \pre the weight is not zero
   \complexity that of the precision that it takes
   \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before.
   */
-  std::optional<double> nonzero_weight(const Diamond& d) const;
+  double nonzero_weight(const Diamond& d) const;
 
 private:
   // not copied: each triangulation has its own

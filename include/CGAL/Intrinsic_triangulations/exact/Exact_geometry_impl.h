@@ -91,18 +91,16 @@ Exact_geometry::weight_by_flips(const Diamond& d) const {
                                      versions_.right_side(d));
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
-Exact_geometry::nonzero_weight(const Diamond& d) const {
-  for (unsigned bits = 106; bits <= 8192; bits = bits == 106 ? 256 : 2 * bits) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE double Exact_geometry::nonzero_weight(const Diamond& d) const {
+  std::optional<double> weight;
+  for (unsigned bits = 106; !weight; bits = bits == 106 ? 256 : 2 * bits) {
     ++statistics_.sharpenings[bits];
     const Unfolded_diamond* u = unfolded(d);
-    const std::optional<double> weight =
-        u != nullptr ? evaluation_.weight(*input_, *u, bits)
-                     : evaluation_.weight(*input_, versions_.history(), versions_.left_side(d),
-                                          versions_.right_side(d), bits);
-    if (weight) return weight;
+    weight = u != nullptr ? evaluation_.weight(*input_, *u, bits)
+                          : evaluation_.weight(*input_, versions_.history(), versions_.left_side(d),
+                                               versions_.right_side(d), bits);
   }
-  return std::nullopt;
+  return *weight;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Input_unfolder* Exact_geometry::unfolder() const {

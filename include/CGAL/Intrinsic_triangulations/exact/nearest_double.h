@@ -32,7 +32,7 @@ inline std::optional<double> common_rounding(double low, double high) {
 } // namespace internal
 
 /*!
-\brief returns the double nearest to all numbers of a ball, if there is one that is not zero.
+\brief returns the double nearest to all numbers of a ball, if there is one that is neither zero nor infinite.
 \pre rounding is to the nearest
 */
 template <class Center>
@@ -46,7 +46,7 @@ std::optional<double> nearest_double(const Ball<Center>& x) {
 }
 
 /*!
-\brief returns the double nearest to all numbers of an interval, if there is one that is not zero.
+\brief returns the double nearest to all numbers of an interval, if there is one that is neither zero nor infinite.
 */
 inline std::optional<double> nearest_double(const Gmpfi& x) {
   return internal::common_rounding(x.inf().to_double(std::round_to_nearest),

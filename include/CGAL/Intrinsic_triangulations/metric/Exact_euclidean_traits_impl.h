@@ -53,8 +53,7 @@ Exact_euclidean_metric::cotangent_weight(const Diamond& d) const {
   if (!known || known->sign != ZERO)
     if (const std::optional<double> weight = geometry_.weight_by_flips(d)) return *weight;
   if (sign(d, Delaunay_expression()) == ZERO) return 0;
-  if (const std::optional<double> weight = geometry_.nonzero_weight(d)) return *weight;
-  return cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
+  return geometry_.nonzero_weight(d);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Enclosed_values
