@@ -10,16 +10,16 @@
 #include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals_impl.h>
-#include <CGAL/Intrinsic_triangulations/exact/Input_side_values.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/is_tie_of_strip.h>
-#include <CGAL/Intrinsic_triangulations/exact/nearest_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/nearest_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Repeated_flips.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/without_corner.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
@@ -52,7 +52,6 @@ struct Exact_evaluation::Memory {
   static constexpr std::size_t many_triangles = 256;
   // entries that are kept between calls, up to a kilobyte each
   static constexpr std::size_t maximal_memory = 50000;
-  static constexpr std::size_t maximal_moves = 1U << 20; // in balls, about a hundred bytes each
 
   // intervals of one precision
   struct Intervals {
@@ -127,31 +126,6 @@ struct Exact_evaluation::Memory {
     return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
   }
 
-  // what is known of flips in balls
-  template <class FT>
-  struct Repeated {
-    History_values<FT> moves;
-    std::size_t number = 0; // repeated so far, or looked for in vain
-  };
-
-  // by the history, unless more than so many flips would have been repeated then in sum; rounding is to the nearest
-  template <class FT>
-  static std::optional<Diamond_values<FT>>
-  by_flips(const Input_metric& input, const Flip_history& history, Side left, Side right,
-           std::size_t most, Repeated<FT>& repeated) {
-    auto& [moves, number] = repeated;
-    if (number > most) return std::nullopt;
-    if (moves.size() > maximal_moves) moves.clear();
-    if (moves.empty())
-      moves.reserve(std::min<std::size_t>(history.number_of_flips(), maximal_moves));
-    const Input_side_values<FT> sides(input);
-    const std::size_t known = moves.size();
-    const auto values = History_evaluator<FT, Input_side_values<FT>>(history, sides, moves)
-                            .diamond(left, right, most - number);
-    number += values ? moves.size() - known : most;
-    return values;
-  }
-
   // of a diamond that is unfolded
   std::optional<double> weight(const Input_metric& input, const Unfolded_diamond& diamond,
                                unsigned bits) {
@@ -174,8 +148,8 @@ struct Exact_evaluation::Memory {
   Diamond_zero_test is_zero;
   Input_face_intervals<Interval_nt<false>> doubles;
   Input_face_intervals<Ball<Double_double>> short_balls;
-  Repeated<Ball<Double_double>> short_moves;
-  Repeated<Ball<Mpfr_number>> long_moves;
+  Repeated_flips<Ball<Double_double>> short_flips;
+  Repeated_flips<Ball<Mpfr_number>> long_flips;
   Input_face_intervals<Ball<Mpfr_number>> long_balls; // of 256 bits
   std::map<Gmpfi::Precision_type, Intervals> by_precision;
 
@@ -292,14 +266,14 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
 Exact_evaluation::weight_by_flips(const Input_metric& input, const Flip_history& history, Side left,
                                   Side right) {
   const auto compute = [&](auto& repeated, std::size_t most) -> std::optional<double> {
-    const auto values = Memory::by_flips(input, history, left, right, most, repeated);
+    const auto values = repeated.diamond(input, history, left, right, most);
     if (!values) return std::nullopt;
     return nearest_double(cotangent_weight(*values));
   };
   const std::size_t flips = history.number_of_flips();
   return internal::to_nearest([&] {
-    const auto weight = compute(memory().short_moves, 2 * flips);
-    return weight ? weight : compute(memory().long_moves, flips / 16);
+    const auto weight = compute(memory().short_flips, 2 * flips);
+    return weight ? weight : compute(memory().long_flips, flips / 16);
   });
 }
 
@@ -307,11 +281,11 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
 Exact_evaluation::sign_by_flips(const Input_metric& input, const Flip_history& history, Side left,
                                 Side right, const Recorded_diamond_expression& expression,
                                 Diamond_values<Interval_nt<false>>& better) {
-  auto& repeated = memory().short_moves;
-  ++repeated.number; // ties are not told so: there must not be too many
+  auto& repeated = memory().short_flips;
+  repeated.count(); // ties are not told so: there must not be too many
   std::optional<Diamond_values<Ball<Double_double>>> values;
   const Uncertain<Sign> s = internal::to_nearest([&]() -> Uncertain<Sign> {
-    values = Memory::by_flips(input, history, left, right, history.number_of_flips() / 8, repeated);
+    values = repeated.diamond(input, history, left, right, history.number_of_flips() / 8);
     return values ? expression(*values).sign() : Uncertain<Sign>::indeterminate();
   });
   if (!is_certain(s) || get_certain(s) == ZERO) return std::nullopt;
@@ -348,8 +322,8 @@ Exact_evaluation::enclosures(const Input_metric& input, const Flip_history& hist
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Exact_evaluation::forget_flip(std::uint32_t flip) {
   if (memory_ == nullptr) return;
-  memory_->short_moves.moves.erase(flip);
-  memory_->long_moves.moves.erase(flip);
+  memory_->short_flips.forget(flip);
+  memory_->long_flips.forget(flip);
   for (auto& [bits, intervals] : memory_->by_precision) intervals.moves.erase(flip);
 }
 

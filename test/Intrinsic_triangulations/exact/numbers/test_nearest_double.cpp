@@ -3,10 +3,10 @@
 
 #include "meshes.h"
 
-#include <CGAL/Intrinsic_triangulations/exact/Input_side_values.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
-#include <CGAL/Intrinsic_triangulations/exact/nearest_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/nearest_double.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_side_values.h>
 
 #include <CGAL/Gmpfi.h>
 #include <CGAL/Gmpq.h>

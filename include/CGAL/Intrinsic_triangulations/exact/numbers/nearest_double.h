@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NEAREST_DOUBLE_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NEAREST_DOUBLE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_NEAREST_DOUBLE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_NEAREST_DOUBLE_H
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 
@@ -55,4 +55,4 @@ inline std::optional<double> nearest_double(const Gmpfi& x) {
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NEAREST_DOUBLE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_NEAREST_DOUBLE_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_SIDE_VALUES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_SIDE_VALUES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_INPUT_SIDE_VALUES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_INPUT_SIDE_VALUES_H
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
@@ -100,4 +100,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_SIDE_VALUES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_INPUT_SIDE_VALUES_H
