@@ -33,7 +33,9 @@ computed in intervals of 128 bits, and the precision is doubled until the sign s
 value is proven not to be zero. One that is only probably zero counts as zero at 1024 bits.
 
 What cannot be unfolded is computed by repeating the flips, from 512 bits on, since errors grow with their number.
-Their values are remembered, so that every flip is evaluated once, as a rule.
+Their values are remembered, so that every flip is evaluated once, as a rule. Few signs, and weights, are told by repeating flips in
+106 bits or 256, before all have to be followed to unfold anything (`sign_by_flips()`, `weight_by_flips()`). Whether that is done depends
+on the history and on what was asked before, not on who unfolds: results are the same with every correspondence.
 */
 class Exact_evaluation {
 public:

@@ -78,19 +78,14 @@ public:
   \complexity linear in the number of ancestors not evaluated yet
   */
   std::vector<Face_values<FT>> faces(const std::vector<Flip_history::Side>& sides) {
-    return *faces(sides, std::numeric_limits<std::size_t>::max());
-  }
-
-  /// evaluates faces as above, if no more than `most` ancestors are not evaluated yet.
-  std::optional<std::vector<Face_values<FT>>> faces(const std::vector<Flip_history::Side>& sides,
-                                                    std::size_t most) {
-    if (!evaluate_ancestors(sides, most)) return std::nullopt;
+    evaluate_ancestors(sides, std::numeric_limits<std::size_t>::max());
     std::vector<Face_values<FT>> result;
     for (const Side& s : sides) result.push_back(face(s));
     return result;
   }
 
-  /// evaluates the diamond between two sides as above; nothing is allocated if all ancestors are evaluated.
+  /// evaluates the diamond between two sides, if no more than `most` ancestors are not evaluated yet; nothing is allocated if
+  /// all are.
   std::optional<Diamond_values<FT>> diamond(Flip_history::Side left, Flip_history::Side right,
                                             std::size_t most) {
     if (!is_evaluated(left.face) || !is_evaluated(right.face))
