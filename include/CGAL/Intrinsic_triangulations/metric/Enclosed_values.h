@@ -200,7 +200,8 @@ protected:
     const double error = error_of_weight(left, q_f, a_f) + error_of_weight(right, q_g, a_g) +
                          0x1p-52 * size,
                  energy = 0.25 * (area_[d.f] + area_[d.g]) / length_[d.ij];
-    if (!(error <= 0x1p-40 * std::max(size, std::min(energy, 1.0)))) return std::nullopt;
+    if (!(error <= 0x1p-40 * std::max(size, std::min(energy, 1.0))) || !(size < 0x1p1000))
+      return std::nullopt;
     // a sum that the error does not reach
     if (error < size) return weight;
     const FT product = delaunay_value(q_f, a_f, q_g, a_g);
