@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -186,9 +187,10 @@ meshes::Mesh nearly_square_grid(unsigned seed, double noise) {
   return m;
 }
 
-// the weight of an edge between points of the plane
-Gmpq weight_in_plane(const Exact& t, const meshes::Mesh& m, Exact::edge_descriptor e) {
-  Gmpq sum = 0;
+// the weight of an edge between points of the plane, and min(1, E); see `Enclosed_values::stored_weight()`
+std::array<Gmpq, 2> weight_in_plane(const Exact& t, const meshes::Mesh& m,
+                                    Exact::edge_descriptor e) {
+  Gmpq sum = 0, energy = 0;
   for (const Halfedge h : {halfedge(e, t.mesh()), opposite(halfedge(e, t.mesh()), t.mesh())}) {
     const auto point = [&](Halfedge x) {
       const auto& p = m.points[t.input_vertex(target(x, t.mesh()))];
@@ -196,29 +198,59 @@ Gmpq weight_in_plane(const Exact& t, const meshes::Mesh& m, Exact::edge_descript
     };
     const auto i = point(opposite(h, t.mesh())), j = point(h), k = point(next(h, t.mesh()));
     const Gmpq ax = i[0] - k[0], ay = i[1] - k[1], bx = j[0] - k[0], by = j[1] - k[1];
-    sum += (ax * bx + ay * by) / (ax * by - ay * bx) / 2;
+    const Gmpq x = ax - bx, y = ay - by, twice_area = ax * by - ay * bx;
+    sum += (ax * bx + ay * by) / twice_area / 2;
+    energy += twice_area / (x * x + y * y) / 2; // the gradient is parallel to the edge
   }
-  return sum;
+  return {sum, std::min(energy, Gmpq(1))};
 }
 
 TEST(Exact_euclidean_traits,
-     weights_that_nearly_cancel_after_many_flips_are_as_accurate_as_others) {
+     weights_that_nearly_cancel_after_many_flips_are_right_beside_the_energy_of_their_faces) {
   std::size_t nearly_cancelled = 0;
-  for (const double noise : {1e-3, 1e-6, 1e-9}) {
+  for (const double noise : {1e-3, 1e-6, 1e-9, 1e-12}) {
     const meshes::Mesh m = nearly_square_grid(5, noise);
     Exact t(m.input());
     EXPECT_GT(IT::flip_to_delaunay(t).flips, 400U);
     for (int round = 0; round < 2; ++round) // asking once more changes nothing
       for (const auto e : edges(t.mesh())) {
         if (CGAL::is_border(e, t.mesh())) continue;
-        const Gmpq expected = weight_in_plane(t, m, e);
-        const Gmpq error = Gmpq(Exact::Const_session(t).cotangent_weight(e)) - expected;
-        EXPECT_LE(CGAL::abs(error), CGAL::abs(expected) * Gmpq(1e-12)) << noise;
-        if (CGAL::abs(expected) < Gmpq(1e-5)) ++nearly_cancelled;
+        const auto [expected, energy] = weight_in_plane(t, m, e);
+        const double weight = Exact::Const_session(t).cotangent_weight(e);
+        const Gmpq error = CGAL::abs(Gmpq(weight) - expected), size = CGAL::abs(expected);
+        EXPECT_LE(error, std::max(size, energy) * Gmpq(1e-12)) << noise;
+        EXPECT_EQ(CGAL::sign(weight), CGAL::sign(expected)) << noise;
+        if (size < Gmpq(1e-5)) ++nearly_cancelled;
       }
     EXPECT_GT(t.metric().statistics().sharpenings.count(106), 0U) << noise;
   }
   EXPECT_GT(nearly_cancelled, 100U);
+}
+
+TEST(Exact_euclidean_traits, weights_that_enclosures_do_not_tell_are_the_nearest_doubles) {
+  std::size_t nearest = 0, sharpened = 0;
+  for (const double noise : {1e-3, 1e-12, 1e-15}) {
+    const meshes::Mesh m = nearly_square_grid(6, noise);
+    Exact t(m.input());
+    IT::flip_to_delaunay(t);
+    const auto& sharpenings = t.metric().statistics().sharpenings;
+    for (const auto e : edges(t.mesh())) {
+      if (CGAL::is_border(e, t.mesh())) continue;
+      const auto before = sharpenings;
+      const double weight = Exact::Const_session(t).cotangent_weight(e);
+      if (sharpenings == before || weight == 0) continue;
+      ++sharpened;
+      const Gmpq expected = weight_in_plane(t, m, e)[0];
+      const Gmpq error = CGAL::abs(Gmpq(weight) - expected);
+      bool is_nearest = true;
+      for (const double direction : {-HUGE_VAL, HUGE_VAL})
+        is_nearest =
+            is_nearest && error <= CGAL::abs(Gmpq(std::nextafter(weight, direction)) - expected);
+      nearest += is_nearest ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(sharpened, 100U);
+  EXPECT_EQ(nearest, sharpened);
 }
 
 } // namespace

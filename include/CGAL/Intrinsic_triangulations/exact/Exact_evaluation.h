@@ -19,7 +19,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -34,7 +33,9 @@ computed in intervals of 128 bits, and the precision is doubled until the sign s
 value is proven not to be zero. One that is only probably zero counts as zero at 1024 bits.
 
 What cannot be unfolded is computed by repeating the flips, from 512 bits on, since errors grow with their number.
-Their values are remembered, so that every flip is evaluated once, as a rule.
+Their values are remembered, so that every flip is evaluated once, as a rule. Few signs, and weights, are told by repeating flips in
+106 bits or 256, before all have to be followed to unfold anything (`sign_by_flips()`, `weight_by_flips()`). Whether that is done depends
+on the history and on what was asked before, not on who unfolds: results are the same with every correspondence.
 */
 class Exact_evaluation {
 public:
@@ -55,8 +56,6 @@ public:
 
   /// A slot of a version of a face.
   using Side = Face_side;
-  /// Encloses an expression in the values of a diamond, and the values.
-  using Enclosure = std::pair<Interval_nt<false>, Diamond_values<Interval_nt<false>>>;
 
   /*!
   \brief returns the sign of an expression in the values of a diamond that is unfolded.
@@ -103,25 +102,34 @@ public:
   Interval_nt<false> squared_length(const Input_metric& input, const Unfolded_diamond& diamond,
                                     unsigned bits);
 
+  /// Bits in which the nearest double to any weight is told.
+  static constexpr unsigned last_bits = 8192;
+
   /*!
-  \brief encloses an expression in the values of a diamond that is unfolded.
-  \param input, diamond, expression see `sign()`
-  \param bits 53, 106, 256, or any more
+  \brief returns the double nearest to the cotangent weight of a diamond that is unfolded, if so many bits tell which one
+  that is, and it is neither zero nor infinite; with `last_bits` it is returned always.
+  \param input, diamond see `sign()`
+  \param bits 106, 256, or any more
   */
-  Enclosure enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
-                      const Recorded_diamond_expression& expression, unsigned bits);
+  std::optional<double> weight(const Input_metric& input, const Unfolded_diamond& diamond,
+                               unsigned bits);
 
-  /// encloses an expression in the values of a diamond between two sides; see the other `enclosure()`.
-  Enclosure enclosure(const Input_metric& input, const Flip_history& history, Side left, Side right,
-                      const Recorded_diamond_expression& expression, unsigned bits);
+  /// returns that of the diamond between two sides, from 512 bits on; see above.
+  std::optional<double> weight(const Input_metric& input, const Flip_history& history, Side left,
+                               Side right, unsigned bits);
 
-  /// encloses an expression by repeating flips in 106 bits, unless there are more than `most` to repeat; see above.
-  std::optional<Enclosure> short_enclosure(const Input_metric& input, const Flip_history& history,
-                                           Side left, Side right,
-                                           const Recorded_diamond_expression& expression,
-                                           std::size_t most);
-  /// returns how many flips that function has repeated so far, or looked for in vain.
-  std::size_t repeated_flips() const;
+  /// returns that by repeating flips, in 106 bits or 256, unless they are too many in sum; see above.
+  std::optional<double> weight_by_flips(const Input_metric& input, const Flip_history& history,
+                                        Side left, Side right);
+
+  /*!
+  \brief returns the sign of an expression by repeating flips in 106 bits, unless it is zero or not certain, or so many have
+  been repeated that all could have been followed instead, to unfold.
+  */
+  std::optional<Sign> sign_by_flips(const Input_metric& input, const Flip_history& history,
+                                    Side left, Side right,
+                                    const Recorded_diamond_expression& expression,
+                                    Diamond_values<Interval_nt<false>>& better);
 
   /*!
   \brief returns the sign of an expression in the values of the diamond between two sides.

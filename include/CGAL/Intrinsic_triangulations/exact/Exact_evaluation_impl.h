@@ -16,8 +16,10 @@
 #include <CGAL/Intrinsic_triangulations/exact/is_tie_of_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Integer_faces.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/nearest_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Repeated_flips.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/without_corner.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
@@ -27,9 +29,12 @@
 
 #include <CGAL/Gmpfi.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <type_traits>
@@ -53,15 +58,6 @@ struct Exact_evaluation::Memory {
     Input_face_intervals<Gmpfi> faces;
     History_values<Gmpfi> moves; // faces made next have them as ancestors
   };
-
-  // an expression in the values of a diamond, and the values
-  template <class FT>
-  using Enclosed = std::pair<FT, Diamond_values<FT>>;
-  template <class FT>
-  static Enclosed<FT> with_value(const Recorded_diamond_expression& expression,
-                                 const Diamond_values<FT>& values) {
-    return {expression(values), values};
-  }
 
   // whether an expression is proven to be zero in integers of fixed size, which takes a microsecond
   static bool is_tie_of_strip(const Input_metric& input, const Unfolded_diamond& diamond,
@@ -130,26 +126,30 @@ struct Exact_evaluation::Memory {
     return History_evaluator<Gmpfi, decltype(face)>(history, face, moves).faces(sides);
   }
 
-  // by the history, if no more than so many flips are to be repeated
-  std::optional<Enclosed<Ball<Double_double>>>
-  short_value(const Input_metric& input, const Flip_history& history, Side left, Side right,
-              const Recorded_diamond_expression& expression, std::size_t most) {
-    using FT = Ball<Double_double>;
-    if (short_moves.size() > maximal_memory) short_moves.clear();
-    const auto face = short_balls.of(input);
-    const std::size_t known = short_moves.size();
-    const auto faces = History_evaluator<FT, decltype(face)>(history, face, short_moves)
-                           .faces({left, right}, most);
-    repeated += faces ? short_moves.size() - known : most;
-    if (!faces) return std::nullopt;
-    return with_value(expression, diamond_values((*faces)[0], (*faces)[1]));
+  // of a diamond that is unfolded
+  std::optional<double> weight(const Input_metric& input, const Unfolded_diamond& diamond,
+                               unsigned bits) {
+    const auto compute = [&](auto& numbers) {
+      using FT = typename std::decay_t<decltype(numbers)>::Number;
+      return nearest_double(cotangent_weight(diamond.values<FT>(numbers.of(input))));
+    };
+    if (bits <= 106) return internal::to_nearest(compute, short_balls);
+    if (bits <= 256) return internal::to_nearest(compute, long_balls);
+    const Gmpfi_precision precision(bits);
+    return told_weight(cotangent_weight(values(input, diamond)), bits);
+  }
+
+  // in the end that nearest to a lower bound: the number is in the middle between two doubles, or beyond all of them
+  static std::optional<double> told_weight(const Gmpfi& weight, unsigned bits) {
+    if (bits < last_bits) return nearest_double(weight);
+    return weight.inf().to_double(std::round_to_nearest);
   }
 
   Diamond_zero_test is_zero;
   Input_face_intervals<Interval_nt<false>> doubles;
   Input_face_intervals<Ball<Double_double>> short_balls;
-  History_values<Ball<Double_double>> short_moves;
-  std::size_t repeated = 0;                           // flips, see `repeated_flips()`
+  Repeated_flips<Ball<Double_double>> short_flips;
+  Repeated_flips<Ball<Mpfr_number>> long_flips;
   Input_face_intervals<Ball<Mpfr_number>> long_balls; // of 256 bits
   std::map<Gmpfi::Precision_type, Intervals> by_precision;
 
@@ -248,36 +248,49 @@ Exact_evaluation::squared_length(const Input_metric& input, const Unfolded_diamo
   });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
-Exact_evaluation::enclosure(const Input_metric& input, const Unfolded_diamond& diamond,
-                            const Recorded_diamond_expression& expression, unsigned bits) {
-  return memory().at_precision<Enclosure>(bits, [&](auto& numbers) {
-    using FT = typename std::decay_t<decltype(numbers)>::Number;
-    return Memory::with_value(expression, diamond.values<FT>(numbers.of(input)));
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
+Exact_evaluation::weight(const Input_metric& input, const Unfolded_diamond& diamond,
+                         unsigned bits) {
+  return memory().weight(input, diamond, bits);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
+Exact_evaluation::weight(const Input_metric& input, const Flip_history& history, Side left,
+                         Side right, unsigned bits) {
+  const Gmpfi_precision precision(std::max(bits, internal::first_bits));
+  return Memory::told_weight(cotangent_weight(memory().values(input, history, left, right)), bits);
+}
+
+// Unfolding, all flips have to be followed first: in integers, each in a fifth of the time that it takes in balls of 256 bits.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
+Exact_evaluation::weight_by_flips(const Input_metric& input, const Flip_history& history, Side left,
+                                  Side right) {
+  const auto compute = [&](auto& repeated, std::size_t most) -> std::optional<double> {
+    const auto values = repeated.diamond(input, history, left, right, most);
+    if (!values) return std::nullopt;
+    return nearest_double(cotangent_weight(*values));
+  };
+  const std::size_t flips = history.number_of_flips();
+  return internal::to_nearest([&] {
+    const auto weight = compute(memory().short_flips, 2 * flips);
+    return weight ? weight : compute(memory().long_flips, flips / 16);
   });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
-Exact_evaluation::enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                            Side right, const Recorded_diamond_expression& expression,
-                            unsigned bits) {
-  const Gmpfi_precision precision(std::max(bits, internal::first_bits));
-  return internal::intervals(
-      Memory::with_value(expression, memory().values(input, history, left, right)));
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
-Exact_evaluation::short_enclosure(const Input_metric& input, const Flip_history& history, Side left,
-                                  Side right, const Recorded_diamond_expression& expression,
-                                  std::size_t most) {
-  const auto value = internal::to_nearest(
-      [&] { return memory().short_value(input, history, left, right, expression, most); });
-  if (!value) return std::nullopt;
-  return internal::intervals(*value);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t Exact_evaluation::repeated_flips() const {
-  return memory_ == nullptr ? 0 : memory_->repeated;
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
+Exact_evaluation::sign_by_flips(const Input_metric& input, const Flip_history& history, Side left,
+                                Side right, const Recorded_diamond_expression& expression,
+                                Diamond_values<Interval_nt<false>>& better) {
+  auto& repeated = memory().short_flips;
+  repeated.count(); // ties are not told so: there must not be too many
+  std::optional<Diamond_values<Ball<Double_double>>> values;
+  const Uncertain<Sign> s = internal::to_nearest([&]() -> Uncertain<Sign> {
+    values = repeated.diamond(input, history, left, right, history.number_of_flips() / 8);
+    return values ? expression(*values).sign() : Uncertain<Sign>::indeterminate();
+  });
+  if (!is_certain(s) || get_certain(s) == ZERO) return std::nullopt;
+  better = internal::intervals(*values);
+  return get_certain(s);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_evaluation::sign(
@@ -309,7 +322,8 @@ Exact_evaluation::enclosures(const Input_metric& input, const Flip_history& hist
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Exact_evaluation::forget_flip(std::uint32_t flip) {
   if (memory_ == nullptr) return;
-  memory_->short_moves.erase(flip);
+  memory_->short_flips.forget(flip);
+  memory_->long_flips.forget(flip);
   for (auto& [bits, intervals] : memory_->by_precision) intervals.moves.erase(flip);
 }
 

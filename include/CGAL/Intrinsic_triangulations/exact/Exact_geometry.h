@@ -98,15 +98,18 @@ public:
   FT first_squared_length(const Indexed_face& face, unsigned bits) const;
 
   /*!
-  \brief encloses the value of an expression in the values of a diamond, and the areas among them, to 2^-42 of themselves.
-  \pre the value is not zero
-  \return the value, and all values of the diamond
-  \complexity that of the precision that it takes
-  \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before, and weights are
-  to have the same digits after a triangulation is read from a file.
+  \brief returns the double nearest to the cotangent weight of a diamond by repeating flips, if they are not
+  too many, and 256 bits tell which one that is: nothing of a tie.
   */
-  Exact_evaluation::Enclosure
-  nonzero_enclosure(const Diamond& d, const Recorded_diamond_expression& expression) const;
+  std::optional<double> weight_by_flips(const Diamond& d) const;
+
+  /*!
+  \brief returns the double nearest to the cotangent weight of a diamond.
+  \pre the weight is not zero
+  \complexity that of the precision that it takes
+  \note Flat diamonds are unfolded too: which ones are known to be flat depends on what was asked before.
+  */
+  double nonzero_weight(const Diamond& d) const;
 
 private:
   // not copied: each triangulation has its own
@@ -129,13 +132,10 @@ private:
   // the input under faces, if that is known of all
   std::optional<std::vector<Unfolded_diamond>> unfolded(std::span<const Indexed_face> faces) const;
 
-  // whether someone unfolds without following all flips first
-
-  // by repeating flips, unless they are many, or as many as would have to be followed
-  bool may_repeat_many_flips() const;
-
-  std::optional<Exact_evaluation::Enclosure>
-  value_by_flips(const Diamond& d, const Recorded_diamond_expression& expression) const;
+  // by repeating flips, if these are some of them only: to unfold, all have to be followed first. It does not ask
+  // whether they have been: intervals must not depend on who unfolds.
+  std::optional<Sign> sign_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
+                                    Diamond_values<FT>& better) const;
 
   // in integers of fixed size, if two faces of the input are known to be there
   std::optional<Sign> sign_on_input(const Diamond& d,

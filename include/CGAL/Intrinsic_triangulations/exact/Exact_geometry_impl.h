@@ -22,12 +22,9 @@
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,26 +32,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// whether a predicate holds for a value and for the areas that it depends on
-template <class Predicate>
-bool holds_for_all(const Exact_evaluation::Enclosure& x, const Predicate& predicate) {
-  return predicate(x.first) && predicate(x.second.area_f) && predicate(x.second.area_g);
-}
-
-// To a unit in the last place: by unfolding, too, the same double is found, as a rule.
-inline bool is_known_to_a_unit(const Interval_nt<false>& x) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return x.sup() <= std::nextafter(std::nextafter(x.inf(), infinity), infinity);
-}
-
-inline bool is_known_to_42_bits(const Interval_nt<false>& x) {
-  return CGAL::width(x) <= 0x1p-42 * CGAL::magnitude(x) && CGAL::is_finite(x);
-}
-
-} // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Exact_geometry(const std::shared_ptr<const Input>& input)
@@ -89,6 +66,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign
 Exact_geometry::sign(const Diamond& d, const Recorded_diamond_expression& expression,
                      Diamond_values<FT>& better) const {
   if (const std::optional<Sign> s = sign_on_input(d, expression)) return *s;
+  if (const std::optional<Sign> s = sign_by_flips(d, expression, better)) return *s;
   if (const std::optional<Sign> s = sign_in_plane(d, expression, better)) return *s;
   if (const Unfolded_diamond* u = unfolded(d))
     return evaluation_.sign(*input_, *u, expression, better, statistics_);
@@ -105,25 +83,24 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sign Exact_geometry::sign(
                           statistics_);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_evaluation::Enclosure
-Exact_geometry::nonzero_enclosure(const Diamond& d,
-                                  const Recorded_diamond_expression& expression) const {
-  if (!is_defined_by_places_)
-    if (const std::optional<Exact_evaluation::Enclosure> value = value_by_flips(d, expression)) {
-      ++statistics_.sharpenings[106];
-      if (internal::holds_for_all(*value, internal::is_known_to_a_unit)) return *value;
-    }
-  Exact_evaluation::Enclosure value;
-  for (const unsigned bits : {106U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<double>
+Exact_geometry::weight_by_flips(const Diamond& d) const {
+  if (is_defined_by_places_) return std::nullopt;
+  ++statistics_.sharpenings[106];
+  return evaluation_.weight_by_flips(*input_, versions_.history(), versions_.left_side(d),
+                                     versions_.right_side(d));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE double Exact_geometry::nonzero_weight(const Diamond& d) const {
+  std::optional<double> weight;
+  for (unsigned bits = 106; !weight; bits = bits == 106 ? 256 : 2 * bits) {
     ++statistics_.sharpenings[bits];
     const Unfolded_diamond* u = unfolded(d);
-    value = u != nullptr
-                ? evaluation_.enclosure(*input_, *u, expression, bits)
-                : evaluation_.enclosure(*input_, versions_.history(), versions_.left_side(d),
-                                        versions_.right_side(d), expression, bits);
-    if (internal::holds_for_all(value, internal::is_known_to_42_bits)) break;
+    weight = u != nullptr ? evaluation_.weight(*input_, *u, bits)
+                          : evaluation_.weight(*input_, versions_.history(), versions_.left_side(d),
+                                               versions_.right_side(d), bits);
   }
-  return value;
+  return *weight;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Input_unfolder* Exact_geometry::unfolder() const {
@@ -163,21 +140,15 @@ Exact_geometry::sign_on_input(const Diamond& d,
   return s;
 }
 
-// Until an eighth of them was repeated, in balls each: by then, it would have cost as much to follow them all once, in
-// integers, and unfold.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Exact_geometry::may_repeat_many_flips() const {
-  return unfolder() != nullptr && !unfolder()->is_started() &&
-         evaluation_.repeated_flips() <= versions_.history().number_of_flips() / 8;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Exact_evaluation::Enclosure>
-Exact_geometry::value_by_flips(const Diamond& d,
-                               const Recorded_diamond_expression& expression) const {
-  constexpr std::uint32_t few = 32;
-  const std::uint32_t more =
-      may_repeat_many_flips() ? versions_.history().number_of_flips() / 16 : 0;
-  return evaluation_.short_enclosure(*input_, versions_.history(), versions_.left_side(d),
-                                     versions_.right_side(d), expression, few + more);
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>
+Exact_geometry::sign_by_flips(const Diamond& d, const Recorded_diamond_expression& expression,
+                              Diamond_values<FT>& better) const {
+  if (is_defined_by_places_) return std::nullopt;
+  const std::optional<Sign> s =
+      evaluation_.sign_by_flips(*input_, versions_.history(), versions_.left_side(d),
+                                versions_.right_side(d), expression, better);
+  if (s) ++statistics_.escalations[106];
+  return s;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::optional<Sign>

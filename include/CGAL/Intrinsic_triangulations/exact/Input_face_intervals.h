@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_side_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
@@ -73,19 +74,19 @@ private:
       return internal::wide_face<FT>(input, f);
     else if constexpr (std::is_same_v<FT, Interval_nt<false>>)
       return {lengths(input, f), narrow_area(input, f)};
-    else
-      return {lengths(input, f), sqrt(squared_area<FT>(input, f))};
-  }
-
-  template <class Number>
-  static Number squared_area(const Input_metric& input, std::uint32_t f) {
-    return input.is_embedded() ? internal::Embedded_area<Number>(input, f).squared
-                               : input.squared_quadruple_area<Number>(f);
+    else {
+      const Input_side_values<FT> values(input);
+      return {{values.squared_length({f, 0}), values.squared_length({f, 1}),
+               values.squared_length({f, 2})},
+              values.quadruple_area(f)};
+    }
   }
 
   // Errors of areas are where most of those of unfolded points come from.
   static FT narrow_area(const Input_metric& input, std::uint32_t f) {
-    const auto compute = [&] { return squared_area<Ball<Double_double>>(input, f); };
+    const auto compute = [&] {
+      return Input_side_values<Ball<Double_double>>(input).squared_quadruple_area(f);
+    };
     const FT squared = internal::to_nearest(compute).interval();
     return squared.sup() - squared.inf() <= 0x1p-50 * squared.sup() ? CGAL::sqrt(squared)
                                                                     : quadruple_area<FT>(input, f);

@@ -78,12 +78,6 @@ Diamond_values<Interval_nt<false>> intervals(const Diamond_values<FT>& d) {
 }
 
 template <class FT>
-std::pair<Interval_nt<false>, Diamond_values<Interval_nt<false>>>
-intervals(const std::pair<FT, Diamond_values<FT>>& x) {
-  return {interval(x.first), intervals(x.second)};
-}
-
-template <class FT>
 std::vector<Face_values<Interval_nt<false>>> intervals(const std::vector<Face_values<FT>>& faces) {
   std::vector<Face_values<Interval_nt<false>>> result;
   for (const auto& [l, a] : faces)

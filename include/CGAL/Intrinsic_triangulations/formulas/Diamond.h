@@ -96,6 +96,15 @@ struct Delaunay_expression {
 };
 
 /*!
+\brief returns (cot k + cot m) / 2, the weight of the edge. \pre the areas are not zero
+*/
+template <class FT>
+FT cotangent_weight(const Diamond_values<FT>& d) {
+  const FT product = d.area_f * d.area_g;
+  return Delaunay_expression()(d) / (product + product);
+}
+
+/*!
 \brief evaluates to a value that is positive iff the diamond is strictly convex at `i`.
 
 The value is 2 L_ij times the quadruple area of the face `mki` that a flip would make.

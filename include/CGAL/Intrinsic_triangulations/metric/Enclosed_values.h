@@ -16,8 +16,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -181,12 +184,39 @@ protected:
     refine(squared_length_[e], length_[e], better);
   }
 
-  /// tells whether every number in an interval is an approximation of the others to 2^-40.
-  static bool is_accurate(const FT& x) {
-    return CGAL::width(x) <= 0x1p-40 * CGAL::magnitude(x) && CGAL::is_finite(x);
+  /*!
+  \brief returns the weight of an edge between two faces by the doubles, if the intervals prove that it is good enough.
+
+  That is: of the right sign, not zero, and off by no more than 2^-40 of itself or of min(1, E), where
+  E = (a_f + a_g) / (4 L_ij) is the least Dirichlet energy in the two faces of functions that change by one along the edge.
+  */
+  std::optional<double> stored_weight(const Diamond& d) const {
+    const FT &ij = squared_length_[d.ij], &a_f = quadruple_area_[d.f], &a_g = quadruple_area_[d.g];
+    const FT q_f = squared_length_[d.jk] + squared_length_[d.ki] - ij,
+             q_g = squared_length_[d.im] + squared_length_[d.mj] - ij;
+    const double left = cotangent_weight(d.ij, d.jk, d.ki, d.f),
+                 right = cotangent_weight(d.ij, d.im, d.mj, d.g), weight = left + right,
+                 size = std::abs(weight);
+    const double error = error_of_weight(left, q_f, a_f) + error_of_weight(right, q_g, a_g) +
+                         0x1p-52 * size,
+                 energy = 0.25 * (area_[d.f] + area_[d.g]) / length_[d.ij];
+    if (!(error <= 0x1p-40 * std::max(size, std::min(energy, 1.0))) || !(size < 0x1p1000))
+      return std::nullopt;
+    // a sum that the error does not reach
+    if (error < size) return weight;
+    const FT product = delaunay_value(q_f, a_f, q_g, a_g);
+    const bool is_certain = weight > 0 ? product.inf() > 0 : weight < 0 && product.sup() < 0;
+    return is_certain ? std::optional(weight) : std::nullopt;
   }
 
 private:
+  // A bound on |w - q / (2 a)|. Rounding is upwards.
+  static double error_of_weight(double w, const FT& q, const FT& a) {
+    const FT rest = q + product_with_nonnegative(FT(-2 * w), a);
+    return a.inf() > 0 ? std::max(rest.sup(), -rest.inf()) / (2 * a.inf())
+                       : std::numeric_limits<double>::infinity();
+  }
+
   static bool is_narrow(const FT& x, double size) {
     return x.sup() - x.inf() <= 0x1p-41 * size && CGAL::is_finite(x);
   }

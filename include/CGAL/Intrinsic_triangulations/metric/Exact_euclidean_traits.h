@@ -250,8 +250,12 @@ public:
   /*!
   \brief returns (cot k + cot m) / 2 for the angles opposite an edge between two faces.
 
-  Zero exactly where the sum of the angles is pi, else of the right sign and with a relative error below 1e-12.
+  Zero exactly where the sum of the angles is pi, else of the right sign and not zero, with an error below 1e-12 of itself, or
+  of min(1, E), where E is the least Dirichlet energy in the two faces of functions that change by one along the edge; see
+  `stored_weight()`. What stored values do not tell so well is the double nearest to the exact weight, however it is found.
   \pre both faces have an area
+  \complexity constant as a rule; else that of flips that have not been repeated yet, or linear in the number of input
+  triangles under the diamond
   */
   double cotangent_weight(const Diamond& d) const;
 

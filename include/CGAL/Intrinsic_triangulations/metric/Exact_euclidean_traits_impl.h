@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,19 +48,12 @@ Exact_euclidean_metric::sharpen_length(const Indexed_face& face) const {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE double
 Exact_euclidean_metric::cotangent_weight(const Diamond& d) const {
-  const Diamond_values<FT> v = enclosure(d);
-  const FT product = Delaunay_expression()(v);
-  if (is_accurate(product) && is_accurate(v.area_f) && is_accurate(v.area_g)) {
-    const double weight =
-        cotangent_weight(d.ij, d.jk, d.ki, d.f) + cotangent_weight(d.ij, d.im, d.mj, d.g);
-    return product.inf() > 0   ? std::max(weight, 0.0)
-           : product.sup() < 0 ? std::min(weight, 0.0)
-                               : 0;
-  }
+  if (const std::optional<double> weight = stored_weight(d)) return *weight;
+  const auto known = signs_.find(d.ij);
+  if (!known || known->sign != ZERO)
+    if (const std::optional<double> weight = geometry_.weight_by_flips(d)) return *weight;
   if (sign(d, Delaunay_expression()) == ZERO) return 0;
-  const auto [value, better] = geometry_.nonzero_enclosure(d, recorded(Delaunay_expression()));
-  return CGAL::to_double(value) / CGAL::to_double(better.area_f) /
-         (2 * CGAL::to_double(better.area_g));
+  return geometry_.nonzero_weight(d);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Enclosed_values

@@ -98,7 +98,10 @@ Springborn 2007).
 
 All diagonal entries are stored, those of isolated vertices as zeros. Of the others those of nonzero
 weight are stored. With exact traits weights that are zero (cocircular faces) are certified, so that
-the pattern too is that of the Delaunay tessellation alone. Each diagonal entry is minus the sum of the
+the pattern too is that of the Delaunay tessellation alone. Weights are right to 1e-12 of themselves, or of
+min(1, E), where E is the least Dirichlet energy in the two faces of functions that change by one along the edge
+(`Exact_euclidean_metric::cotangent_weight()`). Every face has three edges, so that x^T L x of a Delaunay
+triangulation without border is right to 4e-12 of itself for all x, on slivers too. Each diagonal entry is minus the sum of the
 others in its column, in their order.
 
 \tparam Triangulation a model of `MeasuredTriangulation`

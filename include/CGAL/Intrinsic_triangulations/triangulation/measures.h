@@ -72,7 +72,8 @@ See `Predicate_session::cotangent_weight()`, which is faster for many edges.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \param e the edge
-\return the weight, without dimension; with exact traits to 1e-12 of it, and zero only if the opposite angles sum to pi
+\return the weight, without dimension; with exact traits to 1e-12 of it, or of the Dirichlet energy of its faces, and zero only if the opposite
+  angles sum to pi
 \pre the faces at the edge have an area; else the result is not finite
 \complexity constant
 */

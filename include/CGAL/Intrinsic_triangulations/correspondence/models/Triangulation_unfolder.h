@@ -34,7 +34,6 @@ class Triangulation_unfolder final : public Input_unfolder {
 public:
   Triangulation_unfolder(const Triangulation& t, const Places& places) : t_(t), places_(places) {}
 
-  bool is_started() const override { return places_.are_started(t_); }
   std::optional<Flat_diamond> flat_diamond(const Diamond& d) override {
     if (!t_.input().metric().is_in_space() ||
         !can_unfold(std::array{d.ij, d.jk, d.ki, d.im, d.mj}, d.f == d.g))

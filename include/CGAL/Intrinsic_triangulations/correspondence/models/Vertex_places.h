@@ -66,13 +66,6 @@ public:
   // whether values are defined by places, not by the history of flips
   bool define_metric() const { return define_metric_; }
 
-  // whether the coordinates are known without repeating flips
-  bool are_started(const Triangulation& t) const {
-    if (state_ != State::unknown) return true;
-    if (!is_shared_) is_shared_ = is_shared(t); // linear: not to be found at every sign
-    return *is_shared_;
-  }
-
   // the coordinates; null if an edge crosses more input edges than they can count
   const Integer_coordinates* coordinates(const Triangulation& t) const {
     if (state_ == State::unknown) start(t);
@@ -138,7 +131,7 @@ private:
   // mutable: a cache of what the history tells, until they define the metric
   mutable std::unique_ptr<Integer_coordinates> own_;
   mutable State state_ = State::unknown;
-  mutable std::optional<bool> are_on_input_, is_shared_; // unless nobody has asked
+  mutable std::optional<bool> are_on_input_; // unless nobody has asked
   bool define_metric_ = false;
   std::unique_ptr<Unfolder> unfolder_;
 };

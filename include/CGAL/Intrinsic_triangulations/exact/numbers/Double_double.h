@@ -28,6 +28,13 @@ public:
   /// returns the nearest double.
   double to_double() const { return high_; }
 
+  /// returns the product of two doubles, exactly unless it underflows.
+  static Double_double product(double a, double b) { return two_product(a, b); }
+  /// returns the difference of two doubles, exactly.
+  static Double_double difference(double a, double b) { return two_sum(a, -b); }
+  /// tells whether the number is a double.
+  bool is_double() const { return low_ == 0; }
+
   /// tells whether two sums are the same.
   friend bool operator==(const Double_double&, const Double_double&) = default;
   /// returns the negative.

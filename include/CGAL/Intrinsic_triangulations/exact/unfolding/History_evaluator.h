@@ -43,6 +43,8 @@ public:
   void erase(std::uint32_t flip) {
     if (contains(flip)) place_[flip] = 0;
   }
+  /// makes room for so many flips.
+  void reserve(std::size_t flips) { values_.reserve(flips); }
   /// forgets everything.
   void clear() {
     values_.clear();
@@ -60,7 +62,8 @@ private:
 Ancestors are evaluated in the order of the flips: nothing recurses, however deep the history.
 \tparam FT a model of `Field`
 \tparam Input_values a functor from the number of an input face to a pair of the squared lengths of its slots and
-its quadruple area, or to a reference to it
+its quadruple area, or to a reference to it; or a type with members `squared_length()`, of a side, and `quadruple_area()`,
+of a face
 */
 template <class FT, class Input_values>
 class History_evaluator {
@@ -75,20 +78,27 @@ public:
   \complexity linear in the number of ancestors not evaluated yet
   */
   std::vector<Face_values<FT>> faces(const std::vector<Flip_history::Side>& sides) {
-    return *faces(sides, std::numeric_limits<std::size_t>::max());
-  }
-
-  /// evaluates faces as above, if no more than `most` ancestors are not evaluated yet.
-  std::optional<std::vector<Face_values<FT>>> faces(const std::vector<Flip_history::Side>& sides,
-                                                    std::size_t most) {
-    if (!evaluate_ancestors(sides, most)) return std::nullopt;
+    evaluate_ancestors(sides, std::numeric_limits<std::size_t>::max());
     std::vector<Face_values<FT>> result;
     for (const Side& s : sides) result.push_back(face(s));
     return result;
   }
 
+  /// evaluates the diamond between two sides, if no more than `most` ancestors are not evaluated yet; nothing is allocated if
+  /// all are.
+  std::optional<Diamond_values<FT>> diamond(Flip_history::Side left, Flip_history::Side right,
+                                            std::size_t most) {
+    if (!is_evaluated(left.face) || !is_evaluated(right.face))
+      if (!evaluate_ancestors({left, right}, most)) return std::nullopt;
+    return gather(left, right);
+  }
+
 private:
   using Side = Flip_history::Side;
+
+  bool is_evaluated(std::uint32_t version) const {
+    return history_.is_input(version) || values_.contains(history_.flip_of(version));
+  }
 
   bool evaluate_ancestors(const std::vector<Side>& sides, std::size_t most) {
     std::vector<std::uint32_t> versions;
@@ -110,16 +120,28 @@ private:
 
   FT length(Side s) const {
     const Side o = history_.origin(s);
-    if (history_.is_input(o.face)) return input_(o.face).first[o.slot];
+    if (history_.is_input(o.face)) {
+      if constexpr (by_side)
+        return input_.squared_length(o);
+      else
+        return input_(o.face).first[o.slot];
+    }
     return values_.at(history_.flip_of(o.face)).km;
   }
 
   FT area(std::uint32_t version) const {
-    if (history_.is_input(version)) return input_(version).second;
+    if (history_.is_input(version)) {
+      if constexpr (by_side)
+        return input_.quadruple_area(version);
+      else
+        return input_(version).second;
+    }
     const std::uint32_t n = history_.flip_of(version);
     const Flipped_values<FT>& values = values_.at(n);
     return version == history_.left_version(n) ? values.area_f : values.area_g;
   }
+
+  static constexpr bool by_side = requires(const Input_values& x, Side s) { x.squared_length(s); };
 
   const Flip_history& history_;
   const Input_values& input_;

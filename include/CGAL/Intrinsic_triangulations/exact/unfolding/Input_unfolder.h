@@ -20,8 +20,6 @@ predicates on them.
 class Input_unfolder {
 public:
   virtual ~Input_unfolder() = default;
-  /// tells whether it has followed all moves, so that nothing has to be repeated first.
-  virtual bool is_started() const = 0;
   /// returns a diamond whose interior is known to lie in one plane in space.
   virtual std::optional<Flat_diamond> flat_diamond(const Diamond& d) = 0;
   /// returns the input triangles under a diamond, valid until the next call; null if that is not known, or edges
