@@ -76,11 +76,11 @@ struct Embedded_area {
   FT squared;
 
   Embedded_area(const Input_metric& m, std::uint32_t f) {
+    find_sides(m, f);
     if (m.has_excess(f)) {
       squared = m.squared_quadruple_area<FT>(f);
       return;
     }
-    find_sides(m, f);
     const FT x = u_[1] * v_[2] - u_[2] * v_[1];
     const FT y = u_[2] * v_[0] - u_[0] * v_[2];
     const FT z = u_[0] * v_[1] - u_[1] * v_[0];
