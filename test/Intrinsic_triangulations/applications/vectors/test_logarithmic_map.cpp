@@ -250,6 +250,29 @@ TEST(Logarithmic_map, converges_on_the_sphere) {
   }
 }
 
+/// Edges at the source are from 0.4 to 1.6 long.
+TEST(Logarithmic_map, has_directions_from_a_source_with_uneven_edges_far_away) {
+  constexpr int n = 24;
+  meshes::Mesh shape = meshes::grid(n, n);
+  const auto center = static_cast<std::uint32_t>(std::ranges::find(shape.points, Point{12, 12, 0}) -
+                                                 shape.points.begin());
+  const Complex place(12.6, 12.3);
+  shape.points[center] = {place.real(), place.imag(), 0};
+  Exact t(shape.input());
+  IT::flip_to_delaunay(t);
+  const std::vector<Complex> log =
+      Heat(t).logarithmic_map(t.numbers().vertex_at(center), IT::Logarithm_method::polar);
+  std::vector<Complex> turns;
+  for (std::uint32_t i = 0; i < log.size(); ++i) {
+    const Complex exact = Complex(shape.points[i][0], shape.points[i][1]) - place;
+    if (std::abs(exact) > 3 && std::abs(exact) < 9)
+      turns.push_back(log[i] / exact / std::abs(log[i] / exact));
+  }
+  Complex mean = 0;
+  for (const Complex& z : turns) mean += z;
+  for (const Complex& z : turns) EXPECT_LE(std::abs(std::arg(z / mean)), 0.2);
+}
+
 /// Points of the sphere, not only vertices.
 TEST(Logarithmic_map, of_points_on_the_sphere_undoes_the_exponential_map) {
   const meshes::Mesh shape = meshes::sphere(4);

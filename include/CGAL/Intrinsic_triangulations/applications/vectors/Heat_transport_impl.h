@@ -146,7 +146,8 @@ Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corne
   return result;
 }
 
-// Vectors that point away from the source, at the neighbours of its vertices.
+// Vectors that point away from the source, at the neighbours of its vertices. Weighted by cotangents and lengths of edges they add up to zero in the plane,
+// as linear functions are harmonic: else what is left of them far away would be their sum, which is parallel, not radial.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner>& source) const {
   const Eigen::VectorXd at = weights(source);
@@ -154,8 +155,9 @@ Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner
   for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
     const Connection_edge& e = graph_.edges[i];
     if (e.source == e.target) continue;
-    if (at[e.source] > 0) b[e.target] -= at[e.source] * e.weight * at_target_[i];
-    if (at[e.target] > 0) b[e.source] -= at[e.target] * e.weight * at_source_[i];
+    const double flow = e.weight * e.length;
+    if (at[e.source] > 0) b[e.target] -= at[e.source] * flow * at_target_[i];
+    if (at[e.target] > 0) b[e.source] -= at[e.target] * flow * at_source_[i];
   }
   return b;
 }
