@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -49,8 +50,7 @@ struct Heat_options {
 // The heat method on a table of faces, in scaled units.
 class Heat_solver {
 public:
-  Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-              const Heat_options& options, std::uint32_t sheets, Heat_progress progress);
+  Heat_solver(Face_table table, Eigen::SparseMatrix<double> laplacian, const Heat_options& options, std::uint32_t sheets, Heat_progress progress);
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
@@ -63,7 +63,7 @@ public:
                             const std::vector<std::array<double, 3>>& positions);
 
 private:
-  void make_cold_border(const Eigen::SparseMatrix<double>& flow, const Eigen::VectorXd& masses);
+  void make_cold_border(const Eigen::VectorXd& masses);
 
   Heat<double> heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const;
 
@@ -81,6 +81,7 @@ private:
   double mean_edge_;
   double time_;
   std::vector<std::uint32_t> component_;
+  std::shared_ptr<const Eigen::SparseMatrix<double>> laplacian_;
   Pinned_laplacian poisson_;
   std::optional<Diffusion<double>> insulated_, cold_;
   std::vector<int> inside_; // the rows that are not on the border

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -31,18 +32,18 @@ inline Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) 
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Heat_solver::Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
+Heat_solver::Heat_solver(Face_table table, Eigen::SparseMatrix<double> laplacian,
                          const Heat_options& options, std::uint32_t sheets, Heat_progress progress)
     : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
       time_(options.time_factor * mean_edge_ * mean_edge_), component_(table_.components()),
-      poisson_(laplacian, component_), sheets_(sheets), progress_(std::move(progress)) {
+      laplacian_(std::make_shared<const Eigen::SparseMatrix<double>>(std::move(laplacian))),
+      poisson_(laplacian_, component_), sheets_(sheets), progress_(std::move(progress)) {
   if (!(options.time_factor > 0) || !std::isfinite(time_))
     throw std::invalid_argument("the time factor must be positive and finite");
-  const Eigen::SparseMatrix<double> flow = time_ * laplacian;
   const Eigen::VectorXd masses = row_areas(table_, sheets);
-  insulated_.emplace(flow, poisson_.factor_with(flow, masses));
+  insulated_.emplace(laplacian_, time_, poisson_.factor_with_multiple(time_, masses));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
-  if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(flow, masses);
+  if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(masses);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
@@ -67,8 +68,7 @@ Heat_solver::distances(const Source_places& sources, const Chord_bound& chord,
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow,
-                              const Eigen::VectorXd& masses) {
+Heat_solver::make_cold_border(const Eigen::VectorXd& masses) {
   std::vector<char> is_inside(table_.number_of_rows, 1);
   table_.for_each_border_side([&](const Table_face& f, std::size_t k) {
     is_inside[row_number(f.rows[k])] = is_inside[row_number(f.rows[(k + 1) % 3])] = 0;
@@ -76,6 +76,7 @@ Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow,
   for (std::size_t r = 0; r < is_inside.size(); ++r)
     if (is_inside[r] != 0) inside_.push_back(static_cast<int>(r));
   if (inside_.size() == is_inside.size() || inside_.empty()) return;
+  const Eigen::SparseMatrix<double> flow = time_ * *laplacian_;
   cold_.emplace(principal_submatrix(flow, inside_), principal_diagonal(flow, masses, inside_));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
 }

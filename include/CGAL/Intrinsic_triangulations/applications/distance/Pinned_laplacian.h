@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,14 +33,13 @@ public:
   using Pins = std::map<int, double>; // by rows
 
   // \param component of each row, as the least of its rows
-  Pinned_laplacian(const Eigen::SparseMatrix<double>& laplacian,
+  Pinned_laplacian(std::shared_ptr<const Eigen::SparseMatrix<double>> laplacian,
                    std::vector<std::uint32_t> component)
-      : laplacian_(laplacian), component_(std::move(component)) {}
+      : laplacian_(std::move(laplacian)), component_(std::move(component)) {}
 
-  // Factors L and another matrix with entries in the same places together, or only the other one if rounding has left L indefinite.
-  // \return the factorization of the other one \throws Indefinite_matrix if it is not definite
-  Laplacian_factorization factor_with(const Eigen::SparseMatrix<double>& other,
-                                      const Eigen::VectorXd& diagonal);
+  // Factors L and a multiple of it, with a diagonal, together, or only the latter if rounding has left L indefinite.
+  // \return the factorization of the latter \throws Indefinite_matrix if it is not definite
+  Laplacian_factorization factor_with_multiple(double multiple, const Eigen::VectorXd& diagonal);
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const Pins& pins);
 
@@ -54,7 +54,7 @@ private:
   void eliminate(const std::vector<int>& rows, const Pins& pins,
                  const std::vector<char>& is_reached);
 
-  Eigen::SparseMatrix<double> laplacian_;
+  std::shared_ptr<const Eigen::SparseMatrix<double>> laplacian_;
   std::vector<std::uint32_t> component_;
   std::optional<Factorization> factored_;
   std::vector<int> eliminated_rows_, free_rows_;

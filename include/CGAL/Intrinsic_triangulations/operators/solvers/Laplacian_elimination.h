@@ -5,45 +5,39 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_ELIMINATION_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Elimination.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Number_pack.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Numbers of one matrix, or of two that are eliminated together: side by side, so that indices are read once and two numbers are computed at a time.
-inline double zero_of(double) { return 0; }
-inline Eigen::Array2d zero_of(const Eigen::Array2d&) { return Eigen::Array2d::Zero(); }
-inline double absolute(double x) { return std::abs(x); }
-inline Eigen::Array2d absolute(const Eigen::Array2d& x) { return x.abs(); }
-inline double inverse_of(double x) { return 1 / x; }
-inline Eigen::Array2d inverse_of(const Eigen::Array2d& x) { return x.inverse(); }
-inline bool are_all(bool x) { return x; }
-template <class Comparison>
-bool are_all(const Eigen::ArrayBase<Comparison>& x) {
-  return x.all();
-}
-
-// What is left of a Laplacian and a diagonal while places are eliminated in turn: weights between later places, and the sums of their rows.
+// What is left of a Laplacian and a diagonal, or of two with entries at the same places, while places are eliminated in turn: weights between later places, and the sums of their rows.
 template <class Number>
 class Laplacian_elimination {
 public:
-  Laplacian_elimination(const Elimination& e, std::vector<Number>& value,
-                        std::vector<Number>& pivot)
-      : e_(e), value_(value), pivot_(pivot), first_(e.row.size(), -1),
-        next_(e.block_begin.size(), -1), left_(e.block_begin.size(), 0),
-        sum_(e.row.size(), zero_of(Number())), weight_(e.row.size(), zero_of(Number())) {}
+  static constexpr std::size_t matrices = size_of_pack<Number>;
 
-  // \param entry tells the entry of the matrix at one of its places \return whether the pivot is positive, up to rounding
-  template <class Entry>
-  bool eliminate(int k, const Entry& entry, const Number& diagonal) {
-    for (int i = e_.begin[row_number(k)]; i < e_.begin[row_number(k + 1)]; ++i)
-      weight_[row_number(e_.neighbour[row_number(i)])] = -entry(e_.entry[row_number(i)]);
+  // \param value where the factor of each matrix goes
+  Laplacian_elimination(const Elimination& e, const std::array<double*, matrices>& value)
+      : e_(e), value_(value), pivot_(e.row.size()), first_(e.row.size(), -1),
+        next_(e.block_begin.size(), -1), left_(e.block_begin.size(), 0),
+        sum_(e.row.size(), zero_pack<Number>()), weight_(e.row.size(), zero_pack<Number>()) {}
+
+  // \param unit what the weights of the matrix are multiplied by \return whether the pivot is positive, up to rounding
+  bool eliminate(int k, const Eigen::SparseMatrix<double>& laplacian, const Number& unit,
+                 const Number& diagonal) {
+    e_.prefetch_after(laplacian, k, true);
+    const double* const entry = laplacian.valuePtr();
+    e_.for_each_later(laplacian, k,
+                      [&](int p, int i) { weight_[row_number(p)] = -entry[i] * unit; });
     Number sum = diagonal;
     for (int b = first_[row_number(k)]; b >= 0;) { // blocks with an entry in row k
       const int next = next_[row_number(b)], left = left_[row_number(b)];
@@ -59,6 +53,14 @@ public:
     return is_positive;
   }
 
+  // the pivots of a matrix
+  std::vector<double> pivots(std::size_t matrix) const {
+    std::vector<double> result;
+    result.reserve(pivot_.size());
+    for (const Number& p : pivot_) result.push_back(number_of(p, matrix));
+    return result;
+  }
+
 private:
   // Puts a block where its next entry is needed: that with so many left, itself included.
   void list(int block, int left) {
@@ -72,55 +74,101 @@ private:
   // Adds what the elimination of columns of a block, whose last `left` entries are in the same rows, adds to the weights of the first of these rows.
   // \return what it adds to the sum of the row
   Number add_columns(int begin, int end, int left) {
-    Number sum = zero_of(Number());
+    Number sum = zero_pack<Number>();
     if (begin == end) return sum;
     const int* const rows = e_.rows_end(e_.block[row_number(begin)]) - left;
-    const auto column = [&](int j) {
-      return value_.data() + e_.column_begin[row_number(j + 1)] - left;
-    };
     const auto factor = [&](int j) -> Number {
-      const Number& l = *column(j);
+      const Number l = value(tail(j, left));
       sum += l * sum_[row_number(j)];
       return l * pivot_[row_number(j)];
     };
-    Number* const w = weight_.data();
     int j = begin;
     for (; j + 4 <= end; j += 4) { // at once, as what is added to is scattered
-      const Number *const a = column(j), *const b = column(j + 1), *const c = column(j + 2),
-                          *const d = column(j + 3);
-      const Number fa = factor(j), fb = factor(j + 1), fc = factor(j + 2), fd = factor(j + 3);
-      for (int i = 1; i < left; ++i)
-        w[rows[i]] += (a[i] * fa + b[i] * fb) + (c[i] * fc + d[i] * fd);
+      const std::array<Number, 4> factors{factor(j), factor(j + 1), factor(j + 2), factor(j + 3)};
+      add_multiples<4>(rows, left,
+                       {tail(j, left), tail(j + 1, left), tail(j + 2, left), tail(j + 3, left)},
+                       factors);
     }
-    for (; j < end; ++j) {
-      const Number* const a = column(j);
-      const Number fa = factor(j);
-      for (int i = 1; i < left; ++i) w[rows[i]] += a[i] * fa;
+    for (; j + 2 <= end; j += 2) {
+      const std::array<Number, 2> factors{factor(j), factor(j + 1)};
+      add_multiples<2>(rows, left, {tail(j, left), tail(j + 1, left)}, factors);
     }
+    for (; j < end; ++j) add_multiples<1>(rows, left, {tail(j, left)}, {factor(j)});
     return sum;
+  }
+
+  // Adds multiples of columns, of which the entries begin there, to the weights of all these rows but the first.
+  template <std::size_t columns>
+  void add_multiples(const int* rows, int left, const std::array<std::ptrdiff_t, columns>& column,
+                     const std::array<Number, columns>& factors) {
+    using Pair = Eigen::Array2d;
+    Number* const w = weight_.data();
+    const auto add = [](const auto& a, const auto& b) {
+      return std::decay_t<decltype(a)>(a + b);
+    };
+    const auto sum = [&add](const auto& term) {
+      if constexpr (columns == 4)
+        return add(add(term(0), term(1)), add(term(2), term(3)));
+      else if constexpr (columns == 2)
+        return add(term(0), term(1));
+      else
+        return term(0);
+    };
+    int i = 1;
+    for (; i + 2 <= left; i += 2) { // of two rows at a time, as entries of a column are side by side
+      std::array<Pair, matrices> added;
+      for (std::size_t m = 0; m < matrices; ++m)
+        added[m] = sum([&](std::size_t c) -> Pair {
+          return Eigen::Map<const Pair>(value_[m] + column[c] + i) * number_of(factors[c], m);
+        });
+      for (const int k : {0, 1})
+        if constexpr (matrices == 1)
+          w[rows[i + k]] += added[0][k];
+        else
+          w[rows[i + k]] += Pair(added[0][k], added[1][k]);
+    }
+    for (; i < left; ++i)
+      w[rows[i]] +=
+          sum([&](std::size_t c) -> Number { return value(column[c] + i) * factors[c]; });
+  }
+
+  // an entry of the factor of each matrix
+  Number value(std::ptrdiff_t entry) const {
+    if constexpr (matrices == 1)
+      return value_[0][entry];
+    else
+      return Number(value_[0][entry], value_[1][entry]);
+  }
+
+  // where a column has the first of its last entries
+  std::ptrdiff_t tail(int column, int count) const {
+    return e_.column_begin[row_number(column + 1)] - count;
   }
 
   bool finish(int k, const Number& sum) {
     const int count = e_.count(k);
     const int* const rows = e_.rows(k);
-    Number* const value = value_.data() + e_.column_begin[row_number(k)];
+    const std::ptrdiff_t begin = tail(k, count);
     Number pivot = sum, all = absolute(sum);
     for (int i = 0; i < count; ++i) {
-      Number& w = weight_[row_number(rows[i])];
-      value[i] = w;
+      const Number& w = weight_[row_number(rows[i])];
       pivot += w;
       all += absolute(w);
-      w = zero_of(w);
     }
     pivot_[row_number(k)] = pivot;
     const Number inverse = inverse_of(pivot);
-    for (int i = 0; i < count; ++i) value[i] *= inverse;
+    for (int i = 0; i < count; ++i) {
+      Number& w = weight_[row_number(rows[i])];
+      const Number scaled = w * inverse;
+      for (std::size_t m = 0; m < matrices; ++m) value_[m][begin + i] = number_of(scaled, m);
+      w = zero_pack<Number>();
+    }
     return are_all(pivot > 64 * std::numeric_limits<double>::epsilon() * all);
   }
 
   const Elimination& e_;
-  std::vector<Number>& value_;
-  std::vector<Number>& pivot_;
+  std::array<double*, matrices> value_;
+  std::vector<Number> pivot_;
   std::vector<int> first_, next_; // blocks by the row of the entry that is needed next
   std::vector<int> left_;         // number of entries of a block from there on
   std::vector<Number> sum_;       // of each row, when it is eliminated
