@@ -27,8 +27,17 @@ namespace CGAL::Intrinsic_triangulations::internal {
 inline Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_rows));
   for (const Table_face& f : table.faces)
-    for (const int row : f.rows) areas[row] += f.area() / 3 / sheets;
+    {
+    const double third = f.area() / 3 / sheets;
+    for (const int row : f.rows) areas[row] += third;
+  }
   return areas.unaryExpr([](double m) { return m > 0 ? m : 1; });
+}
+
+// A norm in a third of the time of `std::abs()`, where squares are well within the range of doubles.
+inline double norm_of(const std::complex<double>& x) {
+  const double squared = std::norm(x);
+  return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::abs(x);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -145,7 +154,7 @@ Heat_solver::descent(const std::array<std::complex<double>, 3>& corners,
   std::complex<double> gradient =
       first / greatest * (corners[0] - corners[2]) + second / greatest * (corners[1] - corners[0]);
   gradient = {-gradient.imag(), gradient.real()};
-  const double norm = std::abs(gradient);
+  const double norm = norm_of(gradient);
   return norm > 0 ? -gradient / norm : 0;
 }
 

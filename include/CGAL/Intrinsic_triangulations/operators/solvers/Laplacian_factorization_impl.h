@@ -45,9 +45,16 @@ inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
   return true;
 }
 
+// Of the pattern alone, which is half as long without values. Eigen's order wants entries on the diagonal.
 inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& a) {
+  Eigen::SparseMatrix<signed char> pattern(a.rows(), a.cols());
+  pattern.resizeNonZeros(a.nonZeros());
+  std::copy_n(a.outerIndexPtr(), a.cols() + 1, pattern.outerIndexPtr());
+  std::copy_n(a.innerIndexPtr(), a.nonZeros(), pattern.innerIndexPtr());
+  std::fill_n(pattern.valuePtr(), a.nonZeros(), static_cast<signed char>(1));
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  if (a.cols() > 0) Eigen::AMDOrdering<int>()(a.selfadjointView<Eigen::Lower>(), order);
+  if (a.cols() > 0)
+    Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), order);
   return {order.indices().data(), order.indices().data() + order.indices().size()};
 }
 
