@@ -9,16 +9,15 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Ordered_laplacian.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <array>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -50,7 +49,7 @@ struct Heat_options {
 // The heat method on a table of faces, in scaled units.
 class Heat_solver {
 public:
-  Heat_solver(Face_table table, Eigen::SparseMatrix<double> laplacian, const Heat_options& options, std::uint32_t sheets, Heat_progress progress);
+  Heat_solver(Ordered_laplacian laplacian, Face_table table, const Heat_options& options, std::uint32_t sheets, Heat_progress progress);
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
@@ -81,7 +80,7 @@ private:
   double mean_edge_;
   double time_;
   std::vector<std::uint32_t> component_;
-  std::shared_ptr<const Eigen::SparseMatrix<double>> laplacian_;
+  Ordered_laplacian laplacian_;
   Pinned_laplacian poisson_;
   std::optional<Diffusion<double>> insulated_, cold_;
   std::vector<int> inside_; // the rows that are not on the border

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -41,16 +40,16 @@ inline double norm_of(const std::complex<double>& x) {
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Heat_solver::Heat_solver(Face_table table, Eigen::SparseMatrix<double> laplacian,
+Heat_solver::Heat_solver(Ordered_laplacian laplacian, Face_table table,
                          const Heat_options& options, std::uint32_t sheets, Heat_progress progress)
     : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
       time_(options.time_factor * mean_edge_ * mean_edge_), component_(table_.components()),
-      laplacian_(std::make_shared<const Eigen::SparseMatrix<double>>(std::move(laplacian))),
+      laplacian_(std::move(laplacian)),
       poisson_(laplacian_, component_), sheets_(sheets), progress_(std::move(progress)) {
   if (!(options.time_factor > 0) || !std::isfinite(time_))
     throw std::invalid_argument("the time factor must be positive and finite");
   const Eigen::VectorXd masses = row_areas(table_, sheets);
-  insulated_.emplace(laplacian_, time_, poisson_.factor_with_multiple(time_, masses));
+  insulated_.emplace(laplacian_.matrix(), time_, poisson_.factor_with_multiple(time_, masses));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
   if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(masses);
 }

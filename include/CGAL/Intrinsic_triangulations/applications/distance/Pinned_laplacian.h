@@ -5,14 +5,13 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Ordered_laplacian.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,7 +32,7 @@ public:
   using Pins = std::map<int, double>; // by rows
 
   // \param component of each row, as the least of its rows
-  Pinned_laplacian(std::shared_ptr<const Eigen::SparseMatrix<double>> laplacian,
+  Pinned_laplacian(Ordered_laplacian laplacian,
                    std::vector<std::uint32_t> component)
       : laplacian_(std::move(laplacian)), component_(std::move(component)) {}
 
@@ -54,7 +53,7 @@ private:
   void eliminate(const std::vector<int>& rows, const Pins& pins,
                  const std::vector<char>& is_reached);
 
-  std::shared_ptr<const Eigen::SparseMatrix<double>> laplacian_;
+  Ordered_laplacian laplacian_;
   std::vector<std::uint32_t> component_;
   std::optional<Factorization> factored_;
   std::vector<int> eliminated_rows_, free_rows_;

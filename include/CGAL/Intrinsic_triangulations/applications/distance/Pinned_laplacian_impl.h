@@ -50,8 +50,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd Pinned_laplacian::pinned_di
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Laplacian_factorization
 Pinned_laplacian::factor_with_multiple(double multiple, const Eigen::VectorXd& diagonal) {
   try {
-    auto both =
-        Laplacian_factorization::of_both(*laplacian_, pinned_diagonal(), multiple, diagonal);
+    auto both = Laplacian_factorization::of_both(laplacian_, pinned_diagonal(), multiple, diagonal);
     factored_.emplace(std::move(both.first));
     return std::move(both.second);
   } catch (const Indefinite_matrix&) {
@@ -61,7 +60,7 @@ Pinned_laplacian::factor_with_multiple(double multiple, const Eigen::VectorXd& d
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE const Pinned_laplacian::Factorization&
 Pinned_laplacian::factorization() {
-  if (!factored_) factored_.emplace(*laplacian_, pinned_diagonal());
+  if (!factored_) factored_.emplace(laplacian_, pinned_diagonal());
   return *factored_;
 }
 

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -34,6 +35,13 @@ struct Elimination {
   std::vector<int> block_begin, block;
   // The places of the entries of the first column of each block, ascending, which end with those of the others.
   std::vector<int> block_rows_begin, block_rows;
+
+  // Of each column, who computes it: one of two halves, which have nothing in common, or what comes after both. The same whether or not there are threads.
+  enum Part : char { first_half, second_half, after_both };
+  std::vector<Part> part;
+  bool has_halves() const {
+    return std::find(part.begin(), part.end(), second_half) != part.end();
+  }
 
   int count(int column) const {
     return column_begin[row_number(column + 1)] - column_begin[row_number(column)];
@@ -63,6 +71,7 @@ struct Elimination {
 
 private:
   void find_blocks(const Eigen::SparseMatrix<double>& a);
+  void find_parts();
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -27,29 +27,27 @@ public:
 
   // \param value where the factor of each matrix goes
   Laplacian_elimination(const Elimination& e, const std::array<double*, matrices>& value)
-      : e_(e), value_(value), pivot_(e.row.size()), first_(e.row.size(), -1),
-        next_(e.block_begin.size(), -1), left_(e.block_begin.size(), 0),
-        sum_(e.row.size(), zero_pack<Number>()), weight_(e.row.size(), zero_pack<Number>()) {}
+      : e_(e), value_(value), pivot_(e.row.size()), next_(e.block_begin.size(), -1),
+        left_(e.block_begin.size(), 0), sum_(e.row.size(), zero_pack<Number>()),
+        half_{Half(e.row.size()), Half(e.has_halves() ? e.row.size() : 0)} {}
 
   // \param unit what the weights of the matrix are multiplied by \return whether the pivot is positive, up to rounding
   bool eliminate(int k, const Eigen::SparseMatrix<double>& laplacian, const Number& unit,
                  const Number& diagonal) {
     e_.prefetch_after(laplacian, k, true);
+    const Elimination::Part part = e_.part[row_number(k)];
+    Half& half = half_[part == Elimination::second_half ? 1 : 0];
     const double* const entry = laplacian.valuePtr();
     e_.for_each_later(laplacian, k,
-                      [&](int p, int i) { weight_[row_number(p)] = -entry[i] * unit; });
-    Number sum = diagonal;
-    for (int b = first_[row_number(k)]; b >= 0;) { // blocks with an entry in row k
-      const int next = next_[row_number(b)], left = left_[row_number(b)];
-      sum += add_columns(e_.block_begin[row_number(b)], e_.block_begin[row_number(b + 1)], left);
-      list(b, left - 1);
-      b = next;
-    }
+                      [&](int p, int i) { half.weight[row_number(p)] = -entry[i] * unit; });
+    Number sum = diagonal + add_blocks(k, half, half);
+    if (part == Elimination::after_both && !half_[1].first.empty())
+      sum += add_blocks(k, half_[1], half);
     const int own = e_.block[row_number(k)], count = e_.count(k);
-    sum += add_columns(e_.block_begin[row_number(own)], k, count + 1);
+    sum += add_columns(e_.block_begin[row_number(own)], k, count + 1, half);
     sum_[row_number(k)] = sum;
-    const bool is_positive = finish(k, sum);
-    if (k + 1 == e_.block_begin[row_number(own + 1)]) list(own, count);
+    const bool is_positive = finish(k, sum, half);
+    if (k + 1 == e_.block_begin[row_number(own + 1)]) list(own, count, half);
     return is_positive;
   }
 
@@ -62,18 +60,39 @@ public:
   }
 
 private:
+  // What those that compute at a time do not share.
+  struct Half {
+    explicit Half(std::size_t size) : first(size, -1), weight(size, zero_pack<Number>()) {}
+
+    std::vector<int> first;     // of a list of blocks, by the row of the entry that is needed next
+    std::vector<Number> weight; // from the place that is eliminated, by place
+  };
+
   // Puts a block where its next entry is needed: that with so many left, itself included.
-  void list(int block, int left) {
+  void list(int block, int left, Half& half) {
     left_[row_number(block)] = left;
     if (left == 0) return;
     const std::size_t k = row_number(*(e_.rows_end(block) - left));
-    next_[row_number(block)] = first_[k];
-    first_[k] = block;
+    next_[row_number(block)] = half.first[k];
+    half.first[k] = block;
+  }
+
+  // Adds what blocks with an entry in row k add to its weights. \return what they add to its sum
+  Number add_blocks(int k, const Half& listed, Half& half) {
+    Number sum = zero_pack<Number>();
+    for (int b = listed.first[row_number(k)]; b >= 0;) {
+      const int next = next_[row_number(b)], left = left_[row_number(b)];
+      sum += add_columns(e_.block_begin[row_number(b)], e_.block_begin[row_number(b + 1)], left,
+                         half);
+      list(b, left - 1, half);
+      b = next;
+    }
+    return sum;
   }
 
   // Adds what the elimination of columns of a block, whose last `left` entries are in the same rows, adds to the weights of the first of these rows.
   // \return what it adds to the sum of the row
-  Number add_columns(int begin, int end, int left) {
+  Number add_columns(int begin, int end, int left, Half& half) {
     Number sum = zero_pack<Number>();
     if (begin == end) return sum;
     const int* const rows = e_.rows_end(e_.block[row_number(begin)]) - left;
@@ -87,22 +106,22 @@ private:
       const std::array<Number, 4> factors{factor(j), factor(j + 1), factor(j + 2), factor(j + 3)};
       add_multiples<4>(rows, left,
                        {tail(j, left), tail(j + 1, left), tail(j + 2, left), tail(j + 3, left)},
-                       factors);
+                       factors, half);
     }
     for (; j + 2 <= end; j += 2) {
       const std::array<Number, 2> factors{factor(j), factor(j + 1)};
-      add_multiples<2>(rows, left, {tail(j, left), tail(j + 1, left)}, factors);
+      add_multiples<2>(rows, left, {tail(j, left), tail(j + 1, left)}, factors, half);
     }
-    for (; j < end; ++j) add_multiples<1>(rows, left, {tail(j, left)}, {factor(j)});
+    for (; j < end; ++j) add_multiples<1>(rows, left, {tail(j, left)}, {factor(j)}, half);
     return sum;
   }
 
   // Adds multiples of columns, of which the entries begin there, to the weights of all these rows but the first.
   template <std::size_t columns>
   void add_multiples(const int* rows, int left, const std::array<std::ptrdiff_t, columns>& column,
-                     const std::array<Number, columns>& factors) {
+                     const std::array<Number, columns>& factors, Half& half) {
     using Pair = Eigen::Array2d;
-    Number* const w = weight_.data();
+    Number* const w = half.weight.data();
     const auto add = [](const auto& a, const auto& b) {
       return std::decay_t<decltype(a)>(a + b);
     };
@@ -145,20 +164,20 @@ private:
     return e_.column_begin[row_number(column + 1)] - count;
   }
 
-  bool finish(int k, const Number& sum) {
+  bool finish(int k, const Number& sum, Half& half) {
     const int count = e_.count(k);
     const int* const rows = e_.rows(k);
     const std::ptrdiff_t begin = tail(k, count);
     Number pivot = sum, all = absolute(sum);
     for (int i = 0; i < count; ++i) {
-      const Number& w = weight_[row_number(rows[i])];
+      const Number& w = half.weight[row_number(rows[i])];
       pivot += w;
       all += absolute(w);
     }
     pivot_[row_number(k)] = pivot;
     const Number inverse = inverse_of(pivot);
     for (int i = 0; i < count; ++i) {
-      Number& w = weight_[row_number(rows[i])];
+      Number& w = half.weight[row_number(rows[i])];
       const Number scaled = w * inverse;
       for (std::size_t m = 0; m < matrices; ++m) value_[m][begin + i] = number_of(scaled, m);
       w = zero_pack<Number>();
@@ -169,10 +188,10 @@ private:
   const Elimination& e_;
   std::array<double*, matrices> value_;
   std::vector<Number> pivot_;
-  std::vector<int> first_, next_; // blocks by the row of the entry that is needed next
-  std::vector<int> left_;         // number of entries of a block from there on
-  std::vector<Number> sum_;       // of each row, when it is eliminated
-  std::vector<Number> weight_;    // from the place that is eliminated, by place
+  std::vector<int> next_;   // of each block in its list
+  std::vector<int> left_;   // number of entries of a block from there on
+  std::vector<Number> sum_; // of each row, when it is eliminated
+  std::array<Half, 2> half_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Elimination.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factor.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Ordered_laplacian.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -39,7 +40,7 @@ Heyman 1985; Alfa, Xue and Ye 2002). The matrix is then definite if D is not zer
 indefinite. Few negative weights, as at the border, are no harm.
 
 Rows are ordered by approximate minimum degree. Another matrix with entries at the same places shares the order and the places of the factor. Copies share the
-factor. Different threads may solve at once.
+factor. Different threads may solve at once. Large matrices are factored by two threads, where there are two processors; the result is the same with one.
 */
 class Laplacian_factorization {
 public:
@@ -75,6 +76,14 @@ public:
   static std::pair<Laplacian_factorization, Laplacian_factorization>
   of_both(const Matrix& laplacian, const Eigen::VectorXd& diagonal, double multiple,
           const Eigen::VectorXd& diagonal_of_multiple);
+
+  /// \cond
+  Laplacian_factorization(const internal::Ordered_laplacian& laplacian,
+                          const Eigen::VectorXd& diagonal);
+  static std::pair<Laplacian_factorization, Laplacian_factorization>
+  of_both(const internal::Ordered_laplacian& laplacian, const Eigen::VectorXd& diagonal,
+          double multiple, const Eigen::VectorXd& diagonal_of_multiple);
+  /// \endcond
 
   /// returns the number of rows.
   Eigen::Index size() const { return static_cast<Eigen::Index>(factor_->pivot.size()); }

@@ -8,7 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_elimination.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_solver.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Ordered_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/where_to_run.h>
 
 #include <Eigen/OrderingMethods>
 
@@ -19,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <future>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -75,6 +78,7 @@ Elimination::Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> 
     throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
   for (std::size_t k = 0; k < row.size(); ++k) place[row_number(row[k])] = static_cast<int>(k);
   find_blocks(a);
+  find_parts();
 }
 
 // Finds where columns of the factor have entries: where the matrix has some, or an earlier column that has its first entry in the row of the diagonal, its
@@ -165,6 +169,38 @@ Elimination::find_blocks(const Eigen::SparseMatrix<double>& a) {
   block_rows_begin.push_back(static_cast<int>(block_rows.size()));
 }
 
+// Subtrees of the elimination tree are independent: columns above subtrees of some work come after both halves, the subtrees are distributed.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_parts() {
+  const int n = static_cast<int>(row.size());
+  std::vector<double> work(row.size(), 0);
+  double all = 0;
+  for (int k = 0; k < n; ++k) {
+    const double own = (count(k) + 4.0) * (count(k) + 4.0);
+    work[row_number(k)] += own;
+    all += own;
+    if (count(k) > 0) work[row_number(*rows(k))] += work[row_number(k)];
+  }
+  constexpr double worth_a_thread = 1e6, greatest_share = 0.2;
+  part.assign(row.size(), after_both);
+  if (all < worth_a_thread) return;
+  std::array<double, 2> halves{0, 0};
+  for (int k = n - 1; k >= 0; --k) {
+    if (work[row_number(k)] > greatest_share * all) continue;
+    const Part above = count(k) > 0 ? part[row_number(*rows(k))] : after_both;
+    part[row_number(k)] =
+        above != after_both ? above : halves[0] <= halves[1] ? first_half : second_half;
+    if (above == after_both) halves[part[row_number(k)]] += work[row_number(k)];
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Ordered_laplacian::Ordered_laplacian(Matrix laplacian)
+    : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))) {
+  constexpr Eigen::Index worth_a_thread = 2000;
+  elimination_ = std::async(where_to_run(laplacian_->rows() >= worth_a_thread),
+                            [l = laplacian_] { return std::make_shared<const Elimination>(*l); })
+                     .share();
+}
+
 inline void expect_diagonal(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {
   if (a.rows() != a.cols() || d.size() != a.rows())
     throw std::invalid_argument("a matrix with " + std::to_string(a.rows()) + " rows, " +
@@ -199,10 +235,19 @@ auto eliminate_all(std::shared_ptr<const Elimination> elimination,
     value[m] = factors[m]->value.get();
   }
   Laplacian_elimination<Number> rest(e, value);
-  for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
-    const int row = e.row[row_number(k)];
-    if (!rest.eliminate(k, laplacian, unit, diagonal(row))) throw Indefinite_matrix(row);
-  }
+  const auto eliminate = [&](Elimination::Part part) { // returns the row it stopped at
+    for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
+      const int row = e.row[row_number(k)];
+      if (e.part[row_number(k)] == part && !rest.eliminate(k, laplacian, unit, diagonal(row)))
+        return row;
+    }
+    return -1;
+  };
+  auto other = std::async(where_to_run(e.has_halves()), eliminate, Elimination::second_half);
+  const int first = eliminate(Elimination::first_half), second = other.get(),
+            stopped = first >= 0 ? first : second;
+  if (const int row = stopped >= 0 ? stopped : eliminate(Elimination::after_both); row >= 0)
+    throw Indefinite_matrix(row);
   for (std::size_t m = 0; m < factors.size(); ++m) factors[m]->pivot = rest.pivots(m);
   return factors;
 }
@@ -232,16 +277,31 @@ Laplacian_factorization::factor(const Matrix& laplacian, const Eigen::VectorXd& 
                                     [&](int row) { return diagonal[row]; })[0];
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Laplacian_factorization::Laplacian_factorization(const internal::Ordered_laplacian& laplacian,
+                                                 const Eigen::VectorXd& diagonal) {
+  internal::expect_laplacian(*laplacian, diagonal);
+  factor(*laplacian, diagonal, laplacian.elimination());
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::pair<Laplacian_factorization, Laplacian_factorization>
 Laplacian_factorization::of_both(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
                                  double multiple, const Eigen::VectorXd& diagonal_of_multiple) {
   internal::expect_laplacian(laplacian, diagonal);
-  internal::expect_diagonal(laplacian, diagonal_of_multiple);
+  return of_both(internal::Ordered_laplacian(laplacian), diagonal, multiple, diagonal_of_multiple);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::pair<Laplacian_factorization, Laplacian_factorization>
+Laplacian_factorization::of_both(const internal::Ordered_laplacian& laplacian,
+                                 const Eigen::VectorXd& diagonal, double multiple,
+                                 const Eigen::VectorXd& diagonal_of_multiple) {
+  internal::expect_laplacian(*laplacian, diagonal);
+  internal::expect_diagonal(*laplacian, diagonal_of_multiple);
   if (!std::isfinite(multiple)) throw std::invalid_argument("the multiple must be finite");
-  const auto elimination = std::make_shared<const internal::Elimination>(laplacian);
   const auto factors = internal::eliminate_all(
-      elimination, laplacian, Eigen::Array2d(1, multiple),
-      [&](int row) { return Eigen::Array2d(diagonal[row], diagonal_of_multiple[row]); });
+      laplacian.elimination(), *laplacian, Eigen::Array2d(1, multiple), [&](int row) {
+        return Eigen::Array2d(diagonal[row], diagonal_of_multiple[row]);
+      });
   return {Laplacian_factorization(factors[0]), Laplacian_factorization(factors[1])};
 }
 
