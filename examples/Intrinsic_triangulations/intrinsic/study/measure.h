@@ -4,6 +4,7 @@
 #ifndef INTRINSIC_STUDY_MEASURE_H
 #define INTRINSIC_STUDY_MEASURE_H
 
+#include "../status_name.h"
 #include "../support/progress.h"
 #include "Compared_metric.h"
 #include "Cycle_counter.h"
@@ -56,7 +57,7 @@ Timed_flips<Triangulation> fastest_flips(const IT::Intrinsic_input& input) {
 
 /// notes how flipping ended and what it did.
 inline void note_flips(Json& findings, const IT::Flip_to_delaunay_result& result) {
-  findings["status"] = result.status == IT::Status::done ? "done" : "cap";
+  findings["status"] = name(result.status);
   findings["flips"] = result.flips;
   findings["checks"] = result.checks;
   findings["refused_flips"] = result.refused_flips;

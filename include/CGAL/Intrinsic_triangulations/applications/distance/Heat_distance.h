@@ -86,8 +86,7 @@ public:
   */
   template <NamedParameters NP = parameters::Parameters<>>
   explicit Heat_distance(const Triangulation& t, const NP& np = parameters::default_values())
-      : t_(&t), positions_(internal::positions_of_rows(t)),
-        solver_(solver(t, np)) {}
+      : t_(&t), positions_(internal::positions_of_rows(t)), solver_(solver(t, np)) {}
 
   /*!
   \brief computes the distances of all vertices from sources.

@@ -25,8 +25,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // The lumped mass matrix, as a diagonal; ones at isolated vertices.
 inline Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_rows));
-  for (const Table_face& f : table.faces)
-    {
+  for (const Table_face& f : table.faces) {
     const double third = f.area() / 3 / sheets;
     for (const int row : f.rows) areas[row] += third;
   }
@@ -40,12 +39,12 @@ inline double norm_of(const std::complex<double>& x) {
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Heat_solver::Heat_solver(Ordered_laplacian laplacian, Face_table table,
-                         const Heat_options& options, std::uint32_t sheets, Heat_progress progress)
+Heat_solver::Heat_solver(Ordered_laplacian laplacian, Face_table table, const Heat_options& options,
+                         std::uint32_t sheets, Heat_progress progress)
     : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
       time_(options.time_factor * mean_edge_ * mean_edge_), component_(table_.components()),
-      laplacian_(std::move(laplacian)),
-      poisson_(laplacian_, component_), sheets_(sheets), progress_(std::move(progress)) {
+      laplacian_(std::move(laplacian)), poisson_(laplacian_, component_), sheets_(sheets),
+      progress_(std::move(progress)) {
   if (!(options.time_factor > 0) || !std::isfinite(time_))
     throw std::invalid_argument("the time factor must be positive and finite");
   const Eigen::VectorXd masses = row_areas(table_, sheets);

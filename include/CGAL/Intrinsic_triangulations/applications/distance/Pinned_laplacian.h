@@ -32,8 +32,7 @@ public:
   using Pins = std::map<int, double>; // by rows
 
   // \param component of each row, as the least of its rows
-  Pinned_laplacian(Ordered_laplacian laplacian,
-                   std::vector<std::uint32_t> component)
+  Pinned_laplacian(Ordered_laplacian laplacian, std::vector<std::uint32_t> component)
       : laplacian_(std::move(laplacian)), component_(std::move(component)) {}
 
   // Factors L and a multiple of it, with a diagonal, together, or only the latter if rounding has left L indefinite.

@@ -199,7 +199,8 @@ private:
     return source;
   }
 
-  std::shared_ptr<const Matrix> laplacian_; // with the time, which differs from the matrix on its diagonal
+  std::shared_ptr<const Matrix>
+      laplacian_; // with the time, which differs from the matrix on its diagonal
   double time_ = 1;
   Factorization factored_;
 };

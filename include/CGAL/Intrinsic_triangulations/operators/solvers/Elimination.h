@@ -39,9 +39,7 @@ struct Elimination {
   // Of each column, who computes it: one of two halves, which have nothing in common, or what comes after both. The same whether or not there are threads.
   enum Part : char { first_half, second_half, after_both };
   std::vector<Part> part;
-  bool has_halves() const {
-    return std::find(part.begin(), part.end(), second_half) != part.end();
-  }
+  bool has_halves() const { return std::find(part.begin(), part.end(), second_half) != part.end(); }
 
   int count(int column) const {
     return column_begin[row_number(column + 1)] - column_begin[row_number(column)];
@@ -62,7 +60,8 @@ struct Elimination {
   // calls `visit(p, e)` for each later place p joined to place k in the matrix, and where the matrix has the entry
   template <class Visit>
   void for_each_later(const Eigen::SparseMatrix<double>& a, int k, const Visit& visit) const {
-    const int *const begin = a.outerIndexPtr() + row[row_number(k)], *const inner = a.innerIndexPtr();
+    const int *const begin = a.outerIndexPtr() + row[row_number(k)], *const inner =
+                                                                         a.innerIndexPtr();
     for (int e = begin[0]; e < begin[1]; ++e)
       if (const int p = place[row_number(inner[e])]; p > k) visit(p, e);
   }

@@ -28,8 +28,9 @@ public:
   // \param value where the factor of each matrix goes
   Laplacian_elimination(const Elimination& e, const std::array<double*, matrices>& value)
       : e_(e), value_(value), pivot_(e.row.size()), next_(e.block_begin.size(), -1),
-        left_(e.block_begin.size(), 0), sum_(e.row.size(), zero_pack<Number>()),
-        half_{Half(e.row.size()), Half(e.has_halves() ? e.row.size() : 0)} {}
+        left_(e.block_begin.size(), 0),
+        sum_(e.row.size(), zero_pack<Number>()), half_{Half(e.row.size()),
+                                                       Half(e.has_halves() ? e.row.size() : 0)} {}
 
   // \param unit what the weights of the matrix are multiplied by \return whether the pivot is positive, up to rounding
   bool eliminate(int k, const Eigen::SparseMatrix<double>& laplacian, const Number& unit,
@@ -82,8 +83,8 @@ private:
     Number sum = zero_pack<Number>();
     for (int b = listed.first[row_number(k)]; b >= 0;) {
       const int next = next_[row_number(b)], left = left_[row_number(b)];
-      sum += add_columns(e_.block_begin[row_number(b)], e_.block_begin[row_number(b + 1)], left,
-                         half);
+      sum +=
+          add_columns(e_.block_begin[row_number(b)], e_.block_begin[row_number(b + 1)], left, half);
       list(b, left - 1, half);
       b = next;
     }
@@ -122,9 +123,7 @@ private:
                      const std::array<Number, columns>& factors, Half& half) {
     using Pair = Eigen::Array2d;
     Number* const w = half.weight.data();
-    const auto add = [](const auto& a, const auto& b) {
-      return std::decay_t<decltype(a)>(a + b);
-    };
+    const auto add = [](const auto& a, const auto& b) { return std::decay_t<decltype(a)>(a + b); };
     const auto sum = [&add](const auto& term) {
       if constexpr (columns == 4)
         return add(add(term(0), term(1)), add(term(2), term(3)));
@@ -134,7 +133,8 @@ private:
         return term(0);
     };
     int i = 1;
-    for (; i + 2 <= left; i += 2) { // of two rows at a time, as entries of a column are side by side
+    for (; i + 2 <= left;
+         i += 2) { // of two rows at a time, as entries of a column are side by side
       std::array<Pair, matrices> added;
       for (std::size_t m = 0; m < matrices; ++m)
         added[m] = sum([&](std::size_t c) -> Pair {
@@ -147,8 +147,7 @@ private:
           w[rows[i + k]] += Pair(added[0][k], added[1][k]);
     }
     for (; i < left; ++i)
-      w[rows[i]] +=
-          sum([&](std::size_t c) -> Number { return value(column[c] + i) * factors[c]; });
+      w[rows[i]] += sum([&](std::size_t c) -> Number { return value(column[c] + i) * factors[c]; });
   }
 
   // an entry of the factor of each matrix

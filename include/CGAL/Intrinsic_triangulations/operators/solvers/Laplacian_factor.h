@@ -17,9 +17,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 struct Laplacian_factor {
   // leaves the numbers to be written
   explicit Laplacian_factor(std::shared_ptr<const Elimination> e)
-      : elimination(std::move(e)),
-        value(std::make_unique_for_overwrite<double[]>(
-            row_number(elimination->column_begin.back()))) {}
+      : elimination(std::move(e)), value(std::make_unique_for_overwrite<double[]>(
+                                       row_number(elimination->column_begin.back()))) {}
 
   std::shared_ptr<const Elimination> elimination;
   std::unique_ptr<double[]> value; // not a vector, which would write megabytes of zeros first

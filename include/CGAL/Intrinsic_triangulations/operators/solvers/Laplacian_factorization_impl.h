@@ -56,8 +56,7 @@ inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& 
   std::copy_n(a.innerIndexPtr(), a.nonZeros(), pattern.innerIndexPtr());
   std::fill_n(pattern.valuePtr(), a.nonZeros(), static_cast<signed char>(1));
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  if (a.cols() > 0)
-    Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), order);
+  if (a.cols() > 0) Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), order);
   return {order.indices().data(), order.indices().data() + order.indices().size()};
 }
 
@@ -86,7 +85,8 @@ Elimination::Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> 
 class Block_finder {
 public:
   Block_finder(Elimination& e, const Eigen::SparseMatrix<double>& a)
-      : e_(e), a_(a), seen_(e.row.size(), -1), child_(e.row.size(), -1), sibling_(e.row.size(), -1) {}
+      : e_(e), a_(a), seen_(e.row.size(), -1), child_(e.row.size(), -1),
+        sibling_(e.row.size(), -1) {}
 
   void add_column(int k) {
     e_.prefetch_after(a_, k, false);
@@ -187,8 +187,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_parts() {
   for (int k = n - 1; k >= 0; --k) {
     if (work[row_number(k)] > greatest_share * all) continue;
     const Part above = count(k) > 0 ? part[row_number(*rows(k))] : after_both;
-    part[row_number(k)] =
-        above != after_both ? above : halves[0] <= halves[1] ? first_half : second_half;
+    part[row_number(k)] = above != after_both      ? above
+                          : halves[0] <= halves[1] ? first_half
+                                                   : second_half;
     if (above == after_both) halves[part[row_number(k)]] += work[row_number(k)];
   }
 }
@@ -196,9 +197,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_parts() {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Ordered_laplacian::Ordered_laplacian(Matrix laplacian)
     : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))) {
   constexpr Eigen::Index worth_a_thread = 2000;
-  elimination_ = std::async(where_to_run(laplacian_->rows() >= worth_a_thread),
-                            [l = laplacian_] { return std::make_shared<const Elimination>(*l); })
-                     .share();
+  elimination_ = std::async(where_to_run(laplacian_->rows() >= worth_a_thread), [l = laplacian_] {
+                   return std::make_shared<const Elimination>(*l);
+                 }).share();
 }
 
 inline void expect_diagonal(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {
@@ -299,9 +300,8 @@ Laplacian_factorization::of_both(const internal::Ordered_laplacian& laplacian,
   internal::expect_diagonal(*laplacian, diagonal_of_multiple);
   if (!std::isfinite(multiple)) throw std::invalid_argument("the multiple must be finite");
   const auto factors = internal::eliminate_all(
-      laplacian.elimination(), *laplacian, Eigen::Array2d(1, multiple), [&](int row) {
-        return Eigen::Array2d(diagonal[row], diagonal_of_multiple[row]);
-      });
+      laplacian.elimination(), *laplacian, Eigen::Array2d(1, multiple),
+      [&](int row) { return Eigen::Array2d(diagonal[row], diagonal_of_multiple[row]); });
   return {Laplacian_factorization(factors[0]), Laplacian_factorization(factors[1])};
 }
 

@@ -37,8 +37,8 @@ private:
   // Below a block, its columns have entries in the same rows: four at once, as what is read or added to there is scattered.
   template <class Number>
   void forward(int block, Number* y) const {
-    const int begin = e_.block_begin[row_number(block)], end = e_.block_begin[row_number(block + 1)],
-              below = e_.count(end - 1);
+    const int begin = e_.block_begin[row_number(block)],
+              end = e_.block_begin[row_number(block + 1)], below = e_.count(end - 1);
     for (int j = begin; j < end; ++j)
       for (int i = j + 1; i < end; ++i) y[i] += column(j)[i - j - 1] * y[j];
     const int* const rows = e_.rows_end(block) - below;
@@ -60,8 +60,8 @@ private:
 
   template <class Number>
   void backward(int block, Number* y) const {
-    const int begin = e_.block_begin[row_number(block)], end = e_.block_begin[row_number(block + 1)],
-              below = e_.count(end - 1);
+    const int begin = e_.block_begin[row_number(block)],
+              end = e_.block_begin[row_number(block + 1)], below = e_.count(end - 1);
     for (int j = begin; j < end; ++j) y[j] /= pivot_[j];
     const int* const rows = e_.rows_end(block) - below;
     int j = begin;
