@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Ordered_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
 
 #include <Eigen/Core>
 

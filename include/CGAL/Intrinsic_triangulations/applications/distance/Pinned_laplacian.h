@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Ordered_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
 
 #include <Eigen/Core>
 

@@ -5,9 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Elimination.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factor.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Ordered_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_factor.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ORDERED_LAPLACIAN_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ORDERED_LAPLACIAN_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_ORDERED_LAPLACIAN_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_ORDERED_LAPLACIAN_H
 
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Elimination.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -36,4 +36,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ORDERED_LAPLACIAN_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_ORDERED_LAPLACIAN_H

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTOR_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTOR_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_LAPLACIAN_FACTOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_LAPLACIAN_FACTOR_H
 
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Elimination.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <memory>
@@ -27,4 +27,4 @@ struct Laplacian_factor {
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTOR_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_LAPLACIAN_FACTOR_H

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_ELIMINATION_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_ELIMINATION_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_LAPLACIAN_ELIMINATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_LAPLACIAN_ELIMINATION_H
 
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Elimination.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Number_pack.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Number_pack.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/Core>
@@ -195,4 +195,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_ELIMINATION_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_LAPLACIAN_ELIMINATION_H
