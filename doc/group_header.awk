@@ -78,7 +78,6 @@ BEGIN {
   group["operators/solvers/Row_sums.h"]                      = "ref_inside"
   group["operators/solvers/elimination/"]                    = "ref_inside"
   group["operators/solvers/raised_factorization.h"]          = "ref_inside"
-  group["operators/solvers/row_number.h"]                    = "ref_inside"
   group["applications/"]                                     = "ref_applications"
   group["applications/editing/Biharmonic_interpolation.h"]   = "ref_inside"
   group["applications/vectors/Direction_problem.h"]          = "ref_inside"

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SYMMETRIC_ASSEMBLY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>

@@ -8,8 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/divergence_at_corners.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/near_distances.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/LU>
 

@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_DIFFUSION_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

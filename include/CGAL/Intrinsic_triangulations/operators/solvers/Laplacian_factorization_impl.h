@@ -5,11 +5,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_elimination.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_elimination.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_solver.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/where_to_run.h>
 
 #include <Eigen/OrderingMethods>

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Row_sums.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

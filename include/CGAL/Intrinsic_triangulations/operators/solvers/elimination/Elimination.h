@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_ELIMINATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_ELIMINATION_H
 
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Number_pack.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -19,7 +19,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What is left of a Laplacian and a diagonal, or of two with entries at the same places, while places are eliminated in turn: weights between later places, and the sums of their rows.
+// What is left of a Laplacian and a diagonal, or of two with entries at the same places, while places are eliminated in turn: weights between later places,
+// and the sums of their rows.
 template <class Number>
 class Laplacian_elimination {
 public:

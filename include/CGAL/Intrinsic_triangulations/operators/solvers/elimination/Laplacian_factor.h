@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_LAPLACIAN_FACTOR_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 
 #include <memory>
 #include <utility>

@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_factor.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Number_pack.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 
 #include <Eigen/Core>
 
