@@ -4,7 +4,6 @@
 #ifndef INTRINSIC_STUDY_MEASURE_H
 #define INTRINSIC_STUDY_MEASURE_H
 
-#include "../status_name.h"
 #include "../support/progress.h"
 #include "Compared_metric.h"
 #include "Cycle_counter.h"
@@ -57,7 +56,7 @@ Timed_flips<Triangulation> fastest_flips(const IT::Intrinsic_input& input) {
 
 /// notes how flipping ended and what it did.
 inline void note_flips(Json& findings, const IT::Flip_to_delaunay_result& result) {
-  findings["status"] = name(result.status);
+  findings["status"] = result.status == IT::Status::done ? "done" : "cap";
   findings["flips"] = result.flips;
   findings["checks"] = result.checks;
   findings["refused_flips"] = result.refused_flips;
