@@ -37,7 +37,7 @@ struct Elimination {
   std::vector<int> block_rows_begin, block_rows;
 
   // Of each column, who computes it: one of two halves, which have nothing in common, or what comes after both. The same whether or not there are threads.
-  enum Part : char { first_half, second_half, after_both };
+  enum Part : unsigned char { first_half, second_half, after_both };
   std::vector<Part> part;
   bool has_halves() const { return std::find(part.begin(), part.end(), second_half) != part.end(); }
 

@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -118,14 +117,19 @@ private:
     return sum;
   }
 
+  // a sum, and no expression that refers to its terms
+  template <class Numbers>
+  static Numbers add(const Numbers& a, const Numbers& b) {
+    return a + b;
+  }
+
   // Adds multiples of columns, of which the entries begin there, to the weights of all these rows but the first.
   template <std::size_t columns>
   void add_multiples(const int* rows, int left, const std::array<std::ptrdiff_t, columns>& column,
                      const std::array<Number, columns>& factors, Half& half) {
     using Pair = Eigen::Array2d;
     Number* const w = half.weight.data();
-    const auto add = [](const auto& a, const auto& b) { return std::decay_t<decltype(a)>(a + b); };
-    const auto sum = [&add](const auto& term) {
+    const auto sum = [](const auto& term) {
       if constexpr (columns == 4)
         return add(add(term(0), term(1)), add(term(2), term(3)));
       else if constexpr (columns == 2)
