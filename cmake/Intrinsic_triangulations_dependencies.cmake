@@ -14,6 +14,7 @@ if(CGAL_VERSION VERSION_LESS 5.5)
   message(FATAL_ERROR "Intrinsic_triangulations needs CGAL 5.5 or later, ${CGAL_VERSION} was found")
 endif()
 find_package(MPFI QUIET REQUIRED)
+find_package(Threads QUIET REQUIRED) # large matrices are factored by two
 find_package(Eigen3 3.3 QUIET NO_MODULE) # after CGAL, whose own find module knows no target
 if(TARGET Eigen3::Eigen)
   find_package(CHOLMOD QUIET)

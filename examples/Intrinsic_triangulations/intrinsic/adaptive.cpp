@@ -2,23 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "adaptive.h"
+#include "status_name.h"
 
 namespace program {
-
-namespace {
-
-const char* name(IT::Status status) {
-  switch (status) {
-  case IT::Status::done:
-    return "done";
-  case IT::Status::stalled:
-    return "stalled";
-  default:
-    return "cap";
-  }
-}
-
-} // namespace
 
 Json adaptive_json(const IT::Adaptive_refinement_result& result, const Adaptive_criteria& criteria,
                    double unit) {

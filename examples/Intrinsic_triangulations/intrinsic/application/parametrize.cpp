@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../commands.h"
+#include "../status_name.h"
 #include "application.h"
 
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/certify_map.h>
@@ -20,19 +21,6 @@
 namespace program {
 
 namespace {
-
-const char* name_of(IT::Status status) {
-  switch (status) {
-  case IT::Status::done:
-    return "done";
-  case IT::Status::cap:
-    return "cap";
-  case IT::Status::inaccurate:
-    return "inaccurate";
-  default:
-    return "stalled";
-  }
-}
 
 // A map that stays as it is, whether it is injective or not.
 template <class Triangulation>
@@ -96,7 +84,7 @@ void run_parametrize(const Options& options) {
     computed.functions = {{"u", map.uv.col(0)}, {"v", map.uv.col(1)}};
     computed.is_map = true;
     computed.json = json_of(map, IT::measure_distortion(t, map.uv), options.application.map);
-    if (is_made_injective(options)) computed.json["status"] = name_of(map.status);
+    if (is_made_injective(options)) computed.json["status"] = name(map.status);
     if (t.input().names().sheets == 1)
       computed.json["injective_on_input"] = is_injective_on_input(t, map.uv);
     return computed;

@@ -114,15 +114,12 @@ others in its column, in their order.
 template <MeasuredTriangulation Triangulation>
 Eigen::SparseMatrix<double> cotangent_laplacian(const Triangulation& t) {
   const int size = checked_matrix_size(t);
-  Eigen::SparseMatrix<double> l =
-      symmetric_matrix(internal::cotangent_entries(t), Eigen::VectorXd::Zero(size));
-  for (int c = 0; c < size; ++c) {
-    double& diagonal = l.coeffRef(c, c);
-    double sum = 0;
-    for (Eigen::SparseMatrix<double>::InnerIterator i(l, c); i; ++i) sum -= i.value();
-    diagonal = sum;
-  }
-  return l;
+  return internal::Symmetric_columns(internal::cotangent_entries(t), size)
+      .matrix([](int, auto begin, auto end) {
+        double sum = 0;
+        for (auto i = begin; i != end; ++i) sum -= i->value;
+        return sum;
+      });
 }
 
 /// \cond

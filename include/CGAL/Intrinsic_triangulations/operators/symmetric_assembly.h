@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SYMMETRIC_ASSEMBLY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>
@@ -32,78 +32,79 @@ struct Symmetric_entry {
 
 namespace internal {
 
-// The strict lower triangle of a symmetric matrix, by columns. Rows within a column are sorted without
-// comparing: entries are bucketed by row, and then by column, in order.
-class Lower_triangle {
+// The columns of a symmetric matrix without its diagonal: entries are bucketed by column, in the order given, and sorted there.
+class Symmetric_columns {
 public:
-  Lower_triangle(const std::vector<Symmetric_entry>& entries, int size)
-      : start_(row_number(size) + 1, 0), below_(row_number(size), 0), left_(row_number(size), 0),
-        row_(entries.size()), value_(entries.size()) {
+  struct Entry {
+    int row;
+    double value;
+  };
+
+  Symmetric_columns(const std::vector<Symmetric_entry>& entries, int size)
+      : end_(row_number(size) + 1, 0), entries_(2 * entries.size()) {
     for (const Symmetric_entry& e : entries) {
-      ++below_[row_number(std::min(e.i, e.j))];
-      ++left_[row_number(std::max(e.i, e.j))];
+      ++end_[row_number(e.i) + 1];
+      ++end_[row_number(e.j) + 1];
     }
-    std::partial_sum(below_.begin(), below_.end(), start_.begin() + 1);
-    std::fill(below_.begin(), below_.end(), 0);
-    for (const Symmetric_entry& e : sorted_by_row(entries)) append(e);
+    std::partial_sum(end_.begin(), end_.end(), end_.begin());
+    for (const Symmetric_entry& e : entries) {
+      entries_[end_[row_number(e.i)]++] = {e.j, e.value};
+      entries_[end_[row_number(e.j)]++] = {e.i, e.value};
+    }
   }
 
-  // writes both triangles and the diagonal
-  Eigen::SparseMatrix<double> mirrored(const Eigen::VectorXd& diagonal) {
-    const int size = static_cast<int>(below_.size());
+  // \param diagonal called with a column and its entries, sorted, as an iterator range; returns the entry on the diagonal
+  template <class Diagonal>
+  Eigen::SparseMatrix<double> matrix(const Diagonal& diagonal) {
+    const int size = static_cast<int>(end_.size()) - 1;
     Eigen::SparseMatrix<double> m(size, size);
-    int* const outer = m.outerIndexPtr();
-    for (std::size_t c = 0; c < below_.size(); ++c)
-      outer[c + 1] = outer[c] + left_[c] + 1 + below_[c];
-    m.resizeNonZeros(outer[size]);
-    int* const inner = m.innerIndexPtr();
-    double* const value = m.valuePtr();
-    std::copy(outer, outer + size, left_.begin()); // now: where the next row of a column goes
+    m.resizeNonZeros(size + static_cast<Eigen::Index>(entries_.size()));
+    int count = 0;
+    const auto append = [&](int row, double value) {
+      m.innerIndexPtr()[count] = row;
+      m.valuePtr()[count++] = value;
+    };
+    auto begin = entries_.begin();
     for (int c = 0; c < size; ++c) {
-      int& to = left_[row_number(c)];
-      inner[to] = c;
-      value[to++] = diagonal[c];
-      std::size_t from = row_number(start_[row_number(c)]);
-      for (const int end = to + below_[row_number(c)]; to < end; ++to, ++from) {
-        inner[to] = row_[from];
-        value[to] = value_[from];
-        const int mirror = left_[row_number(row_[from])]++;
-        inner[mirror] = c;
-        value[mirror] = value_[from];
-      }
+      const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(end_[row_number(c)]);
+      const auto last = merge(begin, end);
+      auto i = begin;
+      for (; i != last && i->row < c; ++i) append(i->row, i->value);
+      append(c, diagonal(c, begin, last));
+      for (; i != last; ++i) append(i->row, i->value);
+      m.outerIndexPtr()[c + 1] = count;
+      begin = end;
     }
+    m.resizeNonZeros(count);
     return m;
   }
 
 private:
-  std::vector<Symmetric_entry> sorted_by_row(const std::vector<Symmetric_entry>& entries) const {
-    std::vector<int> next(left_.size());
-    std::exclusive_scan(left_.begin(), left_.end(), next.begin(), 0);
-    std::vector<Symmetric_entry> sorted(entries.size());
-    for (const Symmetric_entry& e : entries)
-      sorted[row_number(next[row_number(std::max(e.i, e.j))]++)] = e;
-    return sorted;
+  using Iterator = std::vector<Entry>::iterator;
+
+  // Sorts entries by rows and adds up those of the same row, in their order. \return the end of what is left
+  static Iterator merge(Iterator begin, Iterator end) {
+    constexpr std::ptrdiff_t few = 24;
+    if (end - begin > few)
+      std::stable_sort(begin, end, [](const Entry& a, const Entry& b) { return a.row < b.row; });
+    else
+      for (Iterator i = begin; i != end; ++i) {
+        const Entry e = *i;
+        Iterator to = i;
+        for (; to != begin && e.row < (to - 1)->row; --to) *to = *(to - 1);
+        *to = e;
+      }
+    Iterator last = begin;
+    for (Iterator i = begin; i != end; ++i)
+      if (last != begin && (last - 1)->row == i->row)
+        (last - 1)->value += i->value;
+      else
+        *last++ = *i;
+    return last;
   }
 
-  void append(const Symmetric_entry& e) {
-    const int row = std::max(e.i, e.j);
-    int& count = below_[row_number(std::min(e.i, e.j))];
-    const std::size_t end = row_number(start_[row_number(std::min(e.i, e.j))] + count);
-    if (count > 0 && row_[end - 1] == row) {
-      value_[end - 1] += e.value;
-      --left_[row_number(row)];
-      return;
-    }
-    row_[end] = row;
-    value_[end] = e.value;
-    ++count;
-  }
-
-  std::vector<int> start_; // of each column, which may leave gaps before the next
-  std::vector<int> below_; // number of entries below the diagonal of each column
-  std::vector<int> left_;  // number of entries left of the diagonal of each row
-  std::vector<int> row_;
-  std::vector<double> value_;
+  std::vector<std::size_t> end_; // of each column, when entries are in it
+  std::vector<Entry> entries_;
 };
 
 } // namespace internal
@@ -116,11 +117,12 @@ Equal pairs add up, in the order given. The matrix is symmetric bit by bit.
 \param diagonal those on it
 \return the matrix, compressed
 \pre `0 <= i, j < diagonal.size()` and `i != j` for every entry
-\complexity linear in size and number of entries
+\complexity linear in size and number of entries, but n log n for n entries of a row
 */
 inline Eigen::SparseMatrix<double> symmetric_matrix(const std::vector<Symmetric_entry>& entries,
                                                     const Eigen::VectorXd& diagonal) {
-  return internal::Lower_triangle(entries, static_cast<int>(diagonal.size())).mirrored(diagonal);
+  return internal::Symmetric_columns(entries, static_cast<int>(diagonal.size()))
+      .matrix([&](int c, auto, auto) { return diagonal[c]; });
 }
 
 namespace internal {

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs_impl.h>
 
 #include <gtest/gtest.h>
 
@@ -170,6 +171,54 @@ TEST(Eigenpairs, can_be_followed_and_cancelled) {
     EXPECT_EQ(none.values.size(), 0);
     EXPECT_EQ(none.vectors.cols(), 0);
   }
+}
+
+// The search for a shift, which takes solutions of its own, asks as well.
+TEST(Eigenpairs, can_be_cancelled_before_there_is_a_shift) {
+  const Exact t(torus(20, 0));
+  const Matrix l = IT::cotangent_laplacian(t);
+  const Eigen::VectorXd masses = Eigen::VectorXd::Ones(l.rows());
+  double shift = 1e6; // far too great
+  std::size_t calls = 0;
+  IT::internal::Solution_counter some([&](std::size_t k) {
+    calls = k + 1;
+    return k < 2;
+  });
+  EXPECT_THROW(IT::internal::inverted_laplacian(l, masses, 6, shift, some),
+               IT::internal::Cancelled_eigenpairs);
+  EXPECT_EQ(calls, 3U);
+}
+
+TEST(Eigenpairs, without_edges_are_zeros) {
+  for (const int size : {1, 20, 200}) {
+    const Matrix zero(size, size);
+    Eigen::SparseMatrix<double> lumped(size, size), chain(size, size);
+    for (int i = 0; i < size; ++i) {
+      lumped.insert(i, i) = 1 + i;
+      chain.insert(i, i) = 4;
+      if (i > 0) chain.coeffRef(i, i - 1) = chain.coeffRef(i - 1, i) = 1;
+    }
+    for (const auto& m : {lumped, chain})
+      for (const int count : {0, 1, std::min(size, 9), size}) {
+        const IT::Eigenpairs pairs = IT::smallest_eigenpairs(zero, m, count);
+        EXPECT_EQ(pairs.values, Eigen::VectorXd::Zero(count));
+        const Eigen::MatrixXd products = pairs.vectors.transpose() * m * pairs.vectors;
+        EXPECT_LE((products - Eigen::MatrixXd::Identity(count, count)).norm(), 1e-12) << size;
+      }
+    lumped.coeffRef(size - 1, size - 1) = 0;
+    EXPECT_THROW(IT::smallest_eigenpairs(zero, lumped, 1), IT::Indefinite_matrix);
+  }
+}
+
+// One edge among many isolated vertices: zeros but one.
+TEST(Eigenpairs, of_one_edge_are_zeros_and_its_own) {
+  Eigen::SparseMatrix<double> l(100, 100), m(100, 100);
+  m.setIdentity();
+  for (const int i : {40, 70}) l.insert(i, i) = 3;
+  l.insert(40, 70) = l.insert(70, 40) = -3;
+  l.makeCompressed();
+  const IT::Eigenpairs pairs = IT::smallest_eigenpairs(l, m, 5);
+  EXPECT_LE(pairs.values.cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(Eigenpairs, refuses_what_makes_no_sense) {

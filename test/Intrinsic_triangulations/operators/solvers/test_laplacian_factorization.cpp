@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -74,8 +76,8 @@ TEST(Laplacian_factorization, patterns_that_are_not_symmetric_are_refused) {
   // nor by one with as many
   const Matrix ring = laplacian_of(4, {{0, 1, 1.}, {2, 3, 1.}, {1, 2, 1.}, {0, 3, 1.}}),
                other = laplacian_of(4, {{0, 2, 1.}, {1, 3, 1.}, {0, 1, 1.}, {2, 3, 1.}});
-  EXPECT_THROW(IT::Laplacian_factorization::of_both(ring, ones, other, ones),
-               std::invalid_argument);
+  const IT::Laplacian_factorization of_ring(ring, ones);
+  EXPECT_THROW(IT::Laplacian_factorization(other, ones, of_ring), std::invalid_argument);
 }
 
 TEST(Laplacian_factorization, solves_what_cholesky_solves) {
@@ -149,23 +151,74 @@ TEST(Laplacian_factorization, has_entries_where_elimination_makes_them) {
 
 TEST(Laplacian_factorization, of_both_is_that_of_each) {
   std::mt19937 random(4);
-  for (const auto& [size, edges] : {std::pair{1, 0}, {30, 40}, {200, 700}}) {
+  for (const auto& [size, edges] : {std::pair{1, 0}, {30, 40}, {200, 700}, {3000, 7000}}) {
     const Matrix a = random_laplacian(size, edges, random);
-    Matrix b = a;
-    for (int c = 0; c < size; ++c)
-      for (Matrix::InnerIterator i(b, c); i; ++i)
-        i.valueRef() *= 1 + 0.1 * std::cos(static_cast<double>(i.row()) * c); // symmetric
     const Eigen::VectorXd of_a = Eigen::VectorXd::Constant(size, 1e-3),
                           of_b = Eigen::VectorXd::LinSpaced(size, 1, 2);
-    const auto both = IT::Laplacian_factorization::of_both(a, of_a, b, of_b);
+    const auto both = IT::Laplacian_factorization::of_both(a, of_a, 0.3, of_b);
     const Eigen::MatrixXd right = Eigen::MatrixXd::Random(size, 2);
     EXPECT_EQ(both.first.solve(right), IT::Laplacian_factorization(a, of_a).solve(right));
-    EXPECT_EQ(both.second.solve(right), IT::Laplacian_factorization(b, of_b).solve(right));
+    EXPECT_EQ(both.second.solve(right), IT::Laplacian_factorization(0.3 * a, of_b).solve(right));
     Eigen::VectorXd none = of_b;
     none.setZero();
-    EXPECT_THROW(IT::Laplacian_factorization::of_both(a, of_a, b, none), IT::Indefinite_matrix);
-    EXPECT_THROW(IT::Laplacian_factorization::of_both(a, of_a, laplacian_of(size + 1, {}), of_b),
+    EXPECT_THROW(IT::Laplacian_factorization::of_both(a, of_a, 0.3, none), IT::Indefinite_matrix);
+    EXPECT_THROW(IT::Laplacian_factorization::of_both(a, of_a, 0.3, Eigen::VectorXd(size + 1)),
                  std::invalid_argument);
+    EXPECT_THROW(IT::Laplacian_factorization::of_both(
+                     a, of_a, std::numeric_limits<double>::quiet_NaN(), of_b),
+                 std::invalid_argument);
+  }
+}
+
+TEST(Laplacian_factorization, solves_columns_together_as_one_by_one) {
+  std::mt19937 random(6);
+  const Matrix l = random_laplacian(500, 1600, random);
+  const IT::Laplacian_factorization factored(l, Eigen::VectorXd::Constant(500, 1e-2));
+  for (Eigen::Index columns = 0; columns < 12; ++columns) {
+    Eigen::MatrixXd right = Eigen::MatrixXd::Random(500, columns);
+    if (columns > 1) right.col(1).setZero(); // nothing is skipped for the others
+    const Eigen::MatrixXd together = factored.solve(right);
+    ASSERT_EQ(together.cols(), columns);
+    for (Eigen::Index c = 0; c < columns; ++c)
+      EXPECT_EQ(together.col(c), factored.solve(right.col(c))) << c << " of " << columns;
+  }
+}
+
+// Halves that threads compute: no column of one has an entry in a row of the other, and each is some share of the work.
+TEST(Laplacian_factorization, halves_have_nothing_in_common) {
+  const auto one = [] { return 1.; };
+  EXPECT_FALSE(IT::internal::Elimination(grid_laplacian(10, one)).has_halves());
+  using Part = IT::internal::Elimination::Part;
+  const IT::internal::Elimination e(grid_laplacian(90, one));
+  ASSERT_TRUE(e.has_halves());
+  std::array<double, 3> work{0, 0, 0};
+  for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
+    const Part part = e.part[static_cast<std::size_t>(k)];
+    work[part] += static_cast<double>(e.count(k)) * e.count(k);
+    for (int i = 0; i < e.count(k); ++i) {
+      const Part there = e.part[static_cast<std::size_t>(e.rows(k)[i])];
+      ASSERT_TRUE(there == part || there == Part::after_both) << k;
+    }
+  }
+  EXPECT_GT(std::min(work[0], work[1]), 0.2 * (work[0] + work[1] + work[2]));
+}
+
+// The row at which it stops is the same whichever half is faster.
+TEST(Laplacian_factorization, indefinite_rows_of_halves_are_told) {
+  const Matrix l = grid_laplacian(90, [] { return 1.; });
+  const IT::internal::Elimination e(l);
+  for (const auto part :
+       {IT::internal::Elimination::first_half, IT::internal::Elimination::second_half}) {
+    const auto k = std::find(e.part.begin(), e.part.end(), part) - e.part.begin();
+    const int row = e.row[static_cast<std::size_t>(k)];
+    Eigen::VectorXd d = Eigen::VectorXd::Constant(l.rows(), 0.1);
+    d[row] = -1e3;
+    try {
+      const IT::Laplacian_factorization f(l, d);
+      ADD_FAILURE() << part;
+    } catch (const IT::Indefinite_matrix& error) {
+      EXPECT_EQ(error.row(), row);
+    }
   }
 }
 

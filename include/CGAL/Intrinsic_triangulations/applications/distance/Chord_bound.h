@@ -60,13 +60,19 @@ private:
     split(middle + 1, end, (axis + 1) % 3);
   }
 
+  // without `std::hypot()`, which takes long, where squares are well within the range of doubles
+  static double distance(const std::array<double, 3>& p, const std::array<double, 3>& q) {
+    const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+    const double squared = x * x + y * y + z * z;
+    return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::hypot(x, y, z);
+  }
+
   void search(const std::array<double, 3>& p, std::size_t begin, std::size_t end, std::size_t axis,
               double& best) const {
     if (begin == end) return;
     const std::size_t middle = begin + (end - begin) / 2;
     const Source_ball& b = balls_[middle];
-    best = std::min(best, std::hypot(p[0] - b.center[0], p[1] - b.center[1], p[2] - b.center[2]) -
-                              b.radius);
+    best = std::min(best, distance(p, b.center) - b.radius);
     const double beyond = p[axis] - b.center[axis];
     const std::size_t other = (axis + 1) % 3;
     const bool is_left = beyond < 0;

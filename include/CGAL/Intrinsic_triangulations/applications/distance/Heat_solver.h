@@ -9,9 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <array>
 #include <complex>
@@ -49,8 +49,8 @@ struct Heat_options {
 // The heat method on a table of faces, in scaled units.
 class Heat_solver {
 public:
-  Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-              const Heat_options& options, std::uint32_t sheets, Heat_progress progress);
+  Heat_solver(Ordered_laplacian laplacian, Face_table table, const Heat_options& options,
+              std::uint32_t sheets, Heat_progress progress);
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
@@ -63,7 +63,7 @@ public:
                             const std::vector<std::array<double, 3>>& positions);
 
 private:
-  void make_cold_border(const Eigen::SparseMatrix<double>& flow, const Eigen::VectorXd& masses);
+  void make_cold_border(const Eigen::VectorXd& masses);
 
   Heat<double> heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const;
 
@@ -81,6 +81,7 @@ private:
   double mean_edge_;
   double time_;
   std::vector<std::uint32_t> component_;
+  Ordered_laplacian laplacian_;
   Pinned_laplacian poisson_;
   std::optional<Diffusion<double>> insulated_, cold_;
   std::vector<int> inside_; // the rows that are not on the border

@@ -8,8 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/divergence_at_corners.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/near_distances.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <algorithm>
 #include <array>
@@ -25,24 +25,32 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // The lumped mass matrix, as a diagonal; ones at isolated vertices.
 inline Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_rows));
-  for (const Table_face& f : table.faces)
-    for (const int row : f.rows) areas[row] += f.area() / 3 / sheets;
+  for (const Table_face& f : table.faces) {
+    const double third = f.area() / 3 / sheets;
+    for (const int row : f.rows) areas[row] += third;
+  }
   return areas.unaryExpr([](double m) { return m > 0 ? m : 1; });
 }
 
+// A norm in a third of the time of `std::abs()`, where squares are well within the range of doubles.
+inline double norm_of(const std::complex<double>& x) {
+  const double squared = std::norm(x);
+  return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::abs(x);
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Heat_solver::Heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-                         const Heat_options& options, std::uint32_t sheets, Heat_progress progress)
+Heat_solver::Heat_solver(Ordered_laplacian laplacian, Face_table table, const Heat_options& options,
+                         std::uint32_t sheets, Heat_progress progress)
     : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
       time_(options.time_factor * mean_edge_ * mean_edge_), component_(table_.components()),
-      poisson_(laplacian, component_), sheets_(sheets), progress_(std::move(progress)) {
+      laplacian_(std::move(laplacian)), poisson_(laplacian_, component_), sheets_(sheets),
+      progress_(std::move(progress)) {
   if (!(options.time_factor > 0) || !std::isfinite(time_))
     throw std::invalid_argument("the time factor must be positive and finite");
-  const Eigen::SparseMatrix<double> flow = time_ * laplacian;
   const Eigen::VectorXd masses = row_areas(table_, sheets);
-  insulated_.emplace(flow, poisson_.factor_with(flow, masses));
+  insulated_.emplace(laplacian_.matrix(), time_, poisson_.factor_with_multiple(time_, masses));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
-  if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(flow, masses);
+  if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(masses);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
@@ -67,8 +75,7 @@ Heat_solver::distances(const Source_places& sources, const Chord_bound& chord,
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow,
-                              const Eigen::VectorXd& masses) {
+Heat_solver::make_cold_border(const Eigen::VectorXd& masses) {
   std::vector<char> is_inside(table_.number_of_rows, 1);
   table_.for_each_border_side([&](const Table_face& f, std::size_t k) {
     is_inside[row_number(f.rows[k])] = is_inside[row_number(f.rows[(k + 1) % 3])] = 0;
@@ -76,6 +83,7 @@ Heat_solver::make_cold_border(const Eigen::SparseMatrix<double>& flow,
   for (std::size_t r = 0; r < is_inside.size(); ++r)
     if (is_inside[r] != 0) inside_.push_back(static_cast<int>(r));
   if (inside_.size() == is_inside.size() || inside_.empty()) return;
+  const Eigen::SparseMatrix<double> flow = time_ * *laplacian_;
   cold_.emplace(principal_submatrix(flow, inside_), principal_diagonal(flow, masses, inside_));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
 }
@@ -144,7 +152,7 @@ Heat_solver::descent(const std::array<std::complex<double>, 3>& corners,
   std::complex<double> gradient =
       first / greatest * (corners[0] - corners[2]) + second / greatest * (corners[1] - corners[0]);
   gradient = {-gradient.imag(), gradient.real()};
-  const double norm = std::abs(gradient);
+  const double norm = norm_of(gradient);
   return norm > 0 ? -gradient / norm : 0;
 }
 

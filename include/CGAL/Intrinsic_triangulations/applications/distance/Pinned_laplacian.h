@@ -5,9 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <cstddef>
 #include <cstdint>
@@ -32,14 +32,12 @@ public:
   using Pins = std::map<int, double>; // by rows
 
   // \param component of each row, as the least of its rows
-  Pinned_laplacian(const Eigen::SparseMatrix<double>& laplacian,
-                   std::vector<std::uint32_t> component)
-      : laplacian_(laplacian), component_(std::move(component)) {}
+  Pinned_laplacian(Ordered_laplacian laplacian, std::vector<std::uint32_t> component)
+      : laplacian_(std::move(laplacian)), component_(std::move(component)) {}
 
-  // Factors L and another matrix with entries in the same places together, or only the other one if rounding has left L indefinite.
-  // \return the factorization of the other one \throws Indefinite_matrix if it is not definite
-  Laplacian_factorization factor_with(const Eigen::SparseMatrix<double>& other,
-                                      const Eigen::VectorXd& diagonal);
+  // Factors L and a multiple of it, with a diagonal, together, or only the latter if rounding has left L indefinite.
+  // \return the factorization of the latter \throws Indefinite_matrix if it is not definite
+  Laplacian_factorization factor_with_multiple(double multiple, const Eigen::VectorXd& diagonal);
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const Pins& pins);
 
@@ -54,7 +52,7 @@ private:
   void eliminate(const std::vector<int>& rows, const Pins& pins,
                  const std::vector<char>& is_reached);
 
-  Eigen::SparseMatrix<double> laplacian_;
+  Ordered_laplacian laplacian_;
   std::vector<std::uint32_t> component_;
   std::optional<Factorization> factored_;
   std::vector<int> eliminated_rows_, free_rows_;

@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/LU>
 
@@ -38,23 +38,23 @@ Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pins) {
 // To one diagonal entry per component something is added: for right sides that sum to zero, this fixes a value, zero. Isolated
 // vertices have a row of zeros.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd Pinned_laplacian::pinned_diagonal() const {
-  Eigen::VectorXd added = Eigen::VectorXd::Zero(laplacian_.cols());
-  for (int r = 0; r < laplacian_.cols(); ++r)
+  Eigen::VectorXd added = Eigen::VectorXd::Zero(laplacian_->cols());
+  for (int r = 0; r < laplacian_->cols(); ++r)
     if (component_[row_number(r)] == static_cast<std::uint32_t>(r)) {
-      const double diagonal = laplacian_.coeff(r, r);
+      const double diagonal = laplacian_->coeff(r, r);
       added[r] = diagonal > 0 ? diagonal : 1;
     }
   return added;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Laplacian_factorization Pinned_laplacian::factor_with(
-    const Eigen::SparseMatrix<double>& other, const Eigen::VectorXd& diagonal) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Laplacian_factorization
+Pinned_laplacian::factor_with_multiple(double multiple, const Eigen::VectorXd& diagonal) {
   try {
-    auto both = Laplacian_factorization::of_both(other, diagonal, laplacian_, pinned_diagonal());
-    factored_.emplace(std::move(both.second));
-    return std::move(both.first);
+    auto both = Laplacian_factorization::of_both(laplacian_, pinned_diagonal(), multiple, diagonal);
+    factored_.emplace(std::move(both.first));
+    return std::move(both.second);
   } catch (const Indefinite_matrix&) {
-    return {other, diagonal}; // L may not be needed
+    return {multiple * *laplacian_, diagonal}; // L may not be needed
   }
 }
 
@@ -117,14 +117,14 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
 Pinned_laplacian::eliminate(const std::vector<int>& rows, const Pins& pins,
                             const std::vector<char>& is_reached) {
   free_rows_.clear();
-  for (int r = 0; r < laplacian_.cols(); ++r)
+  for (int r = 0; r < laplacian_->cols(); ++r)
     if (is_reached[component_[row_number(r)]] != 0 && pins.count(r) == 0) free_rows_.push_back(r);
   eliminated_rows_.clear();
   eliminated_.reset();
   if (!free_rows_.empty())
     eliminated_.emplace(
-        principal_submatrix(laplacian_, free_rows_),
-        principal_diagonal(laplacian_, Eigen::VectorXd::Zero(laplacian_.cols()), free_rows_));
+        principal_submatrix(*laplacian_, free_rows_),
+        principal_diagonal(*laplacian_, Eigen::VectorXd::Zero(laplacian_->cols()), free_rows_));
   eliminated_rows_ = rows; // at the end: a matrix may not be factored
 }
 
@@ -139,7 +139,7 @@ Pinned_laplacian::solve_by_elimination(const Eigen::VectorXd& b, const Pins& pin
   }
   if (rows != eliminated_rows_) eliminate(rows, pins, is_reached);
   if (free_rows_.empty()) return x;
-  const Eigen::VectorXd rest = b - laplacian_ * x;
+  const Eigen::VectorXd rest = b - *laplacian_ * x;
   const Eigen::VectorXd solved = eliminated_->solve(Eigen::VectorXd(rest(free_rows_)));
   x(free_rows_) = solved;
   return x;

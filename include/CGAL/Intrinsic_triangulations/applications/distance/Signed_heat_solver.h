@@ -30,7 +30,7 @@ public:
   Signed_heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
                      double time_factor)
       : table_(std::move(table)), time_(time_factor * std::pow(table_.mean_edge_length(), 2)),
-        component_(table_.components()), poisson_(laplacian, component_),
+        component_(table_.components()), poisson_(Ordered_laplacian(laplacian), component_),
         flow_(flow_matrix(time_factor), edge_masses()) {}
 
   const Face_table& table() const { return table_; }

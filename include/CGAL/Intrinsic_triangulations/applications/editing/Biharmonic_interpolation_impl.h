@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/editing/Biharmonic_interpolation.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 
 #include <limits>
 #include <utility>

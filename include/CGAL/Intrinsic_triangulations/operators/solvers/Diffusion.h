@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_DIFFUSION_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -16,6 +16,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -110,12 +111,15 @@ class Diffusion {
                                                std::declval<Eigen::VectorXd>()));
 
 public:
+  using Matrix = Eigen::SparseMatrix<Scalar>;
+
   // \param laplacian L times the time, compressed \param masses the diagonal of M, positive
-  Diffusion(Eigen::SparseMatrix<Scalar> laplacian, const Eigen::VectorXd& masses)
-      : matrix_(std::move(laplacian)), factored_(factored_flow(matrix_, masses)) {}
-  // \param factored what is made of them
-  Diffusion(Eigen::SparseMatrix<Scalar> laplacian, Factorization factored)
-      : matrix_(std::move(laplacian)), factored_(std::move(factored)) {}
+  Diffusion(Matrix laplacian, const Eigen::VectorXd& masses)
+      : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))),
+        factored_(factored_flow(*laplacian_, masses)) {}
+  // \param factored what is made of M + time L
+  Diffusion(std::shared_ptr<const Matrix> laplacian, double time, Factorization factored)
+      : laplacian_(std::move(laplacian)), time_(time), factored_(std::move(factored)) {}
 
   const Factorization& factorization() const { return factored_; }
 
@@ -127,7 +131,7 @@ public:
   // from several starts at once
   std::vector<Heat<Scalar>> all(std::vector<Heat<Scalar>> starts,
                                 const std::vector<char>& is_reached) const {
-    Columns right(matrix_.rows(), static_cast<Eigen::Index>(starts.size()));
+    Columns right(laplacian_->rows(), static_cast<Eigen::Index>(starts.size()));
     for (std::size_t k = 0; k < starts.size(); ++k) {
       starts[k].normalize();
       for (Eigen::Index r = 0; r < right.rows(); ++r) right(r, column(k)) = starts[k].at(r, 0);
@@ -183,20 +187,21 @@ private:
     Vector source = Vector::Zero(heat.value.size());
     for (Eigen::Index r = 0; r < source.size(); ++r)
       if (heat.level[row_number(r)] > level) source[r] = start.at(r, level + 1);
-    for (int c = 0; c < matrix_.cols(); ++c)
-      for (typename Eigen::SparseMatrix<Scalar>::InnerIterator i(matrix_, c); i; ++i) {
+    for (int c = 0; c < laplacian_->cols(); ++c)
+      for (typename Matrix::InnerIterator i(*laplacian_, c); i; ++i) {
         const auto r = i.row();
         const int from = heat.level[row_number(c)], to = heat.level[row_number(r)];
         if (from == level && to > level)
-          source[r] -= i.value() * (heat.value[c] * scale);
+          source[r] -= time_ * i.value() * (heat.value[c] * scale);
         else if (from > level && to == level)
-          source[r] += i.value() * (heat.value[c] * scale);
+          source[r] += time_ * i.value() * (heat.value[c] * scale);
       }
     return source;
   }
 
-  Eigen::SparseMatrix<Scalar>
-      matrix_; // L times the time, which differs from the matrix on its diagonal
+  std::shared_ptr<const Matrix>
+      laplacian_; // with the time, which differs from the matrix on its diagonal
+  double time_ = 1;
   Factorization factored_;
 };
 

@@ -5,7 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Elimination.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_factor.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -38,7 +40,7 @@ Heyman 1985; Alfa, Xue and Ye 2002). The matrix is then definite if D is not zer
 indefinite. Few negative weights, as at the border, are no harm.
 
 Rows are ordered by approximate minimum degree. Another matrix with entries at the same places shares the order and the places of the factor. Copies share the
-factor. Different threads may solve at once.
+factor. Different threads may solve at once. Large matrices are factored by two threads, where there are two processors; the result is the same with one.
 */
 class Laplacian_factorization {
 public:
@@ -63,14 +65,25 @@ public:
                           const Laplacian_factorization& same_pattern);
 
   /*!
-  \brief factors two matrices with entries at the same places at once, which takes far less than twice the time of one.
-  \param a,b the matrices, as above
-  \param diagonal_of_a,diagonal_of_b what is added to each
+  \brief factors `L + D` and `m L + E` at once, which takes far less than twice the time of one.
+  \param laplacian the matrix L, compressed, both triangles of it
+  \param diagonal D, a number per row
+  \param multiple m, as a time step
+  \param diagonal_of_multiple E, a number per row
   \return both factorizations
+  \throws std::invalid_argument,Indefinite_matrix as the constructor, for either
   */
   static std::pair<Laplacian_factorization, Laplacian_factorization>
-  of_both(const Matrix& a, const Eigen::VectorXd& diagonal_of_a, const Matrix& b,
-          const Eigen::VectorXd& diagonal_of_b);
+  of_both(const Matrix& laplacian, const Eigen::VectorXd& diagonal, double multiple,
+          const Eigen::VectorXd& diagonal_of_multiple);
+
+  /// \cond
+  Laplacian_factorization(const internal::Ordered_laplacian& laplacian,
+                          const Eigen::VectorXd& diagonal);
+  static std::pair<Laplacian_factorization, Laplacian_factorization>
+  of_both(const internal::Ordered_laplacian& laplacian, const Eigen::VectorXd& diagonal,
+          double multiple, const Eigen::VectorXd& diagonal_of_multiple);
+  /// \endcond
 
   /// returns the number of rows.
   Eigen::Index size() const { return static_cast<Eigen::Index>(factor_->pivot.size()); }
@@ -88,18 +101,14 @@ public:
   }
 
 private:
-  // The unit triangular factor is minus `value` below its diagonal.
-  struct Factor {
-    std::shared_ptr<const internal::Elimination> elimination;
-    std::vector<double> value, pivot;
-  };
+  using Factor = internal::Laplacian_factor;
 
   explicit Laplacian_factorization(std::shared_ptr<const Factor> factor)
       : factor_(std::move(factor)) {}
 
   void factor(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
               std::shared_ptr<const internal::Elimination> elimination);
-  Eigen::MatrixXd solved(const Eigen::MatrixXd& b) const;
+  Eigen::MatrixXd solved(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
 
   std::shared_ptr<const Factor> factor_;
 };

@@ -5,17 +5,23 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_elimination.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_elimination.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_solver.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/where_to_run.h>
 
 #include <Eigen/OrderingMethods>
 
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <future>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -42,9 +48,15 @@ inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
   return true;
 }
 
+// Of the pattern alone, which is half as long without values. Eigen's order wants entries on the diagonal.
 inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& a) {
+  Eigen::SparseMatrix<signed char> pattern(a.rows(), a.cols());
+  pattern.resizeNonZeros(a.nonZeros());
+  std::copy_n(a.outerIndexPtr(), a.cols() + 1, pattern.outerIndexPtr());
+  std::copy_n(a.innerIndexPtr(), a.nonZeros(), pattern.innerIndexPtr());
+  std::fill_n(pattern.valuePtr(), a.nonZeros(), static_cast<signed char>(1));
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  if (a.cols() > 0) Eigen::AMDOrdering<int>()(a.selfadjointView<Eigen::Lower>(), order);
+  if (a.cols() > 0) Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), order);
   return {order.indices().data(), order.indices().data() + order.indices().size()};
 }
 
@@ -60,44 +72,26 @@ Elimination::Elimination(const Eigen::SparseMatrix<double>& a)
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Elimination::Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order)
-    : pattern(hash_of_pattern(a)), row(std::move(order)) {
+    : pattern(hash_of_pattern(a)), row(std::move(order)), place(row.size()) {
   if (!has_symmetric_pattern(a))
     throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
-  find_neighbours(a);
-  find_blocks();
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Elimination::find_neighbours(const Eigen::SparseMatrix<double>& a) {
-  const int n = static_cast<int>(row.size());
-  std::vector<int> place(row.size());
-  for (int k = 0; k < n; ++k) place[row_number(row[row_number(k)])] = k;
-  begin.reserve(row.size() + 1);
-  begin.push_back(0);
-  neighbour.reserve(row_number(a.nonZeros() / 2 + 1));
-  entry.reserve(neighbour.capacity());
-  for (int k = 0; k < n; ++k) {
-    const int c = row[row_number(k)];
-    for (int e = a.outerIndexPtr()[c]; e < a.outerIndexPtr()[c + 1]; ++e) {
-      const int p = place[row_number(a.innerIndexPtr()[e])];
-      if (p <= k) continue;
-      neighbour.push_back(p);
-      entry.push_back(e);
-    }
-    begin.push_back(static_cast<int>(neighbour.size()));
-  }
+  for (std::size_t k = 0; k < row.size(); ++k) place[row_number(row[k])] = static_cast<int>(k);
+  find_blocks(a);
+  find_parts();
 }
 
 // Finds where columns of the factor have entries: where the matrix has some, or an earlier column that has its first entry in the row of the diagonal, its
 // child in the elimination tree. A column is of the block of the one before if that adds nothing to what is left of it.
 class Block_finder {
 public:
-  explicit Block_finder(Elimination& e)
-      : e_(e), seen_(e.row.size(), -1), child_(e.row.size(), -1), sibling_(e.row.size(), -1) {}
+  Block_finder(Elimination& e, const Eigen::SparseMatrix<double>& a)
+      : e_(e), a_(a), seen_(e.row.size(), -1), child_(e.row.size(), -1),
+        sibling_(e.row.size(), -1) {}
 
   void add_column(int k) {
-    own_.assign(e_.neighbour.begin() + e_.begin[row_number(k)],
-                e_.neighbour.begin() + e_.begin[row_number(k + 1)]);
+    e_.prefetch_after(a_, k, false);
+    own_.clear();
+    e_.for_each_later(a_, k, [this](int p, int) { own_.push_back(p); });
     if (k == 0 || !continues_block(k)) begin_block(k);
     const int block = static_cast<int>(e_.block_begin.size()) - 1;
     e_.block.push_back(block);
@@ -157,29 +151,69 @@ private:
   }
 
   Elimination& e_;
+  const Eigen::SparseMatrix<double>& a_;
   std::vector<int> seen_;            // the last block with an entry there
   std::vector<int> child_, sibling_; // of each column a child, and another of the same parent
   std::vector<int> own_, merged_;    // entries of a column
   std::int64_t entries_ = 0;
 };
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_blocks() {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Elimination::find_blocks(const Eigen::SparseMatrix<double>& a) {
   column_begin.reserve(row.size() + 1);
   column_begin.push_back(0);
   block.reserve(row.size());
-  Block_finder finder(*this);
+  Block_finder finder(*this, a);
   for (int k = 0; k < static_cast<int>(row.size()); ++k) finder.add_column(k);
   block_begin.push_back(static_cast<int>(row.size()));
   block_rows_begin.push_back(static_cast<int>(block_rows.size()));
 }
 
-inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {
+// Subtrees of the elimination tree are independent: columns above subtrees of some work come after both halves, the subtrees are distributed.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_parts() {
+  const int n = static_cast<int>(row.size());
+  std::vector<double> work(row.size(), 0);
+  double all = 0;
+  for (int k = 0; k < n; ++k) {
+    const double own = (count(k) + 4.0) * (count(k) + 4.0);
+    work[row_number(k)] += own;
+    all += own;
+    if (count(k) > 0) work[row_number(*rows(k))] += work[row_number(k)];
+  }
+  constexpr double worth_a_thread = 1e6, greatest_share = 0.2;
+  part.assign(row.size(), after_both);
+  if (all < worth_a_thread) return;
+  std::array<double, 2> halves{0, 0};
+  for (int k = n - 1; k >= 0; --k) {
+    if (work[row_number(k)] > greatest_share * all) continue;
+    const Part above = count(k) > 0 ? part[row_number(*rows(k))] : after_both;
+    part[row_number(k)] = above != after_both      ? above
+                          : halves[0] <= halves[1] ? first_half
+                                                   : second_half;
+    if (above == after_both) halves[part[row_number(k)]] += work[row_number(k)];
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Ordered_laplacian::Ordered_laplacian(Matrix laplacian)
+    : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))) {
+  constexpr Eigen::Index worth_a_thread = 2000;
+  elimination_ = std::async(where_to_run(laplacian_->rows() >= worth_a_thread), [l = laplacian_] {
+                   return std::make_shared<const Elimination>(*l);
+                 }).share();
+}
+
+inline void expect_diagonal(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {
   if (a.rows() != a.cols() || d.size() != a.rows())
     throw std::invalid_argument("a matrix with " + std::to_string(a.rows()) + " rows, " +
                                 std::to_string(a.cols()) + " columns and " +
                                 std::to_string(d.size()) + " diagonal entries cannot be factored");
+  if (!d.allFinite()) throw std::invalid_argument("the diagonal must be finite");
+}
+
+inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {
+  expect_diagonal(a, d);
   if (!a.isCompressed()) throw std::invalid_argument("the matrix must be compressed");
-  if (!d.allFinite() || !Eigen::Map<const Eigen::VectorXd>(a.valuePtr(), a.nonZeros()).allFinite())
+  if (!Eigen::Map<const Eigen::VectorXd>(a.valuePtr(), a.nonZeros()).allFinite())
     throw std::invalid_argument("the matrix must be finite");
 }
 
@@ -189,24 +223,34 @@ inline void expect_same_pattern(const Elimination& e, const Eigen::SparseMatrix<
     throw std::invalid_argument("the matrices must have the same pattern");
 }
 
-// Eliminates all places. \throws Indefinite_matrix
-template <class Number, class Entry, class Diagonal>
-void eliminate_all(const Elimination& e, std::vector<Number>& value, std::vector<Number>& pivot,
-                   const Entry& entry, const Diagonal& diagonal) {
-  value.resize(row_number(e.column_begin.back()));
-  pivot.resize(e.row.size());
-  Laplacian_elimination<Number> rest(e, value, pivot);
-  for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
-    const int row = e.row[row_number(k)];
-    if (!rest.eliminate(k, entry, diagonal(row))) throw Indefinite_matrix(row);
+// Eliminates all places of a Laplacian, its weights times a unit, and a diagonal. \return a factor per matrix \throws Indefinite_matrix
+template <class Number, class Diagonal>
+auto eliminate_all(std::shared_ptr<const Elimination> elimination,
+                   const Eigen::SparseMatrix<double>& laplacian, const Number& unit,
+                   const Diagonal& diagonal) {
+  const Elimination& e = *elimination;
+  std::array<std::shared_ptr<Laplacian_factor>, size_of_pack<Number>> factors;
+  std::array<double*, size_of_pack<Number>> value;
+  for (std::size_t m = 0; m < factors.size(); ++m) {
+    factors[m] = std::make_shared<Laplacian_factor>(elimination);
+    value[m] = factors[m]->value.get();
   }
-}
-
-inline std::vector<double> column_of(const std::vector<Eigen::Array2d>& numbers, Eigen::Index c) {
-  std::vector<double> result;
-  result.reserve(numbers.size());
-  for (const Eigen::Array2d& n : numbers) result.push_back(n[c]);
-  return result;
+  Laplacian_elimination<Number> rest(e, value);
+  const auto eliminate = [&](Elimination::Part part) { // returns the row it stopped at
+    for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
+      const int row = e.row[row_number(k)];
+      if (e.part[row_number(k)] == part && !rest.eliminate(k, laplacian, unit, diagonal(row)))
+        return row;
+    }
+    return -1;
+  };
+  auto other = std::async(where_to_run(e.has_halves()), eliminate, Elimination::second_half);
+  const int first = eliminate(Elimination::first_half), second = other.get(),
+            stopped = first >= 0 ? first : second;
+  if (const int row = stopped >= 0 ? stopped : eliminate(Elimination::after_both); row >= 0)
+    throw Indefinite_matrix(row);
+  for (std::size_t m = 0; m < factors.size(); ++m) factors[m]->pivot = rest.pivots(m);
+  return factors;
 }
 
 } // namespace internal
@@ -223,69 +267,55 @@ Laplacian_factorization::Laplacian_factorization(const Matrix& laplacian,
                                                  const Eigen::VectorXd& diagonal,
                                                  const Laplacian_factorization& same_pattern) {
   internal::expect_laplacian(laplacian, diagonal);
+  internal::expect_same_pattern(*same_pattern.factor_->elimination, laplacian);
   factor(laplacian, diagonal, same_pattern.factor_->elimination);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
 Laplacian_factorization::factor(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
                                 std::shared_ptr<const internal::Elimination> elimination) {
-  internal::expect_same_pattern(*elimination, laplacian);
-  auto result = std::make_shared<Factor>();
-  const double* const values = laplacian.valuePtr();
-  internal::eliminate_all(
-      *elimination, result->value, result->pivot, [values](int i) { return values[i]; },
-      [&](int row) { return diagonal[row]; });
-  result->elimination = std::move(elimination);
-  factor_ = std::move(result);
+  factor_ = internal::eliminate_all(std::move(elimination), laplacian, 1.0,
+                                    [&](int row) { return diagonal[row]; })[0];
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Laplacian_factorization::Laplacian_factorization(const internal::Ordered_laplacian& laplacian,
+                                                 const Eigen::VectorXd& diagonal) {
+  internal::expect_laplacian(*laplacian, diagonal);
+  factor(*laplacian, diagonal, laplacian.elimination());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::pair<Laplacian_factorization, Laplacian_factorization>
-Laplacian_factorization::of_both(const Matrix& a, const Eigen::VectorXd& diagonal_of_a,
-                                 const Matrix& b, const Eigen::VectorXd& diagonal_of_b) {
-  internal::expect_laplacian(a, diagonal_of_a);
-  internal::expect_laplacian(b, diagonal_of_b);
-  const auto elimination = std::make_shared<const internal::Elimination>(a);
-  internal::expect_same_pattern(*elimination, b);
-  std::vector<Eigen::Array2d> value, pivot;
-  const double *const of_a = a.valuePtr(), *const of_b = b.valuePtr();
-  internal::eliminate_all(
-      *elimination, value, pivot, [=](int i) { return Eigen::Array2d(of_a[i], of_b[i]); },
-      [&](int row) { return Eigen::Array2d(diagonal_of_a[row], diagonal_of_b[row]); });
-  const auto factor = [&](Eigen::Index c) {
-    return Laplacian_factorization(std::make_shared<const Factor>(
-        Factor{elimination, internal::column_of(value, c), internal::column_of(pivot, c)}));
-  };
-  return {factor(0), factor(1)};
+Laplacian_factorization::of_both(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
+                                 double multiple, const Eigen::VectorXd& diagonal_of_multiple) {
+  internal::expect_laplacian(laplacian, diagonal);
+  return of_both(internal::Ordered_laplacian(laplacian), diagonal, multiple, diagonal_of_multiple);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::pair<Laplacian_factorization, Laplacian_factorization>
+Laplacian_factorization::of_both(const internal::Ordered_laplacian& laplacian,
+                                 const Eigen::VectorXd& diagonal, double multiple,
+                                 const Eigen::VectorXd& diagonal_of_multiple) {
+  internal::expect_laplacian(*laplacian, diagonal);
+  internal::expect_diagonal(*laplacian, diagonal_of_multiple);
+  if (!std::isfinite(multiple)) throw std::invalid_argument("the multiple must be finite");
+  const auto factors = internal::eliminate_all(
+      laplacian.elimination(), *laplacian, Eigen::Array2d(1, multiple),
+      [&](int row) { return Eigen::Array2d(diagonal[row], diagonal_of_multiple[row]); });
+  return {Laplacian_factorization(factors[0]), Laplacian_factorization(factors[1])};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::MatrixXd
-Laplacian_factorization::solved(const Eigen::MatrixXd& b) const {
-  const internal::Elimination& e = *factor_->elimination;
-  using internal::row_number;
-  const int n = static_cast<int>(e.row.size());
-  if (b.rows() != n)
+Laplacian_factorization::solved(const Eigen::Ref<const Eigen::MatrixXd>& b) const {
+  if (b.rows() != size())
     throw std::invalid_argument("the right side must have a row per row of the matrix, " +
-                                std::to_string(n) + ", not " + std::to_string(b.rows()));
+                                std::to_string(size()) + ", not " + std::to_string(b.rows()));
   Eigen::MatrixXd x(b.rows(), b.cols());
-  std::vector<double> y(row_number(n));
-  for (Eigen::Index c = 0; c < b.cols(); ++c) {
-    for (int k = 0; k < n; ++k) y[row_number(k)] = b(e.row[row_number(k)], c);
-    for (int k = 0; k < n; ++k) {
-      const double at = y[row_number(k)];
-      if (at == 0) continue;
-      const double* const value = factor_->value.data() + e.column_begin[row_number(k)];
-      const int *const rows = e.rows(k), count = e.count(k);
-      for (int i = 0; i < count; ++i) y[row_number(rows[i])] += value[i] * at;
-    }
-    for (int k = n - 1; k >= 0; --k) {
-      double sum = y[row_number(k)] / factor_->pivot[row_number(k)];
-      const double* const value = factor_->value.data() + e.column_begin[row_number(k)];
-      const int *const rows = e.rows(k), count = e.count(k);
-      for (int i = 0; i < count; ++i) sum += value[i] * y[row_number(rows[i])];
-      y[row_number(k)] = sum;
-    }
-    for (int k = 0; k < n; ++k) x(e.row[row_number(k)], c) = y[row_number(k)];
-  }
+  const internal::Laplacian_solver solver(*factor_);
+  Eigen::Index c = 0;
+  for (; c + 4 <= b.cols(); c += 4) solver.solve<Eigen::Array4d>(b, x, c);
+  for (; c + 2 <= b.cols(); c += 2) solver.solve<Eigen::Array2d>(b, x, c);
+  if (c < b.cols()) solver.solve<double>(b, x, c);
   return x;
 }
 

@@ -30,10 +30,11 @@ With `a` the cotangent Laplacian and `m` a mass matrix they are the squared freq
 components, with constants there. Where `m` is diagonal and rows of `a` sum to zero, as of the cotangent Laplacian, the matrix is factored without subtraction
 (`Laplacian_factorization`), and the shift is made no greater than the smallest frequencies: values are right to rounding whatever the weights of
 slivers are. Matrices of up to 64 rows, or of which half of the eigenvalues are asked for, are solved densely, to rounding of the greatest eigenvalue.
+Of a matrix without entries, as of isolated vertices, all eigenvalues are zero, with any vectors.
 \param a the matrix \pre symmetric and positive semidefinite
 \param m the mass matrix \pre symmetric and positive definite; isolated vertices have no mass
 \param count how many, at most the size of the matrix
-\param progress is called before each solution with the factored matrix, if given, with the number of those before; tells whether to go on. Small matrices are solved without
+\param progress is called before each solution with a factored matrix, those that look for the shift included, if given, with the number of those before; tells whether to go on. Small matrices are solved without
   a question.
 \return the pairs; the residual of each, \f$|a x - \lambda m x|\f$, is that of rounding
 \throws std::invalid_argument if sizes do not fit

@@ -10,8 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Row_sums.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/row_number.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Spectra/MatOp/SparseSymMatProd.h>
 #include <Spectra/SymGEigsShiftSolver.h>
@@ -36,23 +37,38 @@ namespace internal {
 // Ends Spectra's loops, which cannot be told to end.
 struct Cancelled_eigenpairs {};
 
+// Asks before each solution whether to go on.
+class Solution_counter {
+public:
+  explicit Solution_counter(std::function<bool(std::size_t)> progress)
+      : progress_(std::move(progress)) {}
+  void count() {
+    if (progress_ && !progress_(solutions_++)) throw Cancelled_eigenpairs();
+  }
+
+private:
+  std::function<bool(std::size_t)> progress_;
+  std::size_t solutions_ = 0;
+};
+
 // What Spectra asks of an operator, y = (a + s m)^-1 x, with a factorization that was made; eigenvectors that were found may be
 // taken out, so that others come to the fore.
 class Shifted_inverse {
 public:
   using Scalar = double; // named by Spectra
 
-  explicit Shifted_inverse(Cholesky_factorization<double> factorization)
-      : factorization_(std::move(factorization)) {}
-  explicit Shifted_inverse(Laplacian_factorization factorization)
-      : factorization_(std::move(factorization)) {}
+  // \param solutions counts them; must outlive this object
+  Shifted_inverse(Cholesky_factorization<double> factorization, Solution_counter& solutions)
+      : factorization_(std::move(factorization)), solutions_(&solutions) {}
+  Shifted_inverse(Laplacian_factorization factorization, Solution_counter& solutions)
+      : factorization_(std::move(factorization)), solutions_(&solutions) {}
   Eigen::Index rows() const {
     return std::visit([](const auto& f) { return f.size(); }, factorization_);
   }
   Eigen::Index cols() const { return rows(); }
   void set_shift(double) {}
   void perform_op(const double* x, double* y) const {
-    if (progress_ && !progress_(solutions_++)) throw Cancelled_eigenpairs();
+    solutions_->count();
     const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(x, rows());
     Eigen::Map<Eigen::VectorXd> result(y, rows());
     result =
@@ -61,7 +77,6 @@ public:
     const Eigen::VectorXd parts = out_.vectors.transpose() * v;
     result -= out_.vectors * parts.cwiseProduct(out_.values);
   }
-  void report_to(std::function<bool(std::size_t)> progress) { progress_ = std::move(progress); }
   // takes out pairs of `a x = lambda m x`
   void take_out(const Eigenpairs& pairs, double shift) {
     out_.values = (pairs.values.array() + shift).inverse();
@@ -71,8 +86,7 @@ public:
 private:
   std::variant<Cholesky_factorization<double>, Laplacian_factorization> factorization_;
   Eigenpairs out_{};
-  std::function<bool(std::size_t)> progress_;
-  mutable std::size_t solutions_ = 0;
+  Solution_counter* solutions_;
 };
 
 inline Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
@@ -148,11 +162,30 @@ inline Eigenpairs dense_eigenpairs(const Eigen::SparseMatrix<double>& a,
   return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count), Status::done};
 }
 
+inline bool is_zero_matrix(const Eigen::SparseMatrix<double>& a) {
+  for (int c = 0; c < a.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
+      if (i.value() != 0) return false;
+  return true;
+}
+
+// Of no matrix at all, as of isolated vertices, every vector is an eigenvector: Lanczos' method has nowhere to go. With m = l l^T in the first rows, columns of l^-T are
+// orthonormal.
+inline Eigenpairs eigenpairs_of_zero(const Eigen::SparseMatrix<double>& m, Eigen::Index count) {
+  const Eigen::LLT<Eigen::MatrixXd> factored(
+      Eigen::MatrixXd(Eigen::SparseMatrix<double>(m.topLeftCorner(count, count))));
+  if (factored.info() != Eigen::Success || !(m.diagonal().minCoeff() > 0))
+    throw Indefinite_matrix(least_diagonal(m));
+  Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(m.rows(), count);
+  vectors.topRows(count) = factored.matrixU().solve(Eigen::MatrixXd::Identity(count, count)).eval();
+  return {Eigen::VectorXd::Zero(count), std::move(vectors), Status::done};
+}
+
 // trace(a) / trace(m): of a mesh without slivers, the first frequency but zero times the size or so.
 inline double mean_eigenvalue(const Eigen::SparseMatrix<double>& a,
                               const Eigen::SparseMatrix<double>& m) {
   const double mean = a.diagonal().sum() / m.diagonal().sum();
-  return mean > 0 ? mean : 1; // without edges there is nothing but zero
+  return mean > 0 ? mean : 1;
 }
 
 // `m` is a positive diagonal, and `a` the Laplacian of a graph: without negative weights, or with few at the border, their inverse with a shift is accurate
@@ -190,32 +223,34 @@ inline double eigenvalues_below(const Laplacian_factorization& inverse,
 // would be where few large weights make the trace.
 inline Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
                                           const Eigen::VectorXd& masses, Eigen::Index count,
-                                          double& shift) {
+                                          double& shift, Solution_counter& solutions) {
   const double few = std::max(8., static_cast<double>(count));
   const std::vector<std::uint32_t> component = components_of_matrix(a);
   Laplacian_factorization inverse(a, shift * masses);
-  while (eigenvalues_below(inverse, masses, component, shift) > few) {
+  for (;;) {
+    solutions.count();
+    if (!(eigenvalues_below(inverse, masses, component, shift) > few)) break;
     shift *= 0x1p-10;
     inverse = Laplacian_factorization(a, shift * masses, inverse);
   }
-  return Shifted_inverse(std::move(inverse));
+  return {std::move(inverse), solutions};
 }
 
 // Inverts `a` plus a shift that is set. Of others than Laplacians, it is far less than the first frequency, and so much that rounding leaves the
 // matrix definite: its smallest eigenvalue is the shift, its condition about the square of the size.
 inline Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
                                        const Eigen::SparseMatrix<double>& m, Eigen::Index count,
-                                       double& shift) {
+                                       double& shift, Solution_counter& solutions) {
   const double size = static_cast<double>(a.rows());
   shift = mean_eigenvalue(a, m) / (8 * size);
   if (is_lumped_laplacian(a, m)) {
     try {
-      return inverted_laplacian(a, m.diagonal(), count, shift);
+      return inverted_laplacian(a, m.diagonal(), count, shift, solutions);
     } catch (const Indefinite_matrix&) { // has many negative weights
     }
   }
   shift = mean_eigenvalue(a, m) / (size * size);
-  return Shifted_inverse(Cholesky_factorization<double>(a + shift * m));
+  return {Cholesky_factorization<double>(a + shift * m), solutions};
 }
 
 } // namespace internal
@@ -231,12 +266,13 @@ smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMat
                                 std::to_string(count) + " eigenvalues");
   constexpr Eigen::Index small = 64; // a dense method is faster
   if (count == 0) return {{}, Eigen::MatrixXd(size, 0), Status::done};
+  if (internal::is_zero_matrix(a)) return internal::eigenpairs_of_zero(m, count);
   if (size <= std::max(small, 2 * count + 1)) return internal::dense_eigenpairs(a, m, count);
   double shift = 0;
-  internal::Shifted_inverse inverse = internal::shifted_inverse(a, m, count, shift);
-  inverse.report_to(progress);
   const Spectra::SparseSymMatProd<double> mass(m);
   try {
+    internal::Solution_counter solutions(progress);
+    internal::Shifted_inverse inverse = internal::shifted_inverse(a, m, count, shift, solutions);
     Eigenpairs pairs = internal::lanczos_eigenpairs(inverse, mass, count, shift);
     internal::find_missed_pairs(pairs, inverse, mass, shift);
     internal::expect_eigenpairs(a, m, pairs);

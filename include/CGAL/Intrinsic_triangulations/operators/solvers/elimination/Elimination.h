@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_ELIMINATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_ELIMINATION_H
+
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+inline void prefetch([[maybe_unused]] const void* memory) {
+#ifdef __GNUC__
+  __builtin_prefetch(memory);
+#endif
+}
+
+// In which order the rows of a symmetric matrix are eliminated, and where its factor has entries: of the pattern alone.
+struct Elimination {
+  // by approximate minimum degree
+  explicit Elimination(const Eigen::SparseMatrix<double>& a);
+  // \param order the rows, each once
+  Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order);
+
+  std::size_t pattern;         // a hash of that of the matrix
+  std::vector<int> row, place; // at each place of the order, and of each row
+  // Where the entries of each column of the factor begin, below the diagonal.
+  std::vector<int> column_begin;
+  // Blocks of columns that end alike, each with the next one as its first entry: where they begin, and of each column.
+  std::vector<int> block_begin, block;
+  // The places of the entries of the first column of each block, ascending, which end with those of the others.
+  std::vector<int> block_rows_begin, block_rows;
+
+  // Of each column, who computes it: one of two halves, which have nothing in common, or what comes after both. The same whether or not there are threads.
+  enum Part : unsigned char { first_half, second_half, after_both };
+  std::vector<Part> part;
+  bool has_halves() const { return std::find(part.begin(), part.end(), second_half) != part.end(); }
+
+  int count(int column) const {
+    return column_begin[row_number(column + 1)] - column_begin[row_number(column)];
+  }
+  const int* rows_end(int of_block) const {
+    return block_rows.data() + block_rows_begin[row_number(of_block + 1)];
+  }
+  // Asks for rows that follow in the order, which are anywhere in the matrix, before they are needed.
+  void prefetch_after(const Eigen::SparseMatrix<double>& a, int k, bool with_values) const {
+    constexpr std::size_t ahead = 8;
+    const std::size_t soon = row_number(k) + ahead;
+    if (soon + ahead >= row.size()) return;
+    prefetch(a.outerIndexPtr() + row[soon + ahead]);
+    const int e = a.outerIndexPtr()[row[soon]];
+    prefetch(a.innerIndexPtr() + e);
+    if (with_values) prefetch(a.valuePtr() + e);
+  }
+  // calls `visit(p, e)` for each later place p joined to place k in the matrix, and where the matrix has the entry
+  template <class Visit>
+  void for_each_later(const Eigen::SparseMatrix<double>& a, int k, const Visit& visit) const {
+    const int *const begin = a.outerIndexPtr() + row[row_number(k)], *const inner =
+                                                                         a.innerIndexPtr();
+    for (int e = begin[0]; e < begin[1]; ++e)
+      if (const int p = place[row_number(inner[e])]; p > k) visit(p, e);
+  }
+  // the places of the entries of a column
+  const int* rows(int column) const { return rows_end(block[row_number(column)]) - count(column); }
+
+private:
+  void find_blocks(const Eigen::SparseMatrix<double>& a);
+  void find_parts();
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_ELIMINATION_ELIMINATION_H
