@@ -8,6 +8,9 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
+#include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <Eigen/Core>
@@ -36,7 +39,7 @@ Triangulation::vertex_descriptor first_vertex(const Triangulation& t) {
   throw std::runtime_error("no vertex 0");
 }
 
-// Of the distances of the user's vertices from the first, by the greatest distance.
+// Of the distances of the user's vertices from the first, by the greatest distance; within a tenth of that, by the distance itself.
 nlohmann::json errors(const Triangulation& t, const std::vector<double>& exact) {
   const Eigen::VectorXd d = IT::Heat_distance(t).distances(first_vertex(t));
   double sum = 0, greatest = 0, farthest = 0;
@@ -49,9 +52,31 @@ nlohmann::json errors(const Triangulation& t, const std::vector<double>& exact) 
     farthest = std::max(farthest, exact[v]);
     ++reached;
   }
+  double near = 0;
+  std::size_t neighbors = 0;
+  for (std::size_t v = 0; v < exact.size(); ++v) {
+    if (!(exact[v] > 0 && exact[v] <= farthest / 10)) continue;
+    near += std::abs(d[static_cast<Eigen::Index>(v)] - exact[v]) / exact[v];
+    ++neighbors;
+  }
   return {{"vertices", t.number_of_vertices()},
+          {"near", neighbors == 0 ? 0 : near / static_cast<double>(neighbors)},
           {"mean", sum / static_cast<double>(reached) / farthest},
           {"greatest", greatest / farthest}};
+}
+
+// To where the heat kernel of the first vertex has errors.
+Triangulation refined_at_source(Triangulation t, double farthest, std::size_t vertices) {
+  const double time = farthest * farthest / 400;
+  IT::adaptive_refine(
+      t,
+      [time](Triangulation& now) {
+        const Eigen::VectorXd heat = IT::short_time_heat_kernel(now, 0, time);
+        return IT::residual_indicators(now, {.diffusion = time, .reaction = 1}, heat,
+                                       Eigen::VectorXd::Zero(heat.size()), IT::Error_norm::L2);
+      },
+      parameters::maximum_vertices(vertices));
+  return t;
 }
 
 nlohmann::json measure(const Surface_mesh& mesh) {
@@ -63,6 +88,7 @@ nlohmann::json measure(const Surface_mesh& mesh) {
     if (std::isfinite(d)) farthest = std::max(farthest, d);
   IT::flip_to_delaunay(t);
   result["delaunay"] = errors(t, exact);
+  result["at_source"] = errors(refined_at_source(t, farthest, 2 * exact.size()), exact);
   IT::delaunay_refine(t, parameters::minimum_angle(25));
   result["by_angle"] = errors(t, exact);
   IT::delaunay_refine(t, parameters::minimum_angle(25).maximum_edge_length(farthest / 150));
