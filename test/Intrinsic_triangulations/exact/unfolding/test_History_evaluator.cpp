@@ -91,14 +91,13 @@ TEST(History_evaluator, gives_up_where_more_flips_are_to_be_repeated_than_it_may
     IT::History_values<Gmpq> memory;
     IT::History_evaluator<Gmpq, Rational_input> evaluator(walk.history, input, memory);
     if (n > 0) {
-      EXPECT_FALSE(evaluator.faces(sides, n - 1));
+      EXPECT_FALSE(evaluator.diamond(sides[0], sides[1], n - 1));
       EXPECT_TRUE(memory.empty());
     }
-    const auto faces = evaluator.faces(sides, n);
-    ASSERT_TRUE(faces);
-    random_history::expect_same(IT::diamond_values((*faces)[0], (*faces)[1]),
-                                evaluate<Rational_input, Gmpq>(walk, h));
-    EXPECT_TRUE(evaluator.faces(sides, 0)) << "all are known by now";
+    const auto diamond = evaluator.diamond(sides[0], sides[1], n);
+    ASSERT_TRUE(diamond);
+    random_history::expect_same(*diamond, evaluate<Rational_input, Gmpq>(walk, h));
+    EXPECT_TRUE(evaluator.diamond(sides[0], sides[1], 0)) << "all are known by now";
   }
   EXPECT_GT(most_in_all, 5U);
 }
