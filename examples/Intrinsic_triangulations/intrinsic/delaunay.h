@@ -81,10 +81,20 @@ struct Drawn_subdivision {
   std::vector<Point> points;
 };
 
+/// throws std::runtime_error if nothing can be drawn, as the input has no points.
+template <class Triangulation>
+void expect_points(const Loaded<Triangulation>& loaded, const Options& options) {
+  if (loaded.scaled_points().empty())
+    throw std::runtime_error(
+        options.input + ": the stored triangulation has lengths and no points, so that nothing "
+                        "can be drawn; write values to a file .txt, or start from the mesh");
+}
+
 /// extracts the common subdivision to be drawn, and reports it. \throws std::runtime_error
 template <class Triangulation>
 Drawn_subdivision drawn_subdivision(const Loaded<Triangulation>& loaded, const Options& options,
                                     Json& json) {
+  if (is_mesh_output(options) || !options.view.empty()) expect_points(loaded, options);
   IT::Common_subdivision s = subdivide(loaded, options, json);
   IT::label_with_polygons(s, loaded.triangulation.input().names().polygon_of_triangle);
   std::vector<Point> points = IT::positions(s, input_points(loaded), loaded.triangulation.input());

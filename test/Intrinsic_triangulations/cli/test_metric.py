@@ -35,6 +35,16 @@ class Metric(Cli_test):
             self.assertEqual(stats["metric"]["violating_faces"], 0)
             self.assertEqual(stats["metric"]["changed_edges"], 0)
 
+    def test_a_stored_metric_has_no_points_to_be_drawn(self):
+        metric = self.write_lines([[2.0]] * len(self.points))
+        self.stats("delaunay", self.mesh, "--metric", metric, "-o", "t.idt")
+        for command in (("delaunay", "t.idt", "-o", "c.obj"),
+                        ("distance", "t.idt", "--source", "0", "-o", "d.ply"),
+                        ("distance", "t.idt", "--source", "0", "--on", "input", "-o", "d.ply"),
+                        ("geodesic", "t.idt", "--path", "0,5", "-o", "g.obj")):
+            self.assert_fails(self.run_program(*command), "t.idt", "no points", "start from the mesh")
+        self.stats("distance", "t.idt", "--source", "0", "-o", "d.txt")
+
     def test_factors_of_an_inversion_give_the_inverted_points(self):
         points, faces = icosphere(2)
         points = [(x + 2, 1.3 * y, 0.8 * z) for x, y, z in points]

@@ -96,6 +96,7 @@ void write_results_view(std::ostream& out, const Drawn_results& results, const C
 /// returns the mesh of the file, or the input that was stored: the common subdivision before the first move.
 template <class Triangulation>
 Drawn_subdivision drawn_input(const Loaded<Triangulation>& loaded, const Options& options) {
+  expect_points(loaded, options);
   const IT::Input& input = loaded.triangulation.input();
   IT::Intrinsic_input in(input.mesh(), loaded.scaled_points(), IT::Mollification::none);
   for (Point& p : in.points)

@@ -199,12 +199,13 @@ protected:
                  size = std::abs(weight);
     const double error = error_of_weight(left, q_f, a_f) + error_of_weight(right, q_g, a_g) +
                          0x1p-52 * size,
-                 energy = 0.25 * (area_[d.f] + area_[d.g]) / length_[d.ij];
+                 energy = 0.25 * (a_f.inf() + a_g.inf()) / ij.sup();
     if (!(error <= 0x1p-40 * std::max(size, std::min(energy, 1.0))) || !(size < 0x1p1000))
       return std::nullopt;
     // a sum that the error does not reach
     if (error < size) return weight;
     const FT product = delaunay_value(q_f, a_f, q_g, a_g);
+    if (product.inf() == 0 && product.sup() == 0) return 0.0; // as on axis-parallel meshes
     const bool is_certain = weight > 0 ? product.inf() > 0 : weight < 0 && product.sup() < 0;
     return is_certain ? std::optional(weight) : std::nullopt;
   }

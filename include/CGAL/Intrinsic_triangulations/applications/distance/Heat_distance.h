@@ -57,7 +57,7 @@ have places there: if they are vertices of the user's mesh, or inserted with exa
 an edge or a face, the bound is less by as much as the nearest corner of the face is away.) Values are finite, but
 infinity where there is no source: on other components and at isolated vertices.
 
-Sources are fixed at zero, not shifted there: of many sources, none is at a distance from another. Up to eight are
+Sources are fixed at zero, not shifted there: of many sources, none is at a distance from another. Up to twenty are
 fixed by Lagrange multipliers, with the same factorization; for more, the matrix is factored without their rows, once
 until sources change.
 
@@ -97,7 +97,7 @@ public:
     visitor has stopped it
   \throws std::invalid_argument if a point is beyond the border, or consecutive points of a polyline are not in one face
   \throws std::runtime_error if rounding has left no positive definite matrix
-  \complexity that of solutions with a factored matrix, about n log n; with more than eight pinned vertices also a factorization, if they
+  \complexity that of solutions with a factored matrix, about n log n; with more than twenty pinned vertices also a factorization, if they
     are not those of the last call. Not to be called from two threads at once
   */
   template <class Sources>

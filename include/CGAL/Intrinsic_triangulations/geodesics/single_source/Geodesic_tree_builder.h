@@ -79,7 +79,9 @@ public:
       if (queue_.empty() && changed_.empty() && has_accepted_since(accepted_before_all_))
         find_ways_to_all();
     } while (result_.status == Status::done && !(queue_.empty() && changed_.empty()));
-    if (result_.status == Status::done && lacks_way()) result_.status = Status::stalled;
+    const bool are_lost = drop_lost_ways(t_, labels_, t_.index(source));
+    if (result_.status == Status::done && (are_lost || lacks_way()))
+      result_.status = Status::stalled;
     return result_;
   }
 
@@ -109,7 +111,6 @@ private:
     bool operator<(const Candidate& c) const { return distance > c.distance; }
   };
 
-  // as the finder of shortcuts sees it
   struct Known {
     const Geodesic_tree_builder* builder;
 
@@ -155,7 +156,6 @@ private:
            labels_[v].distance != c.distance && distance_along(c.halfedge) == c.distance;
   }
 
-  // takes note of a way along a halfedge
   void relax(std::uint32_t h) {
     if (!labels_[source_of(h)].is_in_tree || bends_[target_of(h)].futile > most_futile) return;
     Label& to = labels_[target_of(h)];

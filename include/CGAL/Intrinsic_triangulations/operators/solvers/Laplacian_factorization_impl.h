@@ -48,6 +48,15 @@ inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
   return true;
 }
 
+inline bool has_diagonal(const Eigen::SparseMatrix<double>& a) {
+  for (Eigen::Index c = 0; c < a.cols(); ++c) {
+    const auto *first = a.innerIndexPtr() + a.outerIndexPtr()[c],
+               *last = a.innerIndexPtr() + a.outerIndexPtr()[c + 1];
+    if (!std::binary_search(first, last, static_cast<int>(c))) return false;
+  }
+  return true;
+}
+
 // Of the pattern alone, which is half as long without values. Eigen's order wants entries on the diagonal.
 inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& a) {
   Eigen::SparseMatrix<signed char> pattern(a.rows(), a.cols());
@@ -55,6 +64,8 @@ inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& 
   std::copy_n(a.outerIndexPtr(), a.cols() + 1, pattern.outerIndexPtr());
   std::copy_n(a.innerIndexPtr(), a.nonZeros(), pattern.innerIndexPtr());
   std::fill_n(pattern.valuePtr(), a.nonZeros(), static_cast<signed char>(1));
+  if (!has_diagonal(a))
+    for (Eigen::Index i = 0; i < a.cols(); ++i) pattern.coeffRef(i, i) = 1;
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
   if (a.cols() > 0) Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), order);
   return {order.indices().data(), order.indices().data() + order.indices().size()};
@@ -197,9 +208,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_parts() {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Ordered_laplacian::Ordered_laplacian(Matrix laplacian)
     : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))) {
   constexpr Eigen::Index worth_a_thread = 2000;
-  elimination_ = std::async(where_to_run(laplacian_->rows() >= worth_a_thread), [l = laplacian_] {
-                   return std::make_shared<const Elimination>(*l);
-                 }).share();
+  const auto find = [l = laplacian_] { return std::make_shared<const Elimination>(*l); };
+  elimination_ = std::async(where_to_run(laplacian_->rows() >= worth_a_thread), find).share();
 }
 
 inline void expect_diagonal(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {

@@ -268,14 +268,22 @@ smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMat
   if (count == 0) return {{}, Eigen::MatrixXd(size, 0), Status::done};
   if (internal::is_zero_matrix(a)) return internal::eigenpairs_of_zero(m, count);
   if (size <= std::max(small, 2 * count + 1)) return internal::dense_eigenpairs(a, m, count);
+  // eigenvalues of about one: Spectra has thresholds without units
+  const double root = std::exp2(std::round(std::log2(internal::mean_eigenvalue(a, m)) / 2));
+  if (!(root * root > 0x1p-1000 && root * root < 0x1p1000))
+    throw std::invalid_argument("the matrices are of too different sizes; scale one of them");
+  const Eigen::SparseMatrix<double> scaled = root * root * m;
   double shift = 0;
-  const Spectra::SparseSymMatProd<double> mass(m);
+  const Spectra::SparseSymMatProd<double> mass(scaled);
   try {
     internal::Solution_counter solutions(progress);
-    internal::Shifted_inverse inverse = internal::shifted_inverse(a, m, count, shift, solutions);
+    internal::Shifted_inverse inverse =
+        internal::shifted_inverse(a, scaled, count, shift, solutions);
     Eigenpairs pairs = internal::lanczos_eigenpairs(inverse, mass, count, shift);
     internal::find_missed_pairs(pairs, inverse, mass, shift);
-    internal::expect_eigenpairs(a, m, pairs);
+    internal::expect_eigenpairs(a, scaled, pairs);
+    pairs.values *= root * root;
+    pairs.vectors *= root;
     return pairs;
   } catch (const internal::Cancelled_eigenpairs&) {
     return {{}, Eigen::MatrixXd(size, 0), Status::cancelled};
