@@ -227,6 +227,18 @@ TEST(Exact_euclidean_traits,
   EXPECT_GT(nearly_cancelled, 100U);
 }
 
+TEST(Exact_euclidean_traits, stored_values_tell_that_cotangents_of_right_angles_are_zero) {
+  std::size_t zeros = 0;
+  for (const meshes::Mesh& m : {meshes::grid(9, 7), meshes::box(3, 4, 5)}) {
+    const Exact t(m.input());
+    const Exact::Const_session session(t);
+    for (const auto e : edges(t.mesh()))
+      if (!CGAL::is_border(e, t.mesh()) && session.cotangent_weight(e) == 0) ++zeros;
+    EXPECT_TRUE(t.metric().statistics().sharpenings.empty());
+  }
+  EXPECT_GT(zeros, 100U);
+}
+
 TEST(Exact_euclidean_traits, weights_that_enclosures_do_not_tell_are_the_nearest_doubles) {
   std::size_t nearest = 0, sharpened = 0;
   for (const double noise : {1e-3, 1e-12, 1e-15}) {

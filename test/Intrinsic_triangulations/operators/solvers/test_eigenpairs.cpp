@@ -60,6 +60,20 @@ TEST(Eigenpairs, of_a_flat_torus_are_those_of_the_stencil) {
   }
 }
 
+// A sphere of micrometres in metres has masses of 1e-12; scaling by powers of two changes no digit.
+TEST(Eigenpairs, do_not_depend_on_units) {
+  const Exact t(torus(20, 0));
+  const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);
+  const IT::Eigenpairs one = IT::smallest_eigenpairs(l, m, 9);
+  for (const int k : {-400, -60, -30, 30, 60, 400}) {
+    const double root = std::ldexp(1., k);
+    const IT::Eigenpairs scaled = IT::smallest_eigenpairs(l, Matrix(root * root * m), 9);
+    for (Eigen::Index i = 0; i < 9; ++i)
+      EXPECT_EQ(scaled.values[i] * root * root, one.values[i]) << k << ' ' << i;
+    EXPECT_EQ(scaled.vectors * root, one.vectors) << k;
+  }
+}
+
 TEST(Eigenpairs, count_components_by_zeros) {
   const Shape two = two_tetrahedra();
   const Exact t(two.input());
