@@ -187,7 +187,7 @@ protected:
   /*!
   \brief returns the weight of an edge between two faces by the doubles, if the intervals prove that it is good enough.
 
-  That is: of the right sign, not zero, and off by no more than 2^-40 of itself or of min(1, E), where
+  That is: of the right sign, zero only where the intervals are zero too, and off by no more than 2^-40 of itself or of min(1, E), where
   E = (a_f + a_g) / (4 L_ij) is the least Dirichlet energy in the two faces of functions that change by one along the edge.
   */
   std::optional<double> stored_weight(const Diamond& d) const {

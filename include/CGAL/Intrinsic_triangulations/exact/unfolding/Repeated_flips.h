@@ -38,7 +38,7 @@ public:
     if (number_ > most) return std::nullopt;
     if (values_.size() > maximal_memory) values_.clear();
     if (values_.empty())
-      values_.reserve(std::min<std::size_t>(history.number_of_flips(), maximal_memory));
+      values_.reserve(std::min({most, std::size_t{history.number_of_flips()}, maximal_memory}));
     const Input_side_values<FT> sides(input);
     const std::size_t known = values_.size();
     const auto d = History_evaluator<FT, Input_side_values<FT>>(history, sides, values_)
