@@ -57,6 +57,15 @@ std::vector<std::pair<std::string, Mesh>> soups_of_all_kinds() {
           {"rough grid", meshes::rough_grid(4, 2)}};
 }
 
+// thin faces at seams: what is found by rounded coordinates is beside them
+Mesh flattened(Mesh m) {
+  for (meshes::Point& p : m.points) {
+    p[1] *= 0.01;
+    p[2] *= 0.01;
+  }
+  return m;
+}
+
 // Where a vertex is on the user's faces: exact weights of rows.
 using Place = std::map<std::uint32_t, double>;
 template <class T>
@@ -142,6 +151,17 @@ TEST(Refinement_of_covers, inserts_all_copies_of_a_point_in_one_row) {
       EXPECT_TRUE(IT::is_delaunay(t)) << name;
       expect_rows_are_places(t, m, Domain_kind::tufted_cover, name);
     }
+}
+
+TEST(Refinement_of_covers, finds_copies_on_seams_of_thin_faces) {
+  for (const unsigned seed : {3U, 5U, 6U}) {
+    const std::string name = "soup " + std::to_string(seed);
+    const Mesh m = flattened(soups::random_without_repetition(9, 25, seed));
+    Exact t(IT::make_domain(soups::soup(m), Domain_kind::tufted_cover).input);
+    const auto r = IT::delaunay_refine(t, parameters::maximum_insertions(30000));
+    expect_good(t, r, 25, name);
+    expect_rows_are_places(t, m, Domain_kind::tufted_cover, name);
+  }
 }
 
 // Asks for rows all the time, and now and then whether the answers are right: numbered in the order of the first copies.

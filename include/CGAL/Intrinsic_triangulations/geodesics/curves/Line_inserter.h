@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_LINE_INSERTER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/Accurate_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Path_record.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>

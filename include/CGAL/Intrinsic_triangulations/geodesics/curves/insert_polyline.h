@@ -5,9 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POLYLINE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/Accurate_view.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Line_inserter.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_traced_path.h>

@@ -15,6 +15,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -38,6 +40,8 @@ public:
   static bool exist() { return false; }
   static bool is_seam(std::uint32_t) { return false; }
   static std::vector<Surface_point> missing(std::uint32_t) { return {}; }
+  static void note(std::uint32_t) {}
+  static void forget(std::uint32_t) {}
   static void join(const std::vector<std::uint32_t>&) {}
   static std::vector<std::uint32_t> take(std::uint32_t vertex) { return {vertex}; }
   template <class Session>
@@ -86,29 +90,35 @@ public:
     return exist() ? sheets_->others(places()->location(vertex)) : std::vector<Surface_point>();
   }
 
-  // Where a place of the input is now: on the side of the halfedge, if that runs along the edge on which the place is.
-  std::optional<Surface_point> locate(const Surface_point& place) const {
-    if (!exist()) return std::nullopt;
-    const auto p =
-        Intrinsic_locator<Triangulation, Integer_coordinates>(t_, *places()).locate(place);
-    if (!p) return std::nullopt;
-    Surface_point q = p->point;
-    if (place.weights[2] == 0)
-      for (int k = 0; k < 3; ++k, q = turned(q))
-        if (along(q.halfedge) / 2 == place.halfedge / 2 && q.weights[2] < nearness) {
-          const double sum = q.weights[0] + q.weights[1];
-          return Surface_point{q.halfedge, {1 - q.weights[1] / sum, q.weights[1] / sum, 0}};
-        }
-    return inside(q);
+  // notes a vertex that was inserted, if it is on a seam
+  void note(std::uint32_t vertex) {
+    if (!exist()) return;
+    const Surface_point p = places()->location(vertex);
+    if (is_on_seam(p)) on_seam_[{p.halfedge / 2, parameter(p)}] = vertex;
   }
 
-  // the point beyond the nearest side of its face, if it is so near that rounding may have moved it across
-  std::optional<Surface_point> across(Surface_point p) const {
-    const View view(t_);
-    for (int k = 0; k < 3; ++k, p = turned(p))
-      if (p.weights[2] < nearness && !view.is_border(p.halfedge ^ 1U))
-        return inside({p.halfedge ^ 1U, {p.weights[1], p.weights[0], 0}});
-    return std::nullopt;
+  // forgets a vertex that is to be removed
+  void forget(std::uint32_t vertex) {
+    if (!exist()) return;
+    const Surface_point p = places()->location(vertex);
+    if (is_on_seam(p)) on_seam_.erase({p.halfedge / 2, parameter(p)});
+  }
+
+  // Where a place of the input is now: on an edge if there is one along the input edge of the place. Away from seams rounding may have
+  // moved it to a face beside that where it is: those beyond the sides come next, the nearest first.
+  std::vector<Surface_point> locate(const Surface_point& place) const {
+    if (!exist()) return {};
+    if (const auto p = locate_on_seam(place)) return {*p};
+    const auto p =
+        Intrinsic_locator<Triangulation, Integer_coordinates>(t_, *places()).locate(place);
+    if (!p) return {};
+    std::vector<Surface_point> result{in_or_on(p->point, place)};
+    std::array<Surface_point, 3> sides{p->point, turned(p->point), turned(turned(p->point))};
+    std::ranges::sort(sides, {}, [](const Surface_point& q) { return q.weights[2]; });
+    for (const Surface_point& q : sides)
+      if (const std::uint32_t o = q.halfedge ^ 1U; !View(t_).is_border(o))
+        result.push_back(in_or_on({o, {q.weights[1], q.weights[0], 0}}, place));
+    return result;
   }
 
   // notes that vertices are copies of each other
@@ -127,6 +137,8 @@ public:
 
 private:
   static constexpr double nearness = 0x1p-20;
+  // an edge and the parameter along its even halfedge
+  using Place_on_edge = std::pair<std::uint32_t, double>;
 
   // asked each time, as they may be given up
   const Integer_coordinates* places() const { return t_.places(); }
@@ -135,8 +147,36 @@ private:
   void find_copies() {
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> by_row;
     for (const typename Triangulation::vertex_descriptor v : vertices(t_.mesh()))
-      if (t_.is_inserted(v)) by_row[t_.input_vertex(v)].push_back(t_.index(v));
+      if (t_.is_inserted(v)) {
+        by_row[t_.input_vertex(v)].push_back(t_.index(v));
+        note(t_.index(v));
+      }
     for (const auto& [row, copies] : by_row) join(copies);
+  }
+
+  bool is_on_seam(const Surface_point& place) const {
+    return place.weights[2] == 0 && is_seam_[place.halfedge / 2] != 0;
+  }
+  static double parameter(const Surface_point& p) { return p.weights[p.halfedge % 2 == 0 ? 1 : 0]; }
+
+  // By the order of vertices on the seam, without rounding; nothing if the place is on none, or that is crossed by edges.
+  std::optional<Surface_point> locate_on_seam(const Surface_point& place) const {
+    if (!is_on_seam(place)) return std::nullopt;
+    const std::uint32_t edge = place.halfedge / 2;
+    const double at = parameter(place);
+    const auto after = on_seam_.upper_bound({edge, at});
+    const bool is_last = after == on_seam_.end() || after->first.first != edge;
+    std::uint32_t vertex = t_.input().source(2 * edge);
+    double begin = 0, end = is_last ? 1 : after->first.second;
+    if (after != on_seam_.begin())
+      if (const auto before = std::prev(after); before->first.first == edge) {
+        begin = before->first.second;
+        vertex = before->second;
+      }
+    const auto start = find_curve(View(t_), *places(), vertex, 2 * edge);
+    if (!start || start->index >= 0) return std::nullopt;
+    const double w = (at - begin) / (end - begin);
+    return Surface_point{start->halfedge, {1 - w, w, 0}};
   }
 
   std::uint32_t along(std::uint32_t h) const {
@@ -148,6 +188,17 @@ private:
     return {View(t_).next(p.halfedge), {p.weights[1], p.weights[2], p.weights[0]}};
   }
 
+  // on a side along the input edge of the place, if the point is near it, else inside
+  Surface_point in_or_on(Surface_point q, const Surface_point& place) const {
+    if (place.weights[2] != 0) return inside(q);
+    for (int k = 0; k < 3; ++k, q = turned(q))
+      if (along(q.halfedge) / 2 == place.halfedge / 2 && q.weights[2] < nearness) {
+        const double sum = q.weights[0] + q.weights[1];
+        return {q.halfedge, {1 - q.weights[1] / sum, q.weights[1] / sum, 0}};
+      }
+    return inside(q);
+  }
+
   // not on a side: that would split it
   static Surface_point inside(Surface_point p) {
     for (double& w : p.weights) w = (std::max(w, 0.) + 0x1p-40) / (1 + 3 * 0x1p-40);
@@ -157,6 +208,7 @@ private:
   const Triangulation& t_;
   std::optional<Sheets> sheets_;
   std::vector<char> is_seam_; // of each edge of the input
+  std::map<Place_on_edge, std::uint32_t> on_seam_;
   // one list for all of them
   std::unordered_map<std::uint32_t, std::shared_ptr<const std::vector<std::uint32_t>>> copies_;
 };

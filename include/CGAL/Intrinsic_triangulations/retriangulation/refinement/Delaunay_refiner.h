@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_moves.h>
@@ -129,18 +130,27 @@ private:
 
   void refine(std::uint32_t f) {
     if (!may_insert()) return;
-    const std::uint32_t h = number(halfedge(t_.numbers().face_at(f), mesh_));
-    const auto is_kept = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
-    const Located_circumcenter c = locate_circumcenter(view_, h, is_kept);
-    const Face face_of_h = t_.numbers().face_at(f);
-    if (c.kind == Located_circumcenter::Kind::segment)
-      split_between(face_of_h, descriptor(c.segment));
-    else if (c.kind == Located_circumcenter::Kind::none ||
-             !insert(c.point, least_distance(approximation(face_of_h)))) {
+    // in thin faces lengths and area may be known too roughly for what they both tell to agree
+    const bool is_done =
+        refine(f, view_) || (touched_.empty() && refine(f, Accurate_view<Triangulation>(t_)));
+    if (!is_done) {
       ++result_.counts.refused;
       give_up();
     }
     if (split_encroached()) check_touched();
+  }
+
+  // whether there was a circumcenter, by what a view says of the faces, and a vertex could be inserted; if not, as a rule nothing has
+  // changed
+  template <class Complex>
+  bool refine(std::uint32_t f, const Complex& view) {
+    using Kind = Located_circumcenter::Kind;
+    const Face bad = t_.numbers().face_at(f);
+    const auto is_kept = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
+    const Located_circumcenter c = locate_circumcenter(view, number(halfedge(bad, mesh_)), is_kept);
+    if (c.kind == Kind::point) return insert(c.point, least_distance(approximation(bad)));
+    if (c.kind == Kind::segment) split_between(bad, descriptor(c.segment));
+    return c.kind == Kind::segment;
   }
 
   // Splits a segment between a face and its circumcenter. The segment cuts off less than half of the

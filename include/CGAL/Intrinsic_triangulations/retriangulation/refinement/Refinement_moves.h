@@ -150,14 +150,11 @@ protected:
     return true;
   }
 
-  // in the face where it is found, or in that beyond a side nearby
+  // in the first face of those where it may be
   std::optional<Vertex> insert_copy(const Surface_point& place) {
     if constexpr (Knows_places<Triangulation>) {
-      const std::optional<Surface_point> p = copies_.locate(place);
-      if (!p) return std::nullopt;
-      if (const std::optional<Vertex> v = insert_copy_at(*p, place)) return v;
-      if (const std::optional<Surface_point> q = copies_.across(*p))
-        return insert_copy_at(*q, place);
+      for (const Surface_point& p : copies_.locate(place))
+        if (const std::optional<Vertex> v = insert_copy_at(p, place)) return v;
     }
     return std::nullopt;
   }
@@ -207,6 +204,7 @@ protected:
     const Halfedge one = on_border ? h : next(next(h, mesh_), mesh_);
     segments_.split(e, {number(one) / 2, number(other) / 2}, ends, t_.index(n.vertex), parameter);
     removable_.set(t_.index(n.vertex), false);
+    copies_.note(t_.index(n.vertex));
     suspect_star(n.vertex);
     return n.vertex;
   }
@@ -247,7 +245,9 @@ protected:
       old.push_back(t_.index(face(h, mesh_)));
     });
     const std::uint32_t number_of_v = t_.index(v);
+    copies_.forget(number_of_v);
     if (session_.remove_vertex(v) != Move_status::done) {
+      copies_.note(number_of_v);
       ++result_.counts.refused;
       for (const Halfedge h : rim) suspect_face(h); // flips have been taken back
       return;

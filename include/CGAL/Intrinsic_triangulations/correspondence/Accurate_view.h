@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_ACCURATE_VIEW_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_ACCURATE_VIEW_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_ACCURATE_VIEW_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_ACCURATE_VIEW_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
@@ -37,4 +37,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_ACCURATE_VIEW_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_ACCURATE_VIEW_H
