@@ -14,7 +14,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -153,6 +157,44 @@ TEST(Initial_values, squared_lengths_of_edges_are_those_of_the_sides) {
     for (unsigned k = 0; k < 3; ++k, h = map.next(h))
       EXPECT_EQ(lengths[h.index / 2], metric.squared_length<Gmpq>(f, k));
   }
+}
+
+// faces of all shapes at multiples of 2^-40
+meshes::Mesh shapes() {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> in(-1, 1);
+  meshes::Mesh m;
+  for (std::uint32_t i = 0; i < 1500; ++i) {
+    const double size = std::ldexp(1., -static_cast<int>(i % 9)),
+                 height = std::ldexp(size, -static_cast<int>(i % 23));
+    const auto near = [](double x) { return std::ldexp(std::round(std::ldexp(x, 40)), -40); };
+    const double x = near(in(random)), y = near(in(random)), z = near(in(random));
+    m.points.push_back({x, y, z});
+    m.points.push_back({near(x + size), near(y + size / 3), near(z - size / 7)});
+    const double t = in(random);
+    m.points.push_back({near(x + t * size + height), near(y + t * size / 3 - height),
+                        near(z - t * size / 7 + height * in(random))});
+    m.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return m;
+}
+
+TEST(Initial_values, areas_of_faces_in_space_are_enclosed_to_few_units_whatever_their_shape) {
+  const Input_metric m = of_points(shapes());
+  const CGAL::Protect_FPU_rounding<true> upwards;
+  std::size_t thin = 0;
+  for (std::uint32_t f = 0; f < m.number_of_faces(); ++f) {
+    const Interval area = quadruple_area<Interval>(m, f);
+    const Gmpq squared = m.squared_quadruple_area<Gmpq>(f);
+    EXPECT_GE(area.inf(), 0);
+    EXPECT_LE(Gmpq(area.inf()) * Gmpq(area.inf()), squared) << f;
+    EXPECT_GE(Gmpq(area.sup()) * Gmpq(area.sup()), squared) << f;
+    EXPECT_LE(area.sup() - area.inf(), 0x1p-47 * area.sup()) << f;
+    const double longest = std::max({m.squared_length<double>(f, 0), m.squared_length<double>(f, 1),
+                                     m.squared_length<double>(f, 2)});
+    if (area.sup() < 1e-4 * longest) ++thin;
+  }
+  EXPECT_GT(thin, 300U);
 }
 
 } // namespace

@@ -45,7 +45,7 @@ inline Interval_nt<false> product_with_nonnegative(const Interval_nt<false>& a,
 \pre the bounds are finite
 */
 inline Interval_nt<false> interval_square(const Interval_nt<false>& a) {
-  const double low = std::max({a.inf(), -a.sup(), 0.0}), high = std::max(-a.inf(), a.sup());
+  const double low = std::max(std::max(a.inf(), -a.sup()), 0.0), high = std::max(-a.inf(), a.sup());
   return {-(-low * low), high * high};
 }
 
@@ -82,7 +82,8 @@ flipped_nonnegative(const Diamond_values<Interval_nt<false>>& d) {
   const FT r_k = d.ij + d.jk - d.ki, r_m = d.ij + d.mj - d.im;
   const FT half(-(-0.5 / d.ij.sup()), 0.5 / d.ij.inf()),
       quarter(0.5 * half.inf(), 0.5 * half.sup());
-  const FT km = interval_square(p_k - p_m) + interval_square(d.area_f + d.area_g);
+  const FT x = (d.ki - d.jk) - (d.im - d.mj); // p_k - p_m, without the error of L_ij
+  const FT km = interval_square(x) + interval_square(d.area_f + d.area_g);
   const FT left = product_with_nonnegative(r_m, d.area_f) + product_with_nonnegative(r_k, d.area_g);
   const FT right =
       product_with_nonnegative(p_m, d.area_f) + product_with_nonnegative(p_k, d.area_g);

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INITIAL_VALUES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
@@ -126,27 +127,41 @@ inline Interval_nt<false> squared_distance_interval(const Input_metric::Point& p
   return {-minus_inf, sup};
 }
 
-// a = 2 |u x v| of a face in space, in floating point with a bound on the error, or an interval below
-// zero where that is not good enough. With e = 2^-52, whatever the rounding: sides are off by e times
-// themselves, the two products of a component by 3e, the norm of the cross product by 4.2 e m at
-// most, m the sum of all six products; squares and root add 2.5e a, the
-// bounds e a, a <= 2m. Together less than 16 e m.
+// ab - cd, when rounding upwards.
+inline Interval_nt<false> determinant_interval(double a, double b, double c, double d) {
+  return {-(-a * b + c * d), a * b + -c * d};
+}
+
+// The same if the error of one product is found, so that nothing is lost where they cancel; a wide interval if it may be
+// no double.
+inline Interval_nt<false> sharp_determinant(double a, double b, double c, double d) {
+  const double product = c * d, error = std::fma(-c, d, product);
+  if (std::abs(product) < 0x1p-900 && c != 0 && d != 0) return determinant_interval(a, b, c, d);
+  return {-(std::fma(-a, b, product) - error), std::fma(a, b, -product) + error};
+}
+
+// a = 2 |u x v| of a face in space to a few units, when rounding upwards, or an interval below zero where sides are no doubles.
+// This is where most of the errors of all other values come from.
 inline Interval_nt<false> embedded_area_interval(const Input_metric& m, std::uint32_t f) {
+  using FT = Interval_nt<false>;
   const Input_metric::Sides& s = m.sides(f);
   const Input_metric::Point &p = m.points()[s[0]], &q = m.points()[s[1]], &r = m.points()[s[2]];
-  const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  const double v[3] = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
-  double squares = 0, sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const double x = u[i] * v[j], y = u[j] * v[i];
-    squares = squares + (x - y) * (x - y);
-    sum = sum + (std::abs(x) + std::abs(y));
-  }
-  const double area = 2 * std::sqrt(squares), error = 0x1p-48 * sum;
-  if (area > 0x1p-400 && area < 0x1p400 && error <= 0x1p-38 * area)
-    return {area - error, area + error};
-  return {-1.0, -1.0};
+  const std::array<double, 3> u = {q[0] - p[0], q[1] - p[1], q[2] - p[2]},
+                              v = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (u[k] != -(p[k] - q[k]) || v[k] != -(p[k] - r[k])) return {-1.0, -1.0};
+  const auto squared_norm = [&](const auto& difference) {
+    return interval_square(difference(u[1], v[2], u[2], v[1])) +
+           interval_square(difference(u[2], v[0], u[0], v[2])) +
+           interval_square(difference(u[0], v[1], u[1], v[0]));
+  };
+  FT squared = squared_norm(determinant_interval);
+  if (squared.sup() - squared.inf() > 0x1p-47 * squared.sup())
+    squared = squared_norm(sharp_determinant);
+  if (!(squared.inf() > 0x1p-800 && squared.sup() < 0x1p800)) return {-1.0, -1.0};
+  const double root = std::sqrt(squared.inf()); // not below
+  const bool is_exact = std::fma(root, root, -squared.inf()) == 0;
+  return {is_exact ? 2 * root : -2 * (root * 0x1p-52 - root), 2 * std::sqrt(squared.sup())};
 }
 
 // exactly
