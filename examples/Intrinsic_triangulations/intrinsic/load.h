@@ -7,6 +7,7 @@
 #include "constraints.h"
 #include "metric.h"
 #include "options.h"
+#include "support/naming_file.h"
 #include "support/progress.h"
 #include "support/read_mesh.h"
 
@@ -88,7 +89,7 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   const bool are_points_kept = Triangulation::Metric::is_exact && options.metric.empty() &&
                                file.input.mollification != IT::Mollification::lengths;
   const std::vector<Point> points = are_points_kept ? std::vector<Point>() : file.input.points;
-  try {
+  return naming_file(options.input, [&] {
     const Metric_report metric = change_metric(file, options);
     Loaded<Triangulation> loaded{Triangulation(std::move(file.input)),
                                  {},
@@ -112,9 +113,7 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
     loaded.facts.triangulated_polygons = file.triangulated_polygons;
     loaded.facts.faces_with_repeated_vertices = file.faces_with_repeated_vertices;
     return loaded;
-  } catch (const IT::Invalid_input& e) {
-    throw IT::Invalid_input(e.kind(), e.index(), options.input + ": " + e.what());
-  }
+  });
 }
 
 /// puts edges back that are kept, where flips have taken them away before the triangulation was stored.

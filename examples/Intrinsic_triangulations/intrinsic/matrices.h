@@ -6,8 +6,8 @@
 
 #include "options.h"
 #include "output_files.h"
+#include "support/naming_file.h"
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 
@@ -26,7 +26,7 @@ template <class Triangulation>
 void write_matrices(Triangulation& t, const Options& options, Output_files& files) {
   namespace IT = CGAL::Intrinsic_triangulations;
   const std::string rows = "; rows of the input's vertices in their order, then of those inserted";
-  try {
+  naming_file(options.input, [&] {
     if (!options.laplacian.empty())
       write_matrix(options.laplacian, IT::cotangent_laplacian(t),
                    "cotangent Laplacian, positive semidefinite" + rows, files);
@@ -35,9 +35,7 @@ void write_matrices(Triangulation& t, const Options& options, Output_files& file
                    options.mass_kind == "lumped" ? IT::lumped_mass_matrix(t)
                                                  : IT::galerkin_mass_matrix(t),
                    options.mass_kind + " mass matrix" + rows, files);
-  } catch (const IT::Invalid_input& e) {
-    throw IT::Invalid_input(e.kind(), e.index(), options.input + ": " + e.what());
-  }
+  });
 }
 
 } // namespace program

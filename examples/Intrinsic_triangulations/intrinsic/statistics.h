@@ -207,6 +207,11 @@ Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
                          Triangulation::Correspondence::name, loaded.facts, t.report());
   if (!loaded.domain.reason.empty())
     json["domain"] = domain_json(loaded.domain, loaded.cloud, t.input().number_of_rows());
+  else if (t.input().names().sheets > 1)
+    json["domain"] = {{"kind", "stored"},
+                      {"reason", "the file has a cover"},
+                      {"sheets", t.input().names().sheets},
+                      {"vertices", t.input().number_of_rows()}};
   if (options.polygons != "fan") json["polygons"] = polygons_json(loaded.polygons);
   if (!options.metric.empty()) json["metric"] = metric_json(loaded.metric);
   json["seconds"] = {{"read", loaded.seconds.read},

@@ -185,6 +185,9 @@ class Domain(Cli_test):
             self.assert_close(stats["subdivision"]["area"], area(points, faces), 1e-9)
             stored = self.stats("delaunay", mesh, "-o", "t.idt")
             again = self.stats("laplacian", "t.idt", "-o", "l.mtx")
+            self.assertEqual(again["domain"]["kind"], "stored")
+            for key in ("sheets", "vertices"):
+                self.assertEqual(again["domain"][key], stored["domain"][key])
             self.assertEqual(self.read_matrix("l.mtx")[0], len(points))
             self.assertEqual(again["laplacian"]["trace"], stored["laplacian"]["trace"])
             self.write("f.txt", "\n".join(str(p[0]) for p in points) + "\n")

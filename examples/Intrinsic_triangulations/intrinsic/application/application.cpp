@@ -5,6 +5,7 @@
 #include "../delaunay.h"
 #include "../geodesic/Asked_vertices.h"
 #include "../support/Number_rows.h"
+#include "../support/naming_file.h"
 #include "../view.h"
 #include "direction_lines.h"
 
@@ -158,17 +159,11 @@ Options about_source(Options options, const std::vector<Asked_curve>& asked) {
   return options;
 }
 
-// What methods refuse is in the file.
 template <class Traits>
 Computed solved(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
                 const Solver<Traits>& solve, const Sources& sources) {
-  try {
-    return solve(loaded.triangulation, sources, input_points(loaded));
-  } catch (const IT::Invalid_input& e) {
-    throw IT::Invalid_input(e.kind(), e.index(), options.input + ": " + e.what());
-  } catch (const std::invalid_argument& e) {
-    throw std::runtime_error(options.input + ": " + e.what());
-  }
+  return naming_file(options.input,
+                     [&] { return solve(loaded.triangulation, sources, input_points(loaded)); });
 }
 
 template <class Traits>

@@ -7,6 +7,7 @@
 #include "../constraints.h"
 #include "../load.h"
 #include "../options.h"
+#include "../support/naming_file.h"
 #include "Asked_vertices.h"
 #include "asked_curves.h"
 
@@ -71,7 +72,8 @@ public:
 private:
   // the last two edges on the way to each vertex, so that all of its joints are there
   void add_tree(Vertex source) {
-    const auto tree = IT::flip_to_geodesic_tree(t_, source);
+    const auto tree =
+        naming_file(options_.input, [&] { return IT::flip_to_geodesic_tree(t_, source); });
     for (const Vertex v : vertices(t_.mesh())) {
       const Halfedge last = tree.halfedge_to(v);
       if (last.index == IT::Gluing::none) continue;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "read_mesh.h"
+#include "naming_file.h"
 #include "progress.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
@@ -74,14 +75,12 @@ Mesh_file read_mesh(const std::string& path, const Surface_choice& choice) {
   Stopwatch watch;
   IT::Triangle_soup soup = IT::read_triangle_soup(path, choice.polygons, faces_for(choice));
   const double seconds = watch.lap();
-  try {
+  return naming_file(path, [&] {
     Mesh_file file = soup.triangles.empty() ? mesh_of_points(soup, choice)
                                             : mesh_of_faces(std::move(soup), choice);
     file.seconds = seconds;
     return file;
-  } catch (const IT::Invalid_input& e) {
-    throw IT::Invalid_input(e.kind(), e.index(), path + ": " + e.what());
-  }
+  });
 }
 
 } // namespace program
