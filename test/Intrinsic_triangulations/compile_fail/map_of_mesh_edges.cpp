@@ -1,4 +1,4 @@
-// expect at once: constrained_input_edges\(t, mesh, map\) makes one of a map from edges of your mesh
+// expect at once of templates: constrained_input_edges\(t, mesh, map\) makes one of a map from edges of your mesh
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -1,4 +1,4 @@
-// expect at once: files hold integer coordinates, from which signposts are not made; read with Integer_coordinates
+// expect at once of templates: files hold integer coordinates, from which signposts are not made; read with Integer_coordinates
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 

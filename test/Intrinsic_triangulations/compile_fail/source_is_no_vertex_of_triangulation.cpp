@@ -1,4 +1,4 @@
-// expect at once: a vertex of the user's mesh is vertex_on_intrinsic
+// expect at once of templates: a vertex of the user's mesh is vertex_on_intrinsic
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 

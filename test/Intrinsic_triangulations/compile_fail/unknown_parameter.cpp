@@ -1,4 +1,4 @@
-// expect at once: a named parameter is given that this function does not have
+// expect at once of templates: a named parameter is given that this function does not have
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 

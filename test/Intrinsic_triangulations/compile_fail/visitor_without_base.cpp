@@ -1,4 +1,4 @@
-// expect at once: a visitor of refinement derives from Refinement_visitor
+// expect at once of templates: a visitor of refinement derives from Refinement_visitor
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 

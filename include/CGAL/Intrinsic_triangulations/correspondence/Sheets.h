@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -37,105 +36,32 @@ public:
   bool is_cover() const { return is_cover_; }
 
   // whether sides are changed at an edge other than by an isometry; an edge of the border is no seam
-  bool is_seam(std::uint32_t edge) const {
-    return !input_.is_border(2 * edge) && !input_.is_border(2 * edge + 1) &&
-           edges_over(2 * edge, 3).size() != 2;
-  }
+  bool is_seam(std::uint32_t edge) const;
 
   // the other points that are copies of the same point as `p`, each once
-  std::vector<Surface_point> others(Surface_point p) const {
-    std::vector<Surface_point> result;
-    p = with_zero_last(p);
-    if (p.weights[2] != 0) {
-      result.push_back({other_side(p.halfedge), {p.weights[1], p.weights[0], p.weights[2]}});
-      return result;
-    }
-    const std::vector<std::uint32_t> edges = edges_over(p.halfedge);
-    for (std::size_t i = 1; i < edges.size(); ++i)
-      result.push_back(input_.is_border(edges[i])
-                           ? Surface_point{edges[i] ^ 1U, {p.weights[1], p.weights[0], 0}}
-                           : Surface_point{edges[i], p.weights});
-    return result;
-  }
+  std::vector<Surface_point> others(Surface_point p) const;
 
   // one of the copies of a point, the same for all of them
-  std::pair<std::uint32_t, std::array<double, 3>> name(const Surface_point& p) const {
-    const auto named = [this](const Surface_point& q) { return name_here(q); };
-    auto least = named(p);
-    for (const Surface_point& q : others(p)) least = std::min(least, named(q));
-    return least;
-  }
+  std::pair<std::uint32_t, std::array<double, 3>> name(const Surface_point& p) const;
 
 private:
   // the same side of the back of a face as that of its front, and the other way round: it runs against it
-  std::uint32_t other_side(std::uint32_t h) const {
-    const std::uint32_t f = input_.face(h);
-    const std::array<std::uint32_t, 3> sides = sides_of(f), others = sides_of(other_face(f));
-    const auto k =
-        static_cast<std::size_t>(std::find(sides.begin(), sides.end(), h) - sides.begin());
-    return others[(3 - k) % 3];
-  }
-  std::uint32_t other_face(std::uint32_t f) const {
-    return input_.names().faces.here(input_.names().faces.user(f) ^ 1U);
-  }
-  std::array<std::uint32_t, 3> sides_of(std::uint32_t f) const {
-    const std::uint32_t h = input_.halfedge_of_face(f), n = input_.next(h);
-    return {h, n, input_.next(n)};
-  }
+  std::uint32_t other_side(std::uint32_t h) const;
+  std::uint32_t other_face(std::uint32_t f) const;
+  std::array<std::uint32_t, 3> sides_of(std::uint32_t f) const;
 
   // The edges over the user's edge that one lies over: a halfedge of each, the given one first; all run along it in one
   // direction.
   // \param most how many are wanted at most
   std::vector<std::uint32_t>
-  edges_over(std::uint32_t h, std::size_t most = std::numeric_limits<std::size_t>::max()) const {
-    std::vector<std::uint32_t> result{h};
-    std::uint32_t x = h;
-    while (!input_.is_border(x) && result.size() < most) {
-      x = other_side(x) ^ 1U;
-      if (x == h) return result;
-      result.push_back(x);
-    }
-    for (x = h;
-         !input_.is_border(x ^ 1U) && result.size() < most;) { // there is border at both ends
-      x = other_side(x ^ 1U);
-      result.push_back(x);
-    }
-    return result;
-  }
+  edges_over(std::uint32_t h, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
-  Surface_point with_zero_last(Surface_point p) const {
-    const auto& w = p.weights;
-    for (int k = 0; k < 2 && w[2] != 0; ++k)
-      if (w[0] == 0 || w[1] == 0) p = {input_.next(p.halfedge), {w[1], w[2], w[0]}};
-    return p;
-  }
+  Surface_point with_zero_last(Surface_point p) const;
 
-  std::pair<std::uint32_t, std::array<double, 3>> name_here(Surface_point p) const {
-    p = with_zero_last(p);
-    if (p.weights[2] == 0)
-      return {p.halfedge & ~1U, p.halfedge % 2 == 0
-                                    ? p.weights
-                                    : std::array<double, 3>{p.weights[1], p.weights[0], 0}};
-    const std::uint32_t first = input_.halfedge_of_face(input_.face(p.halfedge));
-    while (p.halfedge != first)
-      p = {input_.next(p.halfedge), {p.weights[1], p.weights[2], p.weights[0]}};
-    return {first, p.weights};
-  }
+  std::pair<std::uint32_t, std::array<double, 3>> name_here(Surface_point p) const;
 
   // whether faces are front and back of each other, by their names and the rows of their corners
-  bool has_two_sides() const {
-    const Input_names& names = input_.names();
-    if (names.sheets % 2 != 0 || input_.number_of_faces() % 2 != 0) return false;
-    const auto row = [&](std::uint32_t v) { return names.row(v); };
-    for (std::uint32_t f = 0; f < input_.number_of_faces(); ++f) {
-      if (other_face(f) >= input_.number_of_faces()) return false;
-      for (const std::uint32_t h : sides_of(f)) {
-        const std::uint32_t o = other_side(h);
-        if (row(input_.source(h)) != row(input_.target(o))) return false;
-      }
-    }
-    return true;
-  }
+  bool has_two_sides() const;
 
   const Input& input_;
   bool is_cover_;
@@ -177,5 +103,9 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/correspondence/Sheets_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SHEETS_H

@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/assertions.h>
 
 #include <array>
 #include <concepts>
@@ -105,16 +104,8 @@ private:
   Recorded_number(Operation operation, const Recorded_number& a, const Recorded_number& b)
       : number_(add(operation, a.number_, b.number_)) {}
 
-  static std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double x = 0) {
-    CGAL_precondition_msg(recording() != nullptr, "numbers of an expression are made while it is "
-                                                  "recorded: it has no static numbers");
-    return recording()->add(operation, a, b, x);
-  }
-
-  static Expression_steps*& recording() {
-    thread_local Expression_steps* steps = nullptr;
-    return steps;
-  }
+  static std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double x = 0);
+  static Expression_steps*& recording();
 
   std::uint32_t number_;
 };
@@ -157,17 +148,14 @@ public:
   /// records an expression.
   template <DiamondExpression Expression>
   explicit Recorded_diamond_expression(const Expression& expression)
-      : steps_(Recorded_number::record(7,
-                                       [&](const auto& x) {
-                                         return Recorded_number(
-                                             expression(Diamond_values<Recorded_number>{
-                                                 x(0), x(1), x(2), x(3), x(4), x(5), x(6)}));
-                                       })),
-        meaning_(meaning_of<Expression>()) {
-    constexpr Expression_degree l = Expression_degree::length(), a = Expression_degree::area();
-    if (steps_.is_polynomial())
-      degree_ = (*this)(Diamond_values<Expression_degree>{l, l, l, l, l, a, a});
-  }
+      : Recorded_diamond_expression(
+            Recorded_number::record(7,
+                                    [&](const auto& x) {
+                                      return Recorded_number(
+                                          expression(Diamond_values<Recorded_number>{
+                                              x(0), x(1), x(2), x(3), x(4), x(5), x(6)}));
+                                    }),
+            meaning_of<Expression>()) {}
 
   /// evaluates the expression. \tparam FT see `Expression_steps::run()`
   template <class FT>
@@ -184,6 +172,8 @@ public:
   Zero_meaning zero_meaning() const { return meaning_; }
 
 private:
+  Recorded_diamond_expression(Expression_steps&& steps, Zero_meaning meaning);
+
   template <class Expression>
   static constexpr Zero_meaning meaning_of() {
     if (std::is_same_v<Expression, Delaunay_expression>) return Zero_meaning::cocircular;
@@ -254,5 +244,9 @@ decltype(auto) recorded(const Expression& expression) {
 }
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_RECORDED_EXPRESSION_H

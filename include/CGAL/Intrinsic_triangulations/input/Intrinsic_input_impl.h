@@ -33,6 +33,17 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input::Intrinsic_input() = default;
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Intrinsic_input::Intrinsic_input(const Intrinsic_input&) = default;
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Intrinsic_input::Intrinsic_input(Intrinsic_input&&) noexcept = default;
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input&
+Intrinsic_input::operator=(const Intrinsic_input&) = default;
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input&
+Intrinsic_input::operator=(Intrinsic_input&&) noexcept = default;
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input::~Intrinsic_input() = default;
+
 namespace internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t

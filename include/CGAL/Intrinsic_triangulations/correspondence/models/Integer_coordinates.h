@@ -48,7 +48,17 @@ public:
   static constexpr const char* name = "integer";
 
   /// constructs no coordinates.
-  Integer_coordinates() = default;
+  Integer_coordinates();
+  /// copies. Like what follows, compiled once: members are many
+  Integer_coordinates(const Integer_coordinates&);
+  /// moves.
+  Integer_coordinates(Integer_coordinates&&);
+  /// copies.
+  Integer_coordinates& operator=(const Integer_coordinates&);
+  /// moves.
+  Integer_coordinates& operator=(Integer_coordinates&&);
+  /// destructs.
+  ~Integer_coordinates();
 
   /*!
   \brief constructs coordinates from their parts.
@@ -61,9 +71,7 @@ public:
   */
   Integer_coordinates(std::shared_ptr<const Input> input, Vertex_fans fans,
                       std::vector<Normal_coordinate> normal, std::vector<std::uint32_t> roundabout,
-                      std::vector<Surface_point> location)
-      : input_(std::move(input)), fans_(std::move(fans)), normal_(std::move(normal)),
-        roundabout_(std::move(roundabout)), location_(std::move(location)) {}
+                      std::vector<Surface_point> location);
 
   /// observes the triangulation that the input is: every edge runs along itself.
   /// \complexity linear
@@ -300,38 +308,14 @@ private:
     if (kept_) kept_.grow(edges);
   }
 
-  void set_location(std::uint32_t vertex, const Surface_point& location) {
-    const std::size_t i = vertex - input_->number_of_vertices();
-    if (i >= location_.size()) location_.resize(i + 1);
-    location_[i] = location;
-  }
+  void set_location(std::uint32_t vertex, const Surface_point& location);
 
   // The new vertex cuts the curve along side ij: ij itself, which goes on to bound a face on the
   // other side, is no longer on a curve.
-  void start_curves_on_side(std::uint32_t h, const std::array<std::uint32_t, 3>& to) {
-    const std::uint32_t to_target = fans_.add_fan_on_edge(insertion_.location.halfedge);
-    roundabout_[to[0] ^ 1U] = roundabout_[to[2] ^ 1U] = to_target + 1;
-    roundabout_[to[1] ^ 1U] = to_target;
-    roundabout_[to[0]] = roundabout_[h];
-    roundabout_[to[1]] = roundabout_[h ^ 1U];
-    normal_[h / 2] = 0;
-    roundabout_[h ^ 1U] = fans_.advance(roundabout_[h ^ 1U], 1);
-  }
+  void start_curves_on_side(std::uint32_t h, const std::array<std::uint32_t, 3>& to);
 
   // The new vertex cuts a curve that passes through the face, or starts from a corner of it.
-  void start_curves_in_face(const std::array<std::uint32_t, 3>& to) {
-    const unsigned k = insertion_.region.corner;
-    const bool in_fan = k == insertion_.region.fan_corner;
-    // the location's halfedge leaves the face through side k, or starts from corner k
-    const std::uint32_t slot = fans_.add_fan_on_edge(insertion_.location.halfedge);
-    const std::uint32_t ahead = slot, back = slot + 1;
-    const auto out = [&](unsigned corner) -> std::uint32_t& {
-      return roundabout_[to[corner % 3] ^ 1U];
-    };
-    out(k) = in_fan ? back : ahead;
-    out(k + 1) = in_fan ? ahead : back;
-    out(k + 2) = back;
-  }
+  void start_curves_in_face(const std::array<std::uint32_t, 3>& to);
 
   std::shared_ptr<const Input> input_;
   Vertex_fans fans_;
@@ -345,5 +329,9 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_INTEGER_COORDINATES_H

@@ -238,13 +238,8 @@ Weighted_vertices weighted_vertices(const Triangulation& t, const Surface_point&
 \param w vertices of the input and their weights
 \param points one point per vertex of the input
 */
-inline std::array<double, 3> position(const Weighted_vertices& w,
-                                      std::span<const std::array<double, 3>> points) {
-  std::array<double, 3> p{0, 0, 0};
-  for (std::size_t i = 0; i < w.size; ++i)
-    for (std::size_t c = 0; c < 3; ++c) p[c] += w.weights[i] * points[w.vertices[i]][c];
-  return p;
-}
+std::array<double, 3> position(const Weighted_vertices& w,
+                               std::span<const std::array<double, 3>> points);
 
 /*!
 \brief computes where the vertices of a common subdivision are in space.
@@ -253,14 +248,8 @@ inline std::array<double, 3> position(const Weighted_vertices& w,
 \return one point per vertex of the subdivision
 \complexity linear
 */
-inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
-                                                    std::span<const std::array<double, 3>> points) {
-  std::vector<std::array<double, 3>> result;
-  result.reserve(s.number_of_vertices());
-  for (std::size_t v = 0; v < s.number_of_vertices(); ++v)
-    result.push_back(position(s.on_input(v), points));
-  return result;
-}
+std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
+                                             std::span<const std::array<double, 3>> points);
 
 /*!
 \brief computes where the vertices of a common subdivision are in space, those in polygons that became planar as well.
@@ -273,23 +262,9 @@ neighbours meet; its diagonals become curves.
 \return one point per vertex of the subdivision
 \complexity linear
 */
-inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
-                                                    std::span<const std::array<double, 3>> points,
-                                                    const Input& input) {
-  std::vector<std::array<double, 3>> result = positions(s, points);
-  if (input.planar_polygons().empty()) return result;
-  for (std::size_t v = 0; v < s.number_of_vertices(); ++v) {
-    if (s.kind(v) == Subdivision_vertex_kind::input) continue;
-    const std::uint32_t h = v < s.vertices.size()
-                                ? s.vertices[v].input_halfedge
-                                : 2 * s.crossings[v - s.vertices.size()].on_input.edge;
-    const Weighted_vertices w = s.on_input(v);
-    result[v] = internal::position_on_face(input, input.face(input.is_border(h) ? h ^ 1U : h),
-                                           std::span(w.vertices).first(w.size), w.weights,
-                                           [&points](std::uint32_t u) { return points[u]; });
-  }
-  return result;
-}
+std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
+                                             std::span<const std::array<double, 3>> points,
+                                             const Input& input);
 
 /*!
 \brief computes where the vertices of a common subdivision are in space.
@@ -314,5 +289,9 @@ std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const 
 }
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_COMMON_SUBDIVISION_H
