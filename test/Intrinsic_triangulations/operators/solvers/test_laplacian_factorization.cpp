@@ -184,6 +184,29 @@ TEST(Laplacian_factorization, solves_columns_together_as_one_by_one) {
   }
 }
 
+IT::internal::Elimination::Part part_of_column(const IT::internal::Elimination& e, int k) {
+  return e.part[static_cast<std::size_t>(e.block[static_cast<std::size_t>(k)])];
+}
+
+// Blocks come right after those they wait for, and what is below these: what waits is a stack.
+TEST(Laplacian_factorization, blocks_come_right_after_those_below_them) {
+  std::mt19937 random(5);
+  for (const auto& [size, edges] :
+       {std::pair{1, 0}, {30, 25}, {60, 130}, {600, 900}, {600, 1600}}) {
+    const IT::internal::Elimination e(random_laplacian(size, edges, random));
+    std::vector<int> waiting;
+    std::set<int> seen;
+    for (const int block : e.sequence) {
+      ASSERT_TRUE(seen.insert(block).second);
+      for (; !waiting.empty() && e.parent(waiting.back()) == block; waiting.pop_back()) {
+      }
+      if (e.parent(block) >= 0) waiting.push_back(block);
+    }
+    EXPECT_EQ(seen.size() + 1, e.block_begin.size());
+    EXPECT_TRUE(waiting.empty()) << size;
+  }
+}
+
 // Halves that threads compute: no column of one has an entry in a row of the other, and each is some share of the work.
 TEST(Laplacian_factorization, halves_have_nothing_in_common) {
   const auto one = [] { return 1.; };
@@ -193,10 +216,10 @@ TEST(Laplacian_factorization, halves_have_nothing_in_common) {
   ASSERT_TRUE(e.has_halves());
   std::array<double, 3> work{0, 0, 0};
   for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
-    const Part part = e.part[static_cast<std::size_t>(k)];
+    const Part part = part_of_column(e, k);
     work[part] += static_cast<double>(e.count(k)) * e.count(k);
     for (int i = 0; i < e.count(k); ++i) {
-      const Part there = e.part[static_cast<std::size_t>(e.rows(k)[i])];
+      const Part there = part_of_column(e, e.rows(k)[i]);
       ASSERT_TRUE(there == part || there == Part::after_both) << k;
     }
   }
@@ -209,8 +232,8 @@ TEST(Laplacian_factorization, indefinite_rows_of_halves_are_told) {
   const IT::internal::Elimination e(l);
   for (const auto part :
        {IT::internal::Elimination::first_half, IT::internal::Elimination::second_half}) {
-    const auto k = std::find(e.part.begin(), e.part.end(), part) - e.part.begin();
-    const int row = e.row[static_cast<std::size_t>(k)];
+    const auto block = std::find(e.part.begin(), e.part.end(), part) - e.part.begin();
+    const int row = e.row[static_cast<std::size_t>(e.block_begin[static_cast<std::size_t>(block)])];
     Eigen::VectorXd d = Eigen::VectorXd::Constant(l.rows(), 0.1);
     d[row] = -1e3;
     try {

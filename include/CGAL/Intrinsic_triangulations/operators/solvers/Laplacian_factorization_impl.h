@@ -26,6 +26,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -87,7 +88,9 @@ Elimination::Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> 
   if (!has_symmetric_pattern(a))
     throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
   for (std::size_t k = 0; k < row.size(); ++k) place[row_number(row[k])] = static_cast<int>(k);
-  find_blocks(a);
+  find_later(a);
+  find_blocks();
+  find_sequence();
   find_parts();
 }
 
@@ -95,14 +98,12 @@ Elimination::Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> 
 // child in the elimination tree. A column is of the block of the one before if that adds nothing to what is left of it.
 class Block_finder {
 public:
-  Block_finder(Elimination& e, const Eigen::SparseMatrix<double>& a)
-      : e_(e), a_(a), seen_(e.row.size(), -1), child_(e.row.size(), -1),
-        sibling_(e.row.size(), -1) {}
+  explicit Block_finder(Elimination& e)
+      : e_(e), seen_(e.row.size(), -1), child_(e.row.size(), -1), sibling_(e.row.size(), -1) {}
 
   void add_column(int k) {
-    e_.prefetch_after(a_, k, false);
-    own_.clear();
-    e_.for_each_later(a_, k, [this](int p, int) { own_.push_back(p); });
+    own_.assign(e_.later.begin() + e_.later_begin[row_number(k)],
+                e_.later.begin() + e_.later_begin[row_number(k + 1)]);
     if (k == 0 || !continues_block(k)) begin_block(k);
     const int block = static_cast<int>(e_.block_begin.size()) - 1;
     e_.block.push_back(block);
@@ -162,46 +163,88 @@ private:
   }
 
   Elimination& e_;
-  const Eigen::SparseMatrix<double>& a_;
   std::vector<int> seen_;            // the last block with an entry there
   std::vector<int> child_, sibling_; // of each column a child, and another of the same parent
   std::vector<int> own_, merged_;    // entries of a column
   std::int64_t entries_ = 0;
 };
 
+// The matrix is read from the first row to the last, as places are anywhere in it.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Elimination::find_blocks(const Eigen::SparseMatrix<double>& a) {
+Elimination::find_later(const Eigen::SparseMatrix<double>& a) {
+  later_begin.assign(row.size() + 1, 0);
+  const int *const begin = a.outerIndexPtr(), *const inner = a.innerIndexPtr();
+  for (int c = 0; c < a.cols(); ++c) {
+    const int k = place[row_number(c)];
+    int& count = later_begin[row_number(k + 1)];
+    for (int e = begin[c]; e < begin[c + 1]; ++e) count += place[row_number(inner[e])] > k ? 1 : 0;
+  }
+  std::partial_sum(later_begin.begin(), later_begin.end(), later_begin.begin());
+  later.resize(row_number(later_begin.back()));
+  entry.resize(later.size());
+  for (int c = 0; c < a.cols(); ++c) {
+    const int k = place[row_number(c)];
+    std::size_t to = row_number(later_begin[row_number(k)]);
+    for (int e = begin[c]; e < begin[c + 1]; ++e)
+      if (const int p = place[row_number(inner[e])]; p > k) {
+        later[to] = p;
+        entry[to++] = e;
+      }
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_blocks() {
   column_begin.reserve(row.size() + 1);
   column_begin.push_back(0);
   block.reserve(row.size());
-  Block_finder finder(*this, a);
+  Block_finder finder(*this);
   for (int k = 0; k < static_cast<int>(row.size()); ++k) finder.add_column(k);
   block_begin.push_back(static_cast<int>(row.size()));
   block_rows_begin.push_back(static_cast<int>(block_rows.size()));
 }
 
-// Subtrees of the elimination tree are independent: columns above subtrees of some work come after both halves, the subtrees are distributed.
+// Children are numbered before their parents: from the last on, each block gets the last places that are left of those of its parent.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_sequence() {
+  const int n = static_cast<int>(block_begin.size()) - 1;
+  std::vector<int> size(row_number(n), 1), end(row_number(n));
+  for (int b = 0; b < n; ++b)
+    if (const int above = parent(b); above >= 0) size[row_number(above)] += size[row_number(b)];
+  sequence.resize(row_number(n));
+  int last = n;
+  for (int b = n - 1; b >= 0; --b) {
+    const int above = parent(b);
+    int& free = above >= 0 ? end[row_number(above)] : last;
+    end[row_number(b)] = free - 1;
+    sequence[row_number(free - 1)] = b;
+    free -= size[row_number(b)];
+  }
+}
+
+// Subtrees of the tree of blocks are independent: blocks above subtrees of some work come after both halves, the subtrees are distributed.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_parts() {
-  const int n = static_cast<int>(row.size());
-  std::vector<double> work(row.size(), 0);
+  const int n = static_cast<int>(block_begin.size()) - 1;
+  std::vector<double> work(row_number(n), 0);
   double all = 0;
-  for (int k = 0; k < n; ++k) {
-    const double own = (count(k) + 4.0) * (count(k) + 4.0);
-    work[row_number(k)] += own;
+  for (int b = 0; b < n; ++b) {
+    double own = 0;
+    for (int k = block_begin[row_number(b)]; k < block_begin[row_number(b + 1)]; ++k)
+      own += (count(k) + 4.0) * (count(k) + 4.0);
+    work[row_number(b)] += own;
     all += own;
-    if (count(k) > 0) work[row_number(*rows(k))] += work[row_number(k)];
+    if (const int above = parent(b); above >= 0) work[row_number(above)] += work[row_number(b)];
   }
   constexpr double worth_a_thread = 1e6, greatest_share = 0.2;
-  part.assign(row.size(), after_both);
+  part.assign(row_number(n), after_both);
   if (all < worth_a_thread) return;
   std::array<double, 2> halves{0, 0};
-  for (int k = n - 1; k >= 0; --k) {
-    if (work[row_number(k)] > greatest_share * all) continue;
-    const Part above = count(k) > 0 ? part[row_number(*rows(k))] : after_both;
-    part[row_number(k)] = above != after_both      ? above
+  for (int b = n - 1; b >= 0; --b) {
+    if (work[row_number(b)] > greatest_share * all) continue;
+    const int parent_of_b = parent(b);
+    const Part above = parent_of_b >= 0 ? part[row_number(parent_of_b)] : after_both;
+    part[row_number(b)] = above != after_both      ? above
                           : halves[0] <= halves[1] ? first_half
                                                    : second_half;
-    if (above == after_both) halves[part[row_number(k)]] += work[row_number(k)];
+    if (above == after_both) halves[part[row_number(b)]] += work[row_number(b)];
   }
 }
 
@@ -245,15 +288,8 @@ auto eliminate_all(std::shared_ptr<const Elimination> elimination,
     factors[m] = std::make_shared<Laplacian_factor>(elimination);
     value[m] = factors[m]->value.get();
   }
-  Laplacian_elimination<Number> rest(e, value);
-  const auto eliminate = [&](Elimination::Part part) { // returns the row it stopped at
-    for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
-      const int row = e.row[row_number(k)];
-      if (e.part[row_number(k)] == part && !rest.eliminate(k, laplacian, unit, diagonal(row)))
-        return row;
-    }
-    return -1;
-  };
+  Laplacian_elimination<Number> rest(e, laplacian, unit, value);
+  const auto eliminate = [&](Elimination::Part part) { return rest.eliminate(part, diagonal); };
   auto other = std::async(where_to_run(e.has_halves()), eliminate, Elimination::second_half);
   const int first = eliminate(Elimination::first_half), second = other.get(),
             stopped = first >= 0 ? first : second;
