@@ -16,13 +16,11 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // In which order the rows of a symmetric matrix are eliminated, and where its factor has entries: of the pattern alone.
 struct Elimination {
-  // by approximate minimum degree
+  // by approximate minimum degree \throws std::invalid_argument if the pattern is not symmetric
   explicit Elimination(const Eigen::SparseMatrix<double>& a);
-  // \param order the rows, each once
-  Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order);
 
-  std::size_t pattern;         // a hash of that of the matrix
-  std::vector<int> row, place; // at each place of the order, and of each row
+  Eigen::Index number_of_entries; // of the matrix
+  std::vector<int> row, place;    // at each place of the order, and of each row
   // Of the matrix, the entries after the diagonal at each place, in the order of the matrix: where they begin, their other places, and where the matrix has them.
   std::vector<int> later_begin, later, entry;
   // Where the entries of each column of the factor begin, below the diagonal.
@@ -45,6 +43,8 @@ struct Elimination {
   const int* rows_end(int of_block) const {
     return block_rows.data() + block_rows_begin[row_number(of_block + 1)];
   }
+  // Whether it is that of a matrix, with entries in the same places.
+  bool is_of(const Eigen::SparseMatrix<double>& a) const;
   // the block of the first row below, or -1
   int parent(int of_block) const {
     const int last = block_begin[row_number(of_block + 1)] - 1;

@@ -45,6 +45,7 @@ public:
   int eliminate(Elimination::Part part, const Diagonal& diagonal) {
     Workspace& own = space_[part];
     own.index.resize(e_.row.size());
+    own.front.reserve(row_number(triangle(greatest_front(part))));
     for (const int block : e_.sequence) {
       const int parent = e_.parent(block);
       if (e_.part[row_number(block)] == part) {
@@ -83,6 +84,13 @@ private:
   };
 
   static std::ptrdiff_t triangle(int rows) { return std::ptrdiff_t{rows} * (rows + 1) / 2; }
+
+  int greatest_front(Elimination::Part part) const {
+    int rows = 0;
+    for (std::size_t b = 0; b < e_.part.size(); ++b)
+      if (e_.part[b] == part) rows = std::max(rows, e_.count(e_.block_begin[b]) + 1);
+    return rows;
+  }
 
   template <class Diagonal>
   void assemble(int block, const Diagonal& diagonal, Workspace& own) {
