@@ -6,8 +6,6 @@
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
 
 #include <Eigen/Dense>
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
 
 #include <gtest/gtest.h>
 
@@ -158,32 +156,6 @@ int entries_in_order(const Matrix& l) {
   for (int i = 0; i < static_cast<int>(l.cols()); ++i)
     EXPECT_EQ(rows.at(static_cast<std::size_t>(i)), i);
   return e.column_begin.back();
-}
-
-// Leaves are eliminated before what they hang on, which adds no entry.
-TEST(Laplacian_factorization, order_of_forests_adds_no_entry) {
-  std::mt19937 random(8);
-  for (int size = 1; size < 400; size = 3 * size / 2 + 1) {
-    std::vector<Edge> edges;
-    for (int i = 1; i < size; ++i)
-      if (i % 50 != 0)
-        edges.push_back({i, static_cast<int>(random() % static_cast<unsigned>(i)), 1});
-    EXPECT_EQ(entries_in_order(laplacian_of(size, edges)), static_cast<int>(edges.size())) << size;
-  }
-}
-
-// Against the order that Eigen finds.
-TEST(Laplacian_factorization, order_adds_few_entries) {
-  std::mt19937 random(9);
-  const auto one = [] { return 1.; };
-  for (const Matrix& l :
-       {grid_laplacian(60, one), random_laplacian(500, 900, random),
-        random_laplacian(500, 1600, random), random_laplacian(300, 3000, random)}) {
-    const Matrix one_more = l + Matrix(Eigen::VectorXd::Ones(l.rows()).asDiagonal());
-    const Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> other(one_more);
-    const Matrix factor = other.matrixL();
-    EXPECT_LT(entries_in_order(l), 1.1 * static_cast<double>(factor.nonZeros() - l.rows()));
-  }
 }
 
 TEST(Laplacian_factorization, order_has_rows_with_very_many_entries_last) {

@@ -6,9 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Minimum_degree.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -37,12 +37,35 @@ inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
   return true;
 }
 
+inline bool has_diagonal(const Eigen::SparseMatrix<double>& a) {
+  for (Eigen::Index c = 0; c < a.cols(); ++c) {
+    const auto *first = a.innerIndexPtr() + a.outerIndexPtr()[c],
+               *last = a.innerIndexPtr() + a.outerIndexPtr()[c + 1];
+    if (!std::binary_search(first, last, static_cast<int>(c))) return false;
+  }
+  return true;
+}
+
+// Of the pattern alone, which is half as long without values. Eigen's order wants entries on the diagonal.
+inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& a) {
+  Eigen::SparseMatrix<signed char> pattern(a.rows(), a.cols());
+  pattern.resizeNonZeros(a.nonZeros());
+  std::copy_n(a.outerIndexPtr(), a.cols() + 1, pattern.outerIndexPtr());
+  std::copy_n(a.innerIndexPtr(), a.nonZeros(), pattern.innerIndexPtr());
+  std::fill_n(pattern.valuePtr(), a.nonZeros(), static_cast<signed char>(1));
+  if (!has_diagonal(a))
+    for (Eigen::Index i = 0; i < a.cols(); ++i) pattern.coeffRef(i, i) = 1;
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  if (a.cols() > 0) Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), order);
+  return {order.indices().data(), order.indices().data() + order.indices().size()};
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Elimination::Elimination(const Eigen::SparseMatrix<double>& a)
     : number_of_entries(a.nonZeros()), place(row_number(a.cols())) {
   if (!has_symmetric_pattern(a))
     throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
-  row = Minimum_degree(a).order();
+  row = minimum_degree_order(a);
   for (std::size_t k = 0; k < row.size(); ++k) place[row_number(row[k])] = static_cast<int>(k);
   find_later(a);
   find_blocks();
