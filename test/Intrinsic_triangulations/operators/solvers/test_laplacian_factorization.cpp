@@ -149,6 +149,27 @@ TEST(Laplacian_factorization, has_entries_where_elimination_makes_them) {
     }
 }
 
+int entries_in_order(const Matrix& l) {
+  const IT::internal::Elimination e(l);
+  std::vector<int> rows = e.row;
+  std::sort(rows.begin(), rows.end());
+  for (int i = 0; i < static_cast<int>(l.cols()); ++i)
+    EXPECT_EQ(rows.at(static_cast<std::size_t>(i)), i);
+  return e.column_begin.back();
+}
+
+TEST(Laplacian_factorization, order_has_rows_with_very_many_entries_last) {
+  std::mt19937 random(10);
+  std::vector<Edge> edges;
+  for (int i = 0; i + 1 < 3000; ++i) {
+    edges.push_back({i, i + 1, 1});
+    edges.push_back({i, 3000, 1});
+  }
+  const Matrix l = laplacian_of(3001, edges);
+  EXPECT_EQ(IT::internal::Elimination(l).row.back(), 3000);
+  EXPECT_EQ(entries_in_order(l), static_cast<int>(edges.size()));
+}
+
 TEST(Laplacian_factorization, of_both_is_that_of_each) {
   std::mt19937 random(4);
   for (const auto& [size, edges] : {std::pair{1, 0}, {30, 40}, {200, 700}, {3000, 7000}}) {
@@ -184,6 +205,29 @@ TEST(Laplacian_factorization, solves_columns_together_as_one_by_one) {
   }
 }
 
+IT::internal::Elimination::Part part_of_column(const IT::internal::Elimination& e, int k) {
+  return e.part[static_cast<std::size_t>(e.block[static_cast<std::size_t>(k)])];
+}
+
+// Blocks come right after those they wait for, and what is below these: what waits is a stack.
+TEST(Laplacian_factorization, blocks_come_right_after_those_below_them) {
+  std::mt19937 random(5);
+  for (const auto& [size, edges] :
+       {std::pair{1, 0}, {30, 25}, {60, 130}, {600, 900}, {600, 1600}}) {
+    const IT::internal::Elimination e(random_laplacian(size, edges, random));
+    std::vector<int> waiting;
+    std::set<int> seen;
+    for (const int block : e.sequence) {
+      ASSERT_TRUE(seen.insert(block).second);
+      for (; !waiting.empty() && e.parent(waiting.back()) == block; waiting.pop_back()) {
+      }
+      if (e.parent(block) >= 0) waiting.push_back(block);
+    }
+    EXPECT_EQ(seen.size() + 1, e.block_begin.size());
+    EXPECT_TRUE(waiting.empty()) << size;
+  }
+}
+
 // Halves that threads compute: no column of one has an entry in a row of the other, and each is some share of the work.
 TEST(Laplacian_factorization, halves_have_nothing_in_common) {
   const auto one = [] { return 1.; };
@@ -193,10 +237,10 @@ TEST(Laplacian_factorization, halves_have_nothing_in_common) {
   ASSERT_TRUE(e.has_halves());
   std::array<double, 3> work{0, 0, 0};
   for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
-    const Part part = e.part[static_cast<std::size_t>(k)];
+    const Part part = part_of_column(e, k);
     work[part] += static_cast<double>(e.count(k)) * e.count(k);
     for (int i = 0; i < e.count(k); ++i) {
-      const Part there = e.part[static_cast<std::size_t>(e.rows(k)[i])];
+      const Part there = part_of_column(e, e.rows(k)[i]);
       ASSERT_TRUE(there == part || there == Part::after_both) << k;
     }
   }
@@ -209,8 +253,8 @@ TEST(Laplacian_factorization, indefinite_rows_of_halves_are_told) {
   const IT::internal::Elimination e(l);
   for (const auto part :
        {IT::internal::Elimination::first_half, IT::internal::Elimination::second_half}) {
-    const auto k = std::find(e.part.begin(), e.part.end(), part) - e.part.begin();
-    const int row = e.row[static_cast<std::size_t>(k)];
+    const auto block = std::find(e.part.begin(), e.part.end(), part) - e.part.begin();
+    const int row = e.row[static_cast<std::size_t>(e.block_begin[static_cast<std::size_t>(block)])];
     Eigen::VectorXd d = Eigen::VectorXd::Constant(l.rows(), 0.1);
     d[row] = -1e3;
     try {

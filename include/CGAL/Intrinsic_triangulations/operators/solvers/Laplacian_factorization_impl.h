@@ -6,204 +6,25 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination_impl.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_elimination.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_solver.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/where_to_run.h>
 
-#include <Eigen/OrderingMethods>
-
-#include <boost/functional/hash.hpp>
-
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <future>
-#include <iterator>
-#include <limits>
 #include <memory>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
-
-// Whether there is an entry (c, r) for each (r, c); rows are sorted, so that those of a column are met in their order.
-inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
-  const int *const begin = a.outerIndexPtr(), *const row = a.innerIndexPtr();
-  std::vector<int> next(begin, begin + a.outerSize());
-  for (int c = 0; c < a.outerSize(); ++c)
-    for (int e = begin[c]; e < begin[c + 1]; ++e) {
-      int& mirror = next[row_number(row[e])];
-      if (mirror == begin[row[e] + 1] || row[mirror] != c) return false;
-      ++mirror;
-    }
-  return true;
-}
-
-inline bool has_diagonal(const Eigen::SparseMatrix<double>& a) {
-  for (Eigen::Index c = 0; c < a.cols(); ++c) {
-    const auto *first = a.innerIndexPtr() + a.outerIndexPtr()[c],
-               *last = a.innerIndexPtr() + a.outerIndexPtr()[c + 1];
-    if (!std::binary_search(first, last, static_cast<int>(c))) return false;
-  }
-  return true;
-}
-
-// Of the pattern alone, which is half as long without values. Eigen's order wants entries on the diagonal.
-inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& a) {
-  Eigen::SparseMatrix<signed char> pattern(a.rows(), a.cols());
-  pattern.resizeNonZeros(a.nonZeros());
-  std::copy_n(a.outerIndexPtr(), a.cols() + 1, pattern.outerIndexPtr());
-  std::copy_n(a.innerIndexPtr(), a.nonZeros(), pattern.innerIndexPtr());
-  std::fill_n(pattern.valuePtr(), a.nonZeros(), static_cast<signed char>(1));
-  if (!has_diagonal(a))
-    for (Eigen::Index i = 0; i < a.cols(); ++i) pattern.coeffRef(i, i) = 1;
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  if (a.cols() > 0) Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), order);
-  return {order.indices().data(), order.indices().data() + order.indices().size()};
-}
-
-inline std::size_t hash_of_pattern(const Eigen::SparseMatrix<double>& a) {
-  std::size_t hash = boost::hash_range(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1);
-  boost::hash_range(hash, a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros());
-  return hash;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Elimination::Elimination(const Eigen::SparseMatrix<double>& a)
-    : Elimination(a, minimum_degree_order(a)) {}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Elimination::Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order)
-    : pattern(hash_of_pattern(a)), row(std::move(order)), place(row.size()) {
-  if (!has_symmetric_pattern(a))
-    throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
-  for (std::size_t k = 0; k < row.size(); ++k) place[row_number(row[k])] = static_cast<int>(k);
-  find_blocks(a);
-  find_parts();
-}
-
-// Finds where columns of the factor have entries: where the matrix has some, or an earlier column that has its first entry in the row of the diagonal, its
-// child in the elimination tree. A column is of the block of the one before if that adds nothing to what is left of it.
-class Block_finder {
-public:
-  Block_finder(Elimination& e, const Eigen::SparseMatrix<double>& a)
-      : e_(e), a_(a), seen_(e.row.size(), -1), child_(e.row.size(), -1),
-        sibling_(e.row.size(), -1) {}
-
-  void add_column(int k) {
-    e_.prefetch_after(a_, k, false);
-    own_.clear();
-    e_.for_each_later(a_, k, [this](int p, int) { own_.push_back(p); });
-    if (k == 0 || !continues_block(k)) begin_block(k);
-    const int block = static_cast<int>(e_.block_begin.size()) - 1;
-    e_.block.push_back(block);
-    const int first = e_.block_rows_begin[row_number(block)] + k - e_.block_begin.back(),
-              end = static_cast<int>(e_.block_rows.size());
-    entries_ += end - first;
-    if (entries_ > std::numeric_limits<int>::max())
-      throw std::bad_alloc(); // a factor of more than 26 GB
-    e_.column_begin.push_back(static_cast<int>(entries_));
-    if (first == end) return;
-    const std::size_t parent = row_number(e_.block_rows[row_number(first)]);
-    sibling_[row_number(k)] = child_[parent];
-    child_[parent] = k;
-  }
-
-private:
-  // Calls `visit(begin, end)` with the rows of each child but that of the diagonal, until that returns `false`.
-  template <class Visit>
-  bool for_each_child(int k, const Visit& visit) const {
-    for (int c = child_[row_number(k)]; c >= 0; c = sibling_[row_number(c)]) {
-      const std::size_t b = row_number(e_.block[row_number(c)]);
-      const int end = b + 1 < e_.block_rows_begin.size() ? e_.block_rows_begin[b + 1]
-                                                         : static_cast<int>(e_.block_rows.size());
-      const int count = e_.column_begin[row_number(c + 1)] - e_.column_begin[row_number(c)];
-      if (!visit(c, e_.block_rows.data() + end - count + 1, e_.block_rows.data() + end))
-        return false;
-    }
-    return true;
-  }
-
-  bool continues_block(int k) const {
-    const int block = static_cast<int>(e_.block_begin.size()) - 1;
-    const auto is_there = [&](int r) { return seen_[row_number(r)] == block; };
-    bool is_child = false;
-    return std::all_of(own_.begin(), own_.end(), is_there) &&
-           for_each_child(k,
-                          [&](int c, const int* first, const int* last) {
-                            if (c == k - 1) is_child = true;
-                            return c == k - 1 || std::all_of(first, last, is_there);
-                          }) &&
-           is_child;
-  }
-
-  void begin_block(int k) {
-    std::sort(own_.begin(), own_.end());
-    for_each_child(k, [&](int, const int* first, const int* last) {
-      merged_.clear();
-      std::set_union(own_.begin(), own_.end(), first, last, std::back_inserter(merged_));
-      own_.swap(merged_);
-      return true;
-    });
-    const int block = static_cast<int>(e_.block_begin.size());
-    for (const int r : own_) seen_[row_number(r)] = block;
-    e_.block_begin.push_back(k);
-    e_.block_rows_begin.push_back(static_cast<int>(e_.block_rows.size()));
-    e_.block_rows.insert(e_.block_rows.end(), own_.begin(), own_.end());
-  }
-
-  Elimination& e_;
-  const Eigen::SparseMatrix<double>& a_;
-  std::vector<int> seen_;            // the last block with an entry there
-  std::vector<int> child_, sibling_; // of each column a child, and another of the same parent
-  std::vector<int> own_, merged_;    // entries of a column
-  std::int64_t entries_ = 0;
-};
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Elimination::find_blocks(const Eigen::SparseMatrix<double>& a) {
-  column_begin.reserve(row.size() + 1);
-  column_begin.push_back(0);
-  block.reserve(row.size());
-  Block_finder finder(*this, a);
-  for (int k = 0; k < static_cast<int>(row.size()); ++k) finder.add_column(k);
-  block_begin.push_back(static_cast<int>(row.size()));
-  block_rows_begin.push_back(static_cast<int>(block_rows.size()));
-}
-
-// Subtrees of the elimination tree are independent: columns above subtrees of some work come after both halves, the subtrees are distributed.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_parts() {
-  const int n = static_cast<int>(row.size());
-  std::vector<double> work(row.size(), 0);
-  double all = 0;
-  for (int k = 0; k < n; ++k) {
-    const double own = (count(k) + 4.0) * (count(k) + 4.0);
-    work[row_number(k)] += own;
-    all += own;
-    if (count(k) > 0) work[row_number(*rows(k))] += work[row_number(k)];
-  }
-  constexpr double worth_a_thread = 1e6, greatest_share = 0.2;
-  part.assign(row.size(), after_both);
-  if (all < worth_a_thread) return;
-  std::array<double, 2> halves{0, 0};
-  for (int k = n - 1; k >= 0; --k) {
-    if (work[row_number(k)] > greatest_share * all) continue;
-    const Part above = count(k) > 0 ? part[row_number(*rows(k))] : after_both;
-    part[row_number(k)] = above != after_both      ? above
-                          : halves[0] <= halves[1] ? first_half
-                                                   : second_half;
-    if (above == after_both) halves[part[row_number(k)]] += work[row_number(k)];
-  }
-}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Ordered_laplacian::Ordered_laplacian(Matrix laplacian)
     : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))) {
@@ -229,8 +50,7 @@ inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::
 
 // Throws if the order of one matrix is not one for another.
 inline void expect_same_pattern(const Elimination& e, const Eigen::SparseMatrix<double>& a) {
-  if (static_cast<Eigen::Index>(e.row.size()) != a.cols() || e.pattern != hash_of_pattern(a))
-    throw std::invalid_argument("the matrices must have the same pattern");
+  if (!e.is_of(a)) throw std::invalid_argument("the matrices must have the same pattern");
 }
 
 // Eliminates all places of a Laplacian, its weights times a unit, and a diagonal. \return a factor per matrix \throws Indefinite_matrix
@@ -245,15 +65,8 @@ auto eliminate_all(std::shared_ptr<const Elimination> elimination,
     factors[m] = std::make_shared<Laplacian_factor>(elimination);
     value[m] = factors[m]->value.get();
   }
-  Laplacian_elimination<Number> rest(e, value);
-  const auto eliminate = [&](Elimination::Part part) { // returns the row it stopped at
-    for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
-      const int row = e.row[row_number(k)];
-      if (e.part[row_number(k)] == part && !rest.eliminate(k, laplacian, unit, diagonal(row)))
-        return row;
-    }
-    return -1;
-  };
+  Laplacian_elimination<Number> rest(e, laplacian, unit, value);
+  const auto eliminate = [&](Elimination::Part part) { return rest.eliminate(part, diagonal); };
   auto other = std::async(where_to_run(e.has_halves()), eliminate, Elimination::second_half);
   const int first = eliminate(Elimination::first_half), second = other.get(),
             stopped = first >= 0 ? first : second;

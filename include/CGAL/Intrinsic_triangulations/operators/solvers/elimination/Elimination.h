@@ -14,21 +14,15 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-inline void prefetch([[maybe_unused]] const void* memory) {
-#ifdef __GNUC__
-  __builtin_prefetch(memory);
-#endif
-}
-
 // In which order the rows of a symmetric matrix are eliminated, and where its factor has entries: of the pattern alone.
 struct Elimination {
-  // by approximate minimum degree
+  // by approximate minimum degree \throws std::invalid_argument if the pattern is not symmetric
   explicit Elimination(const Eigen::SparseMatrix<double>& a);
-  // \param order the rows, each once
-  Elimination(const Eigen::SparseMatrix<double>& a, std::vector<int> order);
 
-  std::size_t pattern;         // a hash of that of the matrix
-  std::vector<int> row, place; // at each place of the order, and of each row
+  Eigen::Index number_of_entries; // of the matrix
+  std::vector<int> row, place;    // at each place of the order, and of each row
+  // Of the matrix, the entries after the diagonal at each place, in the order of the matrix: where they begin, their other places, and where the matrix has them.
+  std::vector<int> later_begin, later, entry;
   // Where the entries of each column of the factor begin, below the diagonal.
   std::vector<int> column_begin;
   // Blocks of columns that end alike, each with the next one as its first entry: where they begin, and of each column.
@@ -36,7 +30,9 @@ struct Elimination {
   // The places of the entries of the first column of each block, ascending, which end with those of the others.
   std::vector<int> block_rows_begin, block_rows;
 
-  // Of each column, who computes it: one of two halves, which have nothing in common, or what comes after both. The same whether or not there are threads.
+  // The blocks, each right after those that it is the parent of, and what is below these.
+  std::vector<int> sequence;
+  // Of each block, who computes it: one of two halves, which have nothing in common, or what comes after both. The same whether or not there are threads.
   enum Part : unsigned char { first_half, second_half, after_both };
   std::vector<Part> part;
   bool has_halves() const { return std::find(part.begin(), part.end(), second_half) != part.end(); }
@@ -47,29 +43,20 @@ struct Elimination {
   const int* rows_end(int of_block) const {
     return block_rows.data() + block_rows_begin[row_number(of_block + 1)];
   }
-  // Asks for rows that follow in the order, which are anywhere in the matrix, before they are needed.
-  void prefetch_after(const Eigen::SparseMatrix<double>& a, int k, bool with_values) const {
-    constexpr std::size_t ahead = 8;
-    const std::size_t soon = row_number(k) + ahead;
-    if (soon + ahead >= row.size()) return;
-    prefetch(a.outerIndexPtr() + row[soon + ahead]);
-    const int e = a.outerIndexPtr()[row[soon]];
-    prefetch(a.innerIndexPtr() + e);
-    if (with_values) prefetch(a.valuePtr() + e);
-  }
-  // calls `visit(p, e)` for each later place p joined to place k in the matrix, and where the matrix has the entry
-  template <class Visit>
-  void for_each_later(const Eigen::SparseMatrix<double>& a, int k, const Visit& visit) const {
-    const int *const begin = a.outerIndexPtr() + row[row_number(k)], *const inner =
-                                                                         a.innerIndexPtr();
-    for (int e = begin[0]; e < begin[1]; ++e)
-      if (const int p = place[row_number(inner[e])]; p > k) visit(p, e);
+  // Whether it is that of a matrix, with entries in the same places.
+  bool is_of(const Eigen::SparseMatrix<double>& a) const;
+  // the block of the first row below, or -1
+  int parent(int of_block) const {
+    const int last = block_begin[row_number(of_block + 1)] - 1;
+    return count(last) > 0 ? block[row_number(*rows(last))] : -1;
   }
   // the places of the entries of a column
   const int* rows(int column) const { return rows_end(block[row_number(column)]) - count(column); }
 
 private:
-  void find_blocks(const Eigen::SparseMatrix<double>& a);
+  void find_later(const Eigen::SparseMatrix<double>& a);
+  void find_blocks();
+  void find_sequence();
   void find_parts();
 };
 

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -18,38 +19,45 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What is left of a Laplacian and a diagonal, or of two with entries at the same places, while places are eliminated in turn: weights between later places,
-// and the sums of their rows.
+inline void prefetch([[maybe_unused]] const void* memory) {
+#ifdef __GNUC__
+  __builtin_prefetch(memory);
+#endif
+}
+
+// Eliminates the places of a Laplacian and a diagonal, or of two with entries at the same places, block by block (Duff and Reid 1983). A block is eliminated
+// in a *front*: the weights between its columns and all rows where these have entries. What that leaves between the rows below waits for the block of
+// the first of them, on a stack, as blocks come right after what they wait for: all that is computed with is side by side.
 template <class Number>
 class Laplacian_elimination {
 public:
   static constexpr std::size_t matrices = size_of_pack<Number>;
 
-  // \param value where the factor of each matrix goes
-  Laplacian_elimination(const Elimination& e, const std::array<double*, matrices>& value)
-      : e_(e), value_(value), pivot_(e.row.size()), next_(e.block_begin.size(), -1),
-        left_(e.block_begin.size(), 0),
-        sum_(e.row.size(), zero_pack<Number>()), half_{Half(e.row.size()),
-                                                       Half(e.has_halves() ? e.row.size() : 0)} {}
+  // \param unit what the weights of the matrix are multiplied by \param value where the factor of each matrix goes
+  Laplacian_elimination(const Elimination& e, const Eigen::SparseMatrix<double>& laplacian,
+                        const Number& unit, const std::array<double*, matrices>& value)
+      : e_(e), laplacian_(laplacian), unit_(unit), value_(value), pivot_(e.row.size()),
+        begin_(e.part.size()) {}
 
-  // \param unit what the weights of the matrix are multiplied by \return whether the pivot is positive, up to rounding
-  bool eliminate(int k, const Eigen::SparseMatrix<double>& laplacian, const Number& unit,
-                 const Number& diagonal) {
-    e_.prefetch_after(laplacian, k, true);
-    const Elimination::Part part = e_.part[row_number(k)];
-    Half& half = half_[part == Elimination::second_half ? 1 : 0];
-    const double* const entry = laplacian.valuePtr();
-    e_.for_each_later(laplacian, k,
-                      [&](int p, int i) { half.weight[row_number(p)] = -entry[i] * unit; });
-    Number sum = diagonal + add_blocks(k, half, half);
-    if (part == Elimination::after_both && !half_[1].first.empty())
-      sum += add_blocks(k, half_[1], half);
-    const int own = e_.block[row_number(k)], count = e_.count(k);
-    sum += add_columns(e_.block_begin[row_number(own)], k, count + 1, half);
-    sum_[row_number(k)] = sum;
-    const bool is_positive = finish(k, sum, half);
-    if (k + 1 == e_.block_begin[row_number(own + 1)]) list(own, count, half);
-    return is_positive;
+  // Eliminates the blocks of a part; those of the two halves may be eliminated at a time, before the others.
+  // \param diagonal called with a row \return the row of a pivot that is not positive, up to rounding, or -1
+  template <class Diagonal>
+  int eliminate(Elimination::Part part, const Diagonal& diagonal) {
+    Workspace& own = space_[part];
+    own.index.resize(e_.row.size());
+    own.front.reserve(row_number(triangle(greatest_front(part))));
+    for (const int block : e_.sequence) {
+      const int parent = e_.parent(block);
+      if (e_.part[row_number(block)] == part) {
+        assemble(block, diagonal, own);
+        if (const int row = eliminate_front(block, own); row >= 0) return row;
+        keep_rest(block, own);
+      } else if (part != Elimination::after_both || parent < 0 ||
+                 e_.part[row_number(parent)] != part)
+        continue;
+      if (parent >= 0) own.waiting.push_back(block);
+    }
+    return -1;
   }
 
   // the pivots of a matrix
@@ -62,140 +70,139 @@ public:
 
 private:
   // What those that compute at a time do not share.
-  struct Half {
-    explicit Half(std::size_t size) : first(size, -1), weight(size, zero_pack<Number>()) {}
+  struct Workspace {
+    int rows = 0, columns = 0; // of the front
+    std::vector<Number>
+        front; // by columns, each from its diagonal on: weights, and on the diagonal sums of rows
+    std::vector<Number> inverse; // of the pivots
+    std::vector<int> index;      // of places in the front
+    std::vector<int> waiting;    // blocks, of which what is left waits
+    std::vector<Number> stack;   // that
 
-    std::vector<int> first;     // of a list of blocks, by the row of the entry that is needed next
-    std::vector<Number> weight; // from the place that is eliminated, by place
+    // the entry of column c in row 0, if it had one
+    Number* column(int c) { return front.data() + std::ptrdiff_t{c} * rows - triangle(c); }
   };
 
-  // Puts a block where its next entry is needed: that with so many left, itself included.
-  void list(int block, int left, Half& half) {
-    left_[row_number(block)] = left;
-    if (left == 0) return;
-    const std::size_t k = row_number(*(e_.rows_end(block) - left));
-    next_[row_number(block)] = half.first[k];
-    half.first[k] = block;
+  static std::ptrdiff_t triangle(int rows) { return std::ptrdiff_t{rows} * (rows + 1) / 2; }
+
+  int greatest_front(Elimination::Part part) const {
+    int rows = 0;
+    for (std::size_t b = 0; b < e_.part.size(); ++b)
+      if (e_.part[b] == part) rows = std::max(rows, e_.count(e_.block_begin[b]) + 1);
+    return rows;
   }
 
-  // Adds what blocks with an entry in row k add to its weights. \return what they add to its sum
-  Number add_blocks(int k, const Half& listed, Half& half) {
-    Number sum = zero_pack<Number>();
-    for (int b = listed.first[row_number(k)]; b >= 0;) {
-      const int next = next_[row_number(b)], left = left_[row_number(b)];
-      sum +=
-          add_columns(e_.block_begin[row_number(b)], e_.block_begin[row_number(b + 1)], left, half);
-      list(b, left - 1, half);
-      b = next;
+  template <class Diagonal>
+  void assemble(int block, const Diagonal& diagonal, Workspace& own) {
+    const int begin = e_.block_begin[row_number(block)],
+              end = e_.block_begin[row_number(block + 1)], below = e_.count(end - 1);
+    own.columns = end - begin;
+    own.rows = own.columns + below;
+    own.front.assign(row_number(triangle(own.rows)), zero_pack<Number>());
+    for (int k = begin; k < end; ++k) own.index[row_number(k)] = k - begin;
+    for (int i = 0; i < below; ++i) own.index[row_number(e_.rows(end - 1)[i])] = own.columns + i;
+    const double* const entry = laplacian_.valuePtr();
+    for (int k = begin; k < end; ++k) {
+      Number* const column = own.column(k - begin);
+      column[k - begin] = diagonal(e_.row[row_number(k)]);
+      for (int i = e_.later_begin[row_number(k)]; i < e_.later_begin[row_number(k + 1)]; ++i) {
+        constexpr int ahead = 32; // entries that follow are anywhere in the matrix
+        if (row_number(i + ahead) < e_.entry.size())
+          prefetch(entry + e_.entry[row_number(i + ahead)]);
+        column[own.index[row_number(e_.later[row_number(i)])]] =
+            -entry[e_.entry[row_number(i)]] * unit_;
+      }
     }
-    return sum;
+    for (; !own.waiting.empty() && e_.parent(own.waiting.back()) == block; own.waiting.pop_back())
+      add_rest(own.waiting.back(), own);
   }
 
-  // Adds what the elimination of columns of a block, whose last `left` entries are in the same rows, adds to the weights of the first of these rows.
-  // \return what it adds to the sum of the row
-  Number add_columns(int begin, int end, int left, Half& half) {
-    Number sum = zero_pack<Number>();
-    if (begin == end) return sum;
-    const int* const rows = e_.rows_end(e_.block[row_number(begin)]) - left;
-    const auto factor = [&](int j) -> Number {
-      const Number l = value(tail(j, left));
-      sum += l * sum_[row_number(j)];
-      return l * pivot_[row_number(j)];
-    };
-    int j = begin;
-    for (; j + 4 <= end; j += 4) { // at once, as what is added to is scattered
-      const std::array<Number, 4> factors{factor(j), factor(j + 1), factor(j + 2), factor(j + 3)};
-      add_multiples<4>(rows, left,
-                       {tail(j, left), tail(j + 1, left), tail(j + 2, left), tail(j + 3, left)},
-                       factors, half);
+  // Adds what is left of a block to the front.
+  void add_rest(int block, Workspace& own) {
+    const int last = e_.block_begin[row_number(block + 1)] - 1, size = e_.count(last);
+    const int* const rows = e_.rows(last);
+    Workspace& of_block = space_[e_.part[row_number(block)]];
+    const Number* rest = of_block.stack.data() + begin_[row_number(block)];
+    for (int c = 0; c < size; ++c) {
+      Number* const column = own.column(own.index[row_number(rows[c])]);
+      for (int i = c; i < size; ++i) column[own.index[row_number(rows[i])]] += *rest++;
     }
-    for (; j + 2 <= end; j += 2) {
-      const std::array<Number, 2> factors{factor(j), factor(j + 1)};
-      add_multiples<2>(rows, left, {tail(j, left), tail(j + 1, left)}, factors, half);
+    if (&of_block == &own) own.stack.resize(begin_[row_number(block)]);
+  }
+
+  void keep_rest(int block, Workspace& own) {
+    begin_[row_number(block)] = own.stack.size();
+    own.stack.insert(own.stack.end(), own.front.end() - triangle(own.rows - own.columns),
+                     own.front.end());
+  }
+
+  // \return the row of a pivot that is not positive, or -1
+  int eliminate_front(int block, Workspace& own) {
+    own.inverse.resize(row_number(own.columns));
+    for (int c = 0; c < own.rows; ++c) {
+      const int before = std::min(c, own.columns);
+      int j = 0;
+      for (; j + 4 <= before; j += 4) add_multiples<4>(j, c, own);
+      for (; j + 2 <= before; j += 2) add_multiples<2>(j, c, own);
+      for (; j < before; ++j) add_multiples<1>(j, c, own);
+      if (const int k = e_.block_begin[row_number(block)] + c;
+          c < own.columns && !finish(k, c, own))
+        return e_.row[row_number(k)];
     }
-    for (; j < end; ++j) add_multiples<1>(rows, left, {tail(j, left)}, {factor(j)}, half);
-    return sum;
+    return -1;
   }
 
-  // a sum, and no expression that refers to its terms
-  template <class Numbers>
-  static Numbers add(const Numbers& a, const Numbers& b) {
-    return a + b;
-  }
-
-  // Adds multiples of columns, of which the entries begin there, to the weights of all these rows but the first.
+  // Adds what the elimination of columns from j on adds to column c.
   template <std::size_t columns>
-  void add_multiples(const int* rows, int left, const std::array<std::ptrdiff_t, columns>& column,
-                     const std::array<Number, columns>& factors, Half& half) {
-    using Pair = Eigen::Array2d;
-    Number* const w = half.weight.data();
-    const auto sum = [](const auto& term) {
-      if constexpr (columns == 4)
-        return add(add(term(0), term(1)), add(term(2), term(3)));
-      else if constexpr (columns == 2)
-        return add(term(0), term(1));
-      else
-        return term(0);
-    };
-    int i = 1;
-    for (; i + 2 <= left;
-         i += 2) { // of two rows at a time, as entries of a column are side by side
-      std::array<Pair, matrices> added;
-      for (std::size_t m = 0; m < matrices; ++m)
-        added[m] = sum([&](std::size_t c) -> Pair {
-          return Eigen::Map<const Pair>(value_[m] + column[c] + i) * number_of(factors[c], m);
-        });
-      for (const int k : {0, 1})
-        if constexpr (matrices == 1)
-          w[rows[i + k]] += added[0][k];
-        else
-          w[rows[i + k]] += Pair(added[0][k], added[1][k]);
+  static void add_multiples(int j, int c, Workspace& own) {
+    std::array<const Number*, columns> from;
+    std::array<Number, columns> factor;
+    for (std::size_t m = 0; m < columns; ++m) {
+      const int k = j + static_cast<int>(m);
+      from[m] = own.column(k);
+      factor[m] = from[m][c] * own.inverse[row_number(k)];
     }
-    for (; i < left; ++i)
-      w[rows[i]] += sum([&](std::size_t c) -> Number { return value(column[c] + i) * factors[c]; });
+    const auto sum = [&](const auto& entry) -> Number {
+      if constexpr (columns == 4)
+        return (entry(0) * factor[0] + entry(1) * factor[1]) +
+               (entry(2) * factor[2] + entry(3) * factor[3]);
+      else if constexpr (columns == 2)
+        return entry(0) * factor[0] + entry(1) * factor[1];
+      else
+        return entry(0) * factor[0];
+    };
+    Number* const to = own.column(c);
+    to[c] += sum([&](std::size_t m) -> const Number& { return from[m][j + static_cast<int>(m)]; });
+    for (int i = c + 1; i < own.rows; ++i)
+      to[i] += sum([&](std::size_t m) -> const Number& { return from[m][i]; });
   }
 
-  // an entry of the factor of each matrix
-  Number value(std::ptrdiff_t entry) const {
-    if constexpr (matrices == 1)
-      return value_[0][entry];
-    else
-      return Number(value_[0][entry], value_[1][entry]);
-  }
-
-  // where a column has the first of its last entries
-  std::ptrdiff_t tail(int column, int count) const {
-    return e_.column_begin[row_number(column + 1)] - count;
-  }
-
-  bool finish(int k, const Number& sum, Half& half) {
-    const int count = e_.count(k);
-    const int* const rows = e_.rows(k);
-    const std::ptrdiff_t begin = tail(k, count);
-    Number pivot = sum, all = absolute(sum);
-    for (int i = 0; i < count; ++i) {
-      const Number& w = half.weight[row_number(rows[i])];
-      pivot += w;
-      all += absolute(w);
+  // Writes a column of the factor. \return whether its pivot is positive
+  bool finish(int k, int c, Workspace& own) {
+    const Number* const column = own.column(c);
+    Number pivot = column[c], all = absolute(pivot);
+    for (int i = c + 1; i < own.rows; ++i) {
+      pivot += column[i];
+      all += absolute(column[i]);
     }
     pivot_[row_number(k)] = pivot;
     const Number inverse = inverse_of(pivot);
-    for (int i = 0; i < count; ++i) {
-      Number& w = half.weight[row_number(rows[i])];
-      const Number scaled = w * inverse;
-      for (std::size_t m = 0; m < matrices; ++m) value_[m][begin + i] = number_of(scaled, m);
-      w = zero_pack<Number>();
+    own.inverse[row_number(c)] = inverse;
+    std::ptrdiff_t entry = e_.column_begin[row_number(k)];
+    for (int i = c + 1; i < own.rows; ++i, ++entry) {
+      const Number scaled = column[i] * inverse;
+      for (std::size_t m = 0; m < matrices; ++m) value_[m][entry] = number_of(scaled, m);
     }
     return are_all(pivot > 64 * std::numeric_limits<double>::epsilon() * all);
   }
 
   const Elimination& e_;
+  const Eigen::SparseMatrix<double>& laplacian_;
+  Number unit_;
   std::array<double*, matrices> value_;
   std::vector<Number> pivot_;
-  std::vector<int> next_;   // of each block in its list
-  std::vector<int> left_;   // number of entries of a block from there on
-  std::vector<Number> sum_; // of each row, when it is eliminated
-  std::array<Half, 2> half_;
+  std::vector<std::size_t> begin_; // of each block, where what is left of it begins on its stack
+  std::array<Workspace, 3> space_; // of each part
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
