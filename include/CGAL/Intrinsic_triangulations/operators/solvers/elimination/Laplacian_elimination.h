@@ -45,7 +45,7 @@ public:
   int eliminate(Elimination::Part part, const Diagonal& diagonal) {
     Workspace& own = space_[part];
     own.index.resize(e_.row.size());
-    own.front.reserve(row_number(triangle(greatest_front(part))));
+    reserve(part, own);
     for (const int block : e_.sequence) {
       const int parent = e_.parent(block);
       if (e_.part[row_number(block)] == part) {
@@ -85,11 +85,24 @@ private:
 
   static std::ptrdiff_t triangle(int rows) { return std::ptrdiff_t{rows} * (rows + 1) / 2; }
 
-  int greatest_front(Elimination::Part part) const {
+  // Memory for the greatest front and the highest stack of a part, which would be asked for again and again.
+  void reserve(Elimination::Part part, Workspace& own) const {
+    std::vector<std::ptrdiff_t> of_children(e_.part.size(),
+                                            0); // what is left of those on the same stack
+    std::ptrdiff_t height = 0, highest = 0;
     int rows = 0;
-    for (std::size_t b = 0; b < e_.part.size(); ++b)
-      if (e_.part[b] == part) rows = std::max(rows, e_.count(e_.block_begin[b]) + 1);
-    return rows;
+    for (const int b : e_.sequence) {
+      if (e_.part[row_number(b)] != part) continue;
+      const int last = e_.block_begin[row_number(b + 1)] - 1, parent = e_.parent(b);
+      const std::ptrdiff_t rest = triangle(e_.count(last));
+      height += rest - of_children[row_number(b)];
+      highest = std::max(highest, height);
+      rows = std::max(rows, e_.count(e_.block_begin[row_number(b)]) + 1);
+      if (parent >= 0 && e_.part[row_number(parent)] == part)
+        of_children[row_number(parent)] += rest;
+    }
+    own.front.reserve(row_number(triangle(rows)));
+    own.stack.reserve(row_number(highest));
   }
 
   template <class Diagonal>
