@@ -10,7 +10,7 @@
 
 namespace program {
 
-// One translation unit each, to compile in little memory.
+// Not here, to compile in little memory.
 void run_delaunay_with_crossings(const Options& options);
 void run_delaunay_with_signposts(const Options& options);
 

@@ -15,7 +15,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Expression_steps::Expression_steps(std::uint32_t number_of_values) : values_(number_of_values) {
-  steps_.reserve(12); // those of the library have no more
+  steps_.reserve(12); // those of two faces have no more
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::uint32_t

@@ -44,7 +44,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a number of which nothing is known but how it is computed: from values, and constants.
 
 Operations add a step to the recording that goes on in this thread.
-\pre there is one: numbers are neither made before it nor kept after it
+\throws std::logic_error if there is none, as of static numbers
+\pre numbers are not kept after the recording they were made in
 \cgalModels{Field}
 */
 class Recorded_number {

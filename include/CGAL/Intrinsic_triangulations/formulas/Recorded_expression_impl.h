@@ -9,9 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_steps.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
-#include <CGAL/assertions.h>
-
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -23,8 +22,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Expression_steps*& Recorded_number::recordi
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::uint32_t
 Recorded_number::add(Operation operation, std::uint32_t a, std::uint32_t b, double x) {
-  CGAL_precondition_msg(recording() != nullptr, "numbers of an expression are made while it is "
-                                                "recorded: it has no static numbers");
+  if (recording() == nullptr)
+    throw std::logic_error("numbers of an expression are made while it is recorded: it has no "
+                           "static numbers");
   return recording()->add(operation, a, b, x);
 }
 

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/input/position_on_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/position_on_face.h>
 
 #include <array>
 #include <cstddef>
