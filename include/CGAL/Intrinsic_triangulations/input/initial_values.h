@@ -132,8 +132,8 @@ inline Interval_nt<false> determinant_interval(double a, double b, double c, dou
   return {-(-a * b + c * d), a * b + -c * d};
 }
 
-// The same if the error of one product is found, so that nothing is lost where they cancel; a wide interval if it may be
-// no double.
+// The same if the error of one product is found, so that nothing is lost where they cancel; a wide interval if that may be
+// no double. Products must be finite.
 inline Interval_nt<false> sharp_determinant(double a, double b, double c, double d) {
   const double product = c * d, error = std::fma(-c, d, product);
   if (std::abs(product) < 0x1p-900 && c != 0 && d != 0) return determinant_interval(a, b, c, d);

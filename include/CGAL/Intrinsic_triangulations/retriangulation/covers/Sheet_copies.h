@@ -115,9 +115,12 @@ public:
     std::vector<Surface_point> result{in_or_on(p->point, place)};
     std::array<Surface_point, 3> sides{p->point, turned(p->point), turned(turned(p->point))};
     std::ranges::sort(sides, {}, [](const Surface_point& q) { return q.weights[2]; });
-    for (const Surface_point& q : sides)
+    for (const Surface_point& q : sides) {
+      if (!Triangulation::Metric::is_exact && q.weights[2] >= nearness)
+        break; // nobody would refuse a face far from the place
       if (const std::uint32_t o = q.halfedge ^ 1U; !View(t_).is_border(o))
         result.push_back(in_or_on({o, {q.weights[1], q.weights[0], 0}}, place));
+    }
     return result;
   }
 

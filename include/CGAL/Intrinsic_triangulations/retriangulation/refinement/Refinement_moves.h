@@ -132,6 +132,7 @@ protected:
   void start_from(Vertex circumcenter) {
     ++result_.counts.circumcenters;
     removable_.set(t_.index(circumcenter), true);
+    copies_.note(t_.index(circumcenter));
     suspect_star(circumcenter);
   }
 

@@ -37,24 +37,19 @@ inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
   return true;
 }
 
-inline bool has_diagonal(const Eigen::SparseMatrix<double>& a) {
-  for (Eigen::Index c = 0; c < a.cols(); ++c) {
-    const auto *first = a.innerIndexPtr() + a.outerIndexPtr()[c],
-               *last = a.innerIndexPtr() + a.outerIndexPtr()[c + 1];
-    if (!std::binary_search(first, last, static_cast<int>(c))) return false;
-  }
-  return true;
-}
-
-// Of the pattern alone, which is half as long without values. Eigen's order wants entries on the diagonal.
+// Of the pattern alone, below the diagonal, with all of that, as Eigen wants it.
 inline std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<double>& a) {
   Eigen::SparseMatrix<signed char> pattern(a.rows(), a.cols());
-  pattern.resizeNonZeros(a.nonZeros());
-  std::copy_n(a.outerIndexPtr(), a.cols() + 1, pattern.outerIndexPtr());
-  std::copy_n(a.innerIndexPtr(), a.nonZeros(), pattern.innerIndexPtr());
-  std::fill_n(pattern.valuePtr(), a.nonZeros(), static_cast<signed char>(1));
-  if (!has_diagonal(a))
-    for (Eigen::Index i = 0; i < a.cols(); ++i) pattern.coeffRef(i, i) = 1;
+  pattern.resizeNonZeros(a.nonZeros() / 2 + a.cols());
+  int count = 0;
+  for (int c = 0; c < a.cols(); ++c) {
+    pattern.innerIndexPtr()[count++] = c;
+    for (int e = a.outerIndexPtr()[c]; e < a.outerIndexPtr()[c + 1]; ++e)
+      if (a.innerIndexPtr()[e] > c) pattern.innerIndexPtr()[count++] = a.innerIndexPtr()[e];
+    pattern.outerIndexPtr()[c + 1] = count;
+  }
+  pattern.resizeNonZeros(count);
+  std::fill_n(pattern.valuePtr(), count, static_cast<signed char>(1));
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
   if (a.cols() > 0) Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), order);
   return {order.indices().data(), order.indices().data() + order.indices().size()};
@@ -77,12 +72,15 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
 Elimination::is_of(const Eigen::SparseMatrix<double>& a) const {
   if (row_number(a.cols()) != row.size() || a.nonZeros() != number_of_entries) return false;
   const int* const begin = a.outerIndexPtr();
-  for (std::size_t k = 0; k < row.size(); ++k)
-    for (std::size_t i = row_number(later_begin[k]); i < row_number(later_begin[k + 1]); ++i)
-      if (entry[i] < begin[row[k]] || entry[i] >= begin[row[k] + 1] ||
-          a.innerIndexPtr()[entry[i]] != row[row_number(later[i])])
-        return false;
-  return true;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    int i = later_begin[k];
+    for (int e = begin[row[k]]; e < begin[row[k] + 1]; ++e)
+      if (const int p = place[row_number(a.innerIndexPtr()[e])]; p > static_cast<int>(k))
+        if (i == later_begin[k + 1] || entry[row_number(i)] != e || later[row_number(i++)] != p)
+          return false;
+    if (i != later_begin[k + 1]) return false;
+  }
+  return has_symmetric_pattern(a);
 }
 
 // Finds where columns of the factor have entries: where the matrix has some, or an earlier column that has its first entry in the row of the diagonal, its
@@ -194,20 +192,31 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_blocks() {
   block_rows_begin.push_back(static_cast<int>(block_rows.size()));
 }
 
-// Children are numbered before their parents: from the last on, each block gets the last places that are left of those of its parent.
+// Children are numbered before their parents: from the last on, each block gets the last places that are left of those of its parent, but that with most below
+// it the first ones.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Elimination::find_sequence() {
   const int n = static_cast<int>(block_begin.size()) - 1;
-  std::vector<int> size(row_number(n), 1), end(row_number(n));
+  std::vector<int> size(row_number(n), 1), greatest(row_number(n), -1), at(row_number(n)),
+      end(row_number(n)); // of the places that are left
   for (int b = 0; b < n; ++b)
-    if (const int above = parent(b); above >= 0) size[row_number(above)] += size[row_number(b)];
+    if (const int above = parent(b); above >= 0) {
+      size[row_number(above)] += size[row_number(b)];
+      int& g = greatest[row_number(above)];
+      if (g < 0 || size[row_number(b)] > size[row_number(g)]) g = b;
+    }
   sequence.resize(row_number(n));
   int last = n;
   for (int b = n - 1; b >= 0; --b) {
-    const int above = parent(b);
+    const int above = parent(b), own = size[row_number(b)];
     int& free = above >= 0 ? end[row_number(above)] : last;
-    end[row_number(b)] = free - 1;
-    sequence[row_number(free - 1)] = b;
-    free -= size[row_number(b)];
+    if (above >= 0 && greatest[row_number(above)] == b) {
+      at[row_number(b)] = at[row_number(above)] - size[row_number(above)] + own;
+    } else {
+      at[row_number(b)] = free - 1;
+      free -= own;
+    }
+    end[row_number(b)] = at[row_number(b)];
+    sequence[row_number(at[row_number(b)])] = b;
   }
 }
 

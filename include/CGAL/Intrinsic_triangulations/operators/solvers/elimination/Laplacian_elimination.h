@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -26,8 +27,9 @@ inline void prefetch([[maybe_unused]] const void* memory) {
 }
 
 // Eliminates the places of a Laplacian and a diagonal, or of two with entries at the same places, block by block (Duff and Reid 1983). A block is eliminated
-// in a *front*: the weights between its columns and all rows where these have entries. What that leaves between the rows below waits for the block of
-// the first of them, on a stack, as blocks come right after what they wait for: all that is computed with is side by side.
+// in a *front*: the weights between its columns and all rows where these have entries. What that leaves between the rows below is added to the front of
+// the block of the first of them, its parent, which waits on a stack: all that is computed with is side by side. As the child with most below it comes first,
+// no more fronts wait than the logarithm of the number of blocks.
 template <class Number>
 class Laplacian_elimination {
 public:
@@ -36,26 +38,20 @@ public:
   // \param unit what the weights of the matrix are multiplied by \param value where the factor of each matrix goes
   Laplacian_elimination(const Elimination& e, const Eigen::SparseMatrix<double>& laplacian,
                         const Number& unit, const std::array<double*, matrices>& value)
-      : e_(e), laplacian_(laplacian), unit_(unit), value_(value), pivot_(e.row.size()),
-        begin_(e.part.size()) {}
+      : e_(e), laplacian_(laplacian), unit_(unit), value_(value), pivot_(e.row.size()) {}
 
   // Eliminates the blocks of a part; those of the two halves may be eliminated at a time, before the others.
   // \param diagonal called with a row \return the row of a pivot that is not positive, up to rounding, or -1
   template <class Diagonal>
   int eliminate(Elimination::Part part, const Diagonal& diagonal) {
+    if (std::find(e_.part.begin(), e_.part.end(), part) == e_.part.end()) return -1;
     Workspace& own = space_[part];
-    own.index.resize(e_.row.size());
     reserve(part, own);
     for (const int block : e_.sequence) {
-      const int parent = e_.parent(block);
-      if (e_.part[row_number(block)] == part) {
-        assemble(block, diagonal, own);
-        if (const int row = eliminate_front(block, own); row >= 0) return row;
-        keep_rest(block, own);
-      } else if (part != Elimination::after_both || parent < 0 ||
-                 e_.part[row_number(parent)] != part)
-        continue;
-      if (parent >= 0) own.waiting.push_back(block);
+      if (e_.part[row_number(block)] != part) continue;
+      assemble(block, diagonal, own);
+      if (const int row = eliminate_front(block, own); row >= 0) return row;
+      if (const int parent = e_.parent(block); parent >= 0) add_rest(parent, block, own);
     }
     return -1;
   }
@@ -74,10 +70,10 @@ private:
     int rows = 0, columns = 0; // of the front
     std::vector<Number>
         front; // by columns, each from its diagonal on: weights, and on the diagonal sums of rows
-    std::vector<Number> inverse; // of the pivots
-    std::vector<int> index;      // of places in the front
-    std::vector<int> waiting;    // blocks, of which what is left waits
-    std::vector<Number> stack;   // that
+    std::vector<Number> inverse;       // of the pivots
+    std::vector<Number> stack;         // fronts of blocks that wait
+    std::vector<std::ptrdiff_t> begin; // of each block, where its front begins there; -1: nowhere
+    std::vector<int> to;               // of rows below, their places in the front of the parent
 
     // the entry of column c in row 0, if it had one
     Number* column(int c) { return front.data() + std::ptrdiff_t{c} * rows - triangle(c); }
@@ -85,68 +81,94 @@ private:
 
   static std::ptrdiff_t triangle(int rows) { return std::ptrdiff_t{rows} * (rows + 1) / 2; }
 
+  int rows_of(int block) const { return e_.count(e_.block_begin[row_number(block)]) + 1; }
+  std::ptrdiff_t size_of_front(int block) const { return triangle(rows_of(block)); }
+
   // Memory for the greatest front and the highest stack of a part, which would be asked for again and again.
   void reserve(Elimination::Part part, Workspace& own) const {
-    std::vector<std::ptrdiff_t> of_children(e_.part.size(),
-                                            0); // what is left of those on the same stack
-    std::ptrdiff_t height = 0, highest = 0;
-    int rows = 0;
+    std::vector<char> waits(e_.part.size(), 0);
+    std::ptrdiff_t height = 0, highest = 0, greatest = 0;
     for (const int b : e_.sequence) {
       if (e_.part[row_number(b)] != part) continue;
-      const int last = e_.block_begin[row_number(b + 1)] - 1, parent = e_.parent(b);
-      const std::ptrdiff_t rest = triangle(e_.count(last));
-      height += rest - of_children[row_number(b)];
-      highest = std::max(highest, height);
-      rows = std::max(rows, e_.count(e_.block_begin[row_number(b)]) + 1);
-      if (parent >= 0 && e_.part[row_number(parent)] == part)
-        of_children[row_number(parent)] += rest;
+      greatest = std::max(greatest, size_of_front(b));
+      if (waits[row_number(b)] != 0) height -= size_of_front(b);
+      const int parent = e_.parent(b);
+      if (parent < 0 || std::exchange(waits[row_number(parent)], 1) != 0) continue;
+      highest = std::max(highest, height += size_of_front(parent));
     }
-    own.front.reserve(row_number(triangle(rows)));
+    own.front.reserve(row_number(greatest));
     own.stack.reserve(row_number(highest));
+    own.begin.assign(e_.part.size(), -1);
   }
 
   template <class Diagonal>
   void assemble(int block, const Diagonal& diagonal, Workspace& own) {
     const int begin = e_.block_begin[row_number(block)],
-              end = e_.block_begin[row_number(block + 1)], below = e_.count(end - 1);
+              end = e_.block_begin[row_number(block + 1)];
     own.columns = end - begin;
-    own.rows = own.columns + below;
-    own.front.assign(row_number(triangle(own.rows)), zero_pack<Number>());
-    for (int k = begin; k < end; ++k) own.index[row_number(k)] = k - begin;
-    for (int i = 0; i < below; ++i) own.index[row_number(e_.rows(end - 1)[i])] = own.columns + i;
+    own.rows = rows_of(block);
+    take_front(block, own);
     const double* const entry = laplacian_.valuePtr();
     for (int k = begin; k < end; ++k) {
       Number* const column = own.column(k - begin);
-      column[k - begin] = diagonal(e_.row[row_number(k)]);
+      column[k - begin] += diagonal(e_.row[row_number(k)]);
       for (int i = e_.later_begin[row_number(k)]; i < e_.later_begin[row_number(k + 1)]; ++i) {
         constexpr int ahead = 32; // entries that follow are anywhere in the matrix
         if (row_number(i + ahead) < e_.entry.size())
           prefetch(entry + e_.entry[row_number(i + ahead)]);
-        column[own.index[row_number(e_.later[row_number(i)])]] =
+        column[place_in_front(block, e_.later[row_number(i)])] +=
             -entry[e_.entry[row_number(i)]] * unit_;
       }
     }
-    for (; !own.waiting.empty() && e_.parent(own.waiting.back()) == block; own.waiting.pop_back())
-      add_rest(own.waiting.back(), own);
   }
 
-  // Adds what is left of a block to the front.
-  void add_rest(int block, Workspace& own) {
-    const int last = e_.block_begin[row_number(block + 1)] - 1, size = e_.count(last);
-    const int* const rows = e_.rows(last);
-    Workspace& of_block = space_[e_.part[row_number(block)]];
-    const Number* rest = of_block.stack.data() + begin_[row_number(block)];
-    for (int c = 0; c < size; ++c) {
-      Number* const column = own.column(own.index[row_number(rows[c])]);
-      for (int i = c; i < size; ++i) column[own.index[row_number(rows[i])]] += *rest++;
+  // What blocks below have added to the front, those of both halves as well.
+  void take_front(int block, Workspace& own) {
+    const std::ptrdiff_t begin = own.begin[row_number(block)], size = size_of_front(block);
+    if (begin >= 0) { // on top
+      own.front.assign(own.stack.begin() + begin, own.stack.end());
+      own.stack.resize(row_number(begin));
+    } else {
+      own.front.assign(row_number(size), zero_pack<Number>());
     }
-    if (&of_block == &own) own.stack.resize(begin_[row_number(block)]);
+    if (e_.part[row_number(block)] != Elimination::after_both) return;
+    for (const Elimination::Part half : {Elimination::first_half, Elimination::second_half}) {
+      const Workspace& other = space_[half];
+      if (other.begin.empty() || other.begin[row_number(block)] < 0) continue;
+      const Number* const from = other.stack.data() + other.begin[row_number(block)];
+      for (std::ptrdiff_t i = 0; i < size; ++i) own.front[row_number(i)] += from[i];
+    }
   }
 
-  void keep_rest(int block, Workspace& own) {
-    begin_[row_number(block)] = own.stack.size();
-    own.stack.insert(own.stack.end(), own.front.end() - triangle(own.rows - own.columns),
-                     own.front.end());
+  // the row of a place in the front of a block, which has it
+  int place_in_front(int block, int place) const {
+    const int begin = e_.block_begin[row_number(block)],
+              end = e_.block_begin[row_number(block + 1)];
+    if (place < end) return place - begin;
+    const int* const rows = e_.rows(end - 1);
+    return end - begin + static_cast<int>(std::lower_bound(rows, e_.rows_end(block), place) - rows);
+  }
+
+  // Adds what is left of a block, which is in the front, to the front of its parent.
+  void add_rest(int parent, int block, Workspace& own) {
+    std::ptrdiff_t& begin = own.begin[row_number(parent)];
+    if (begin < 0) {
+      begin = static_cast<std::ptrdiff_t>(own.stack.size());
+      own.stack.resize(own.stack.size() + row_number(size_of_front(parent)), zero_pack<Number>());
+    }
+    const int last = e_.block_begin[row_number(block + 1)] - 1;
+    own.to.clear();
+    for (const int* r = e_.rows(last); r != e_.rows_end(block); ++r)
+      own.to.push_back(place_in_front(parent, *r));
+    const int rows_above = rows_of(parent);
+    for (int c = own.columns; c < own.rows; ++c) {
+      const int to = own.to[row_number(c - own.columns)];
+      Number* const column =
+          own.stack.data() + begin + std::ptrdiff_t{to} * rows_above - triangle(to);
+      const Number* const rest = own.column(c) + own.columns;
+      for (int i = c - own.columns; i < own.rows - own.columns; ++i)
+        column[own.to[row_number(i)]] += rest[i];
+    }
   }
 
   // \return the row of a pivot that is not positive, or -1
@@ -214,7 +236,6 @@ private:
   Number unit_;
   std::array<double*, matrices> value_;
   std::vector<Number> pivot_;
-  std::vector<std::size_t> begin_; // of each block, where what is left of it begins on its stack
   std::array<Workspace, 3> space_; // of each part
 };
 
