@@ -158,6 +158,27 @@ int entries_in_order(const Matrix& l) {
   return e.column_begin.back();
 }
 
+// As many entries as another, one on the diagonal in place of one beside it.
+TEST(Laplacian_factorization, takes_no_order_of_another_pattern) {
+  const auto matrix = [](const std::vector<std::array<int, 2>>& entries) {
+    std::vector<Eigen::Triplet<double>> all;
+    for (const auto& [i, j] : entries) {
+      all.emplace_back(i, j, i == j ? 1 : -1);
+      if (i != j) all.emplace_back(j, i, -1);
+    }
+    Matrix m(4, 4);
+    m.setFromTriplets(all.begin(), all.end());
+    return m;
+  };
+  const Matrix l = matrix({{0, 2}, {1, 3}, {0, 0}, {1, 1}, {2, 2}, {3, 3}}),
+               other = matrix({{0, 2}, {1, 3}, {0, 1}, {2, 2}, {3, 3}});
+  ASSERT_EQ(l.nonZeros(), other.nonZeros());
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(4);
+  const IT::Laplacian_factorization of_l(l, one);
+  EXPECT_THROW(IT::Laplacian_factorization(other, one, of_l), std::invalid_argument);
+  EXPECT_NO_THROW(IT::Laplacian_factorization(l, 2 * one, of_l));
+}
+
 TEST(Laplacian_factorization, order_has_rows_with_very_many_entries_last) {
   std::mt19937 random(10);
   std::vector<Edge> edges;
