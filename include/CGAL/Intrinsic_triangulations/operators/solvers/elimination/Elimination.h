@@ -30,7 +30,7 @@ struct Elimination {
   // The places of the entries of the first column of each block, ascending, which end with those of the others.
   std::vector<int> block_rows_begin, block_rows;
 
-  // The blocks, each right after those that it is the parent of, and what is below these.
+  // The blocks in the order of their elimination: each right after all that is below it, of which the child with most below comes first.
   std::vector<int> sequence;
   // Of each block, who computes it: one of two halves, which have nothing in common, or what comes after both. The same whether or not there are threads.
   enum Part : unsigned char { first_half, second_half, after_both };
