@@ -95,11 +95,12 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
     progress.show("writing");
     files.write(options.output, [&](std::ostream& out) {
       const std::string extension = std::filesystem::path(options.output).extension().string();
-      if (IT::is_polyline_extension(extension)) expect_points(loaded, options);
-      if (IT::is_polyline_extension(extension))
+      if (IT::is_polyline_extension(extension)) {
+        expect_points(loaded, options);
         IT::write_polylines(out, extension, curves.shortened());
-      else
+      } else {
         IT::write_intrinsic_triangulation(out, t);
+      }
     });
   }
   finish(json, options, files, watch);

@@ -75,11 +75,14 @@ private:
     std::vector<std::ptrdiff_t> begin; // of each block, where its front begins there; -1: nowhere
     std::vector<int> to;               // of rows below, their places in the front of the parent
 
-    // the entry of column c in row 0, if it had one
-    Number* column(int c) { return front.data() + std::ptrdiff_t{c} * rows - triangle(c); }
+    Number* column(int c) { return column_of(front.data(), rows, c); }
   };
 
   static std::ptrdiff_t triangle(int rows) { return std::ptrdiff_t{rows} * (rows + 1) / 2; }
+  // in a front, the entry of column c in row 0, if it had one
+  static Number* column_of(Number* front, int rows, int c) {
+    return front + std::ptrdiff_t{c} * rows - triangle(c);
+  }
 
   int rows_of(int block) const { return e_.count(e_.block_begin[row_number(block)]) + 1; }
   std::ptrdiff_t size_of_front(int block) const { return triangle(rows_of(block)); }
@@ -124,19 +127,19 @@ private:
 
   // What blocks below have added to the front, those of both halves as well.
   void take_front(int block, Workspace& own) {
-    const std::ptrdiff_t begin = own.begin[row_number(block)], size = size_of_front(block);
+    const std::ptrdiff_t begin = own.begin[row_number(block)];
     if (begin >= 0) { // on top
       own.front.assign(own.stack.begin() + begin, own.stack.end());
       own.stack.resize(row_number(begin));
     } else {
-      own.front.assign(row_number(size), zero_pack<Number>());
+      own.front.assign(row_number(size_of_front(block)), zero_pack<Number>());
     }
     if (e_.part[row_number(block)] != Elimination::after_both) return;
     for (const Elimination::Part half : {Elimination::first_half, Elimination::second_half}) {
       const Workspace& other = space_[half];
       if (other.begin.empty() || other.begin[row_number(block)] < 0) continue;
       const Number* const from = other.stack.data() + other.begin[row_number(block)];
-      for (std::ptrdiff_t i = 0; i < size; ++i) own.front[row_number(i)] += from[i];
+      for (std::size_t i = 0; i < own.front.size(); ++i) own.front[i] += from[i];
     }
   }
 
@@ -162,9 +165,8 @@ private:
       own.to.push_back(place_in_front(parent, *r));
     const int rows_above = rows_of(parent);
     for (int c = own.columns; c < own.rows; ++c) {
-      const int to = own.to[row_number(c - own.columns)];
       Number* const column =
-          own.stack.data() + begin + std::ptrdiff_t{to} * rows_above - triangle(to);
+          column_of(own.stack.data() + begin, rows_above, own.to[row_number(c - own.columns)]);
       const Number* const rest = own.column(c) + own.columns;
       for (int i = c - own.columns; i < own.rows - own.columns; ++i)
         column[own.to[row_number(i)]] += rest[i];
