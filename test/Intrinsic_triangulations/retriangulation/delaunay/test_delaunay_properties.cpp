@@ -226,4 +226,89 @@ TEST(Delaunay_properties, flips_make_the_sorted_angles_greater_one_by_one) {
   }
 }
 
+/// Brute force over integers: pairs of points whose closed diametral disk contains no third one.
+std::vector<std::pair<std::uint32_t, std::uint32_t>>
+gabriel_graph(const std::vector<meshes::Point>& points) {
+  const auto is_in_disk = [&](std::uint32_t k, std::uint32_t i, std::uint32_t j) {
+    const meshes::Point &p = points[k], &a = points[i], &b = points[j]; // exact: below 2^20
+    return (a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]) <= 0;
+  };
+  const auto n = static_cast<std::uint32_t>(points.size());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = i + 1; j < n; ++j) {
+      bool is_empty = true;
+      for (std::uint32_t k = 0; k < n && is_empty; ++k)
+        is_empty = k == i || k == j || !is_in_disk(k, i, j);
+      if (is_empty) result.emplace_back(i, j);
+    }
+  return result;
+}
+
+TEST(Delaunay_properties, edges_contain_the_gabriel_graph) {
+  for (unsigned seed = 1; seed <= 20; ++seed) { // small coordinates: ties and points in a row
+    const meshes::Mesh m = meshes::random_planar(60, seed % 2 == 0 ? 12 : 1000, seed);
+    Exact t(m.input());
+    IT::flip_to_delaunay(t);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+    for (const auto e : edges(t.mesh()))
+      all.push_back(std::minmax({t.input_vertex(source(halfedge(e, t.mesh()), t.mesh())),
+                                 t.input_vertex(target(halfedge(e, t.mesh()), t.mesh()))}));
+    std::sort(all.begin(), all.end());
+    const auto gabriel = gabriel_graph(m.points);
+    EXPECT_GE(gabriel.size(), m.points.size() - 1) << "connects all points";
+    for (const auto& pair : gabriel)
+      EXPECT_TRUE(std::binary_search(all.begin(), all.end(), pair))
+          << "seed " << seed << ": " << pair.first << ' ' << pair.second;
+  }
+}
+
+/// The weight of a minimum spanning tree, by Prim: `distance(i)` gives all distances from i.
+template <class Distances>
+double spanning_tree_weight(std::size_t n, Distances distance) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> to_tree(n, infinity);
+  std::vector<char> is_in(n, 0);
+  double weight = 0;
+  std::size_t last = 0;
+  for (std::size_t count = 1; count < n; ++count) {
+    is_in[last] = 1;
+    const std::vector<double> from_last = distance(last);
+    for (std::size_t i = 0; i < n; ++i) to_tree[i] = std::min(to_tree[i], from_last[i]);
+    last = n;
+    for (std::size_t i = 0; i < n; ++i)
+      if (!is_in[i] && (last == n || to_tree[i] < to_tree[last])) last = i;
+    weight += to_tree[last];
+  }
+  return weight;
+}
+
+TEST(Delaunay_properties, edges_contain_a_minimum_spanning_tree_of_the_surface) {
+  std::vector<Mesh> surfaces;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    surfaces.push_back(surface_mesh(meshes::rough_grid(6, seed)));
+    surfaces.push_back(surface_mesh(meshes::potato(1, seed)));
+    surfaces.push_back(surface_mesh(meshes::random_planar(60, 1000, seed)));
+  }
+  surfaces.push_back(surface_mesh(meshes::sheared_grid(5, 5, 7)));
+  surfaces.push_back(surface_mesh(meshes::box(2, 3, 4)));
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    Exact t(surfaces[i]);
+    IT::flip_to_delaunay(t);
+    const std::size_t n = num_vertices(surfaces[i]);
+    const double on_surface =
+        spanning_tree_weight(n, [&](std::size_t v) { return geodesic_distances(surfaces[i], v); });
+    const double along_edges = spanning_tree_weight(n, [&](std::size_t v) {
+      std::vector<double> result(n, std::numeric_limits<double>::infinity());
+      for (const auto h : halfedges(t.mesh()))
+        if (t.input_vertex(source(h, t.mesh())) == v) {
+          double& d = result[t.input_vertex(target(h, t.mesh()))];
+          d = std::min(d, t.length(edge(h, t.mesh())));
+        }
+      return result;
+    });
+    EXPECT_NEAR(along_edges, on_surface, rounding * on_surface) << "surface " << i;
+  }
+}
+
 } // namespace
