@@ -1,4 +1,4 @@
-# Runs doxygen, with variables DOXYGEN, DOXYFILE and HTML, the folder that it writes: cmake -D... -P build_doc.cmake
+# Runs doxygen, with variables DOXYGEN, DOXYFILE, PYTHON and HTML, the folder that it writes: cmake -D... -P build_doc.cmake
 # Pages of names that are gone would stay.
 file(GLOB old "${HTML}/*.html" "${HTML}/*.js" "${HTML}/search/*")
 if(old)
@@ -15,4 +15,16 @@ foreach(tree IN LISTS trees)
   file(READ "${tree}" text)
   string(REPLACE "\"CGAL::Intrinsic_triangulations::" "\"" text "${text}")
   file(WRITE "${tree}" "${text}")
+endforeach()
+
+# Search in texts, without a server.
+execute_process(COMMAND "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/make_text_index.py" "${HTML}/../searchdata.xml" "${HTML}"
+  COMMAND_ERROR_IS_FATAL ANY)
+file(COPY "${CMAKE_CURRENT_LIST_DIR}/search.js" DESTINATION "${HTML}/search")
+# Pages tell browsers of a server that does not exist.
+file(GLOB pages "${HTML}/*.html")
+foreach(page IN LISTS pages)
+  file(READ "${page}" text)
+  string(REGEX REPLACE "<link rel=\"search\"[^>]*>\n" "" text "${text}")
+  file(WRITE "${page}" "${text}")
 endforeach()

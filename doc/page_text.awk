@@ -10,10 +10,25 @@
 # - Links to labels, `[text](page.md#label)`, and to the pages that doxygen makes of other files become references.
 # - Links to examples, [name.cpp](path/name.cpp), become references to their pages.
 # - Links to headers, [`name()`](path/header.h), and to concepts, [Name](Concepts/Name.h), become references to what they name.
+# - Links of user_manual.md to pages, not to sections, make them parts of it, which the tree at the side shows below it.
 # - Formulas, $`x`$ and blocks of `math`, become those of doxygen; a comment becomes the table of contents.
 # - The line that says how to build the manual is left out.
 #
 # Lines keep their numbers.
+
+# whether a link of the user manual, file.md#label, is to a page: its label is on the second line
+function is_part(target,    file, label, line) {
+  if (FILENAME !~ /\/user_manual\.md$/ || target !~ /^[a-z_]+\.md#/) return 0
+  file = FILENAME
+  sub(/user_manual\.md$/, target, file)
+  label = file
+  sub(/#.*$/, "", file)
+  sub(/^.*#/, "", label)
+  getline line < file
+  getline line < file
+  close(file)
+  return line == "<a id=\"" label "\"></a>"
+}
 
 # the reference that a link becomes, or nothing
 function reference(text, target,    label, name) {
@@ -42,7 +57,7 @@ function reference(text, target,    label, name) {
     label = "ref_concepts"
   if (label == "") return ""
   gsub(/`/, "", text)
-  return "\\ref " label " \"" text "\""
+  return (is_part(target) ? "\\subpage " : "\\ref ") label " \"" text "\""
 }
 
 # a line whose formulas are those of doxygen
@@ -107,6 +122,7 @@ is_held && /^<a id="[a-z0-9_]+"><\/a>$/ {
 /^#+ / {
   flush()
   held = with_references($0)
+  gsub(/`/, "", held) # doxygen would show a tag
   is_held = 1
   next
 }

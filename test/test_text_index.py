@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests of the search box of the manual: what doc/make_text_index.py lists of small pages and of the manual that was generated,
+and, where there is a node, what doc/search.js finds there.
+
+    test_text_index.py --html FOLDER
+"""
+
+import argparse
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+DOC = pathlib.Path(__file__).resolve().parent.parent / "doc"
+sys.path.insert(0, str(DOC))
+import make_text_index  # noqa: E402
+
+PAGE = """<html><body><div class="header"><div class="title">Curves<br/> </div></div>
+<div class="contents"><div class="toc"><ul><li>not this</li></ul></div>
+<p>Straight &amp; short.<img src="a.png"> <code>flip()</code></p>
+<h1><a class="anchor" id="loops"></a>
+Closed ones</h1><p>They end<div class="ttc"><div>nor this</div></div> too.</p></div><p>nor that</p></body></html>"""
+DATA = """<?xml version="1.0"?><add>
+<doc><field name="type">page</field><field name="name">c</field><field name="url">c.html</field>
+  <field name="keywords"></field><field name="text">all in one</field></doc>
+<doc><field name="type">function</field><field name="name">CGAL::Intrinsic_triangulations::A::add_loop</field>
+  <field name="url">a.html#b</field><field name="keywords">x</field><field name="text">adds a loop</field></doc>
+<doc><field name="type">enumvalue</field><field name="name">A::b</field><field name="url">a.html#c</field></doc>
+<doc><field name="type">dir</field><field name="name">include</field><field name="url">d.html</field></doc></add>"""
+# Words, and a page of the manual that is among the first three with them.
+QUERIES = {"loop": "geodesic_curves.html", "poisson": "operators.html", "heat method": "page_distance.html",
+           "signed distance": "page_distance.html", "negative weights": "page_first_steps.html"}
+
+
+class Index(unittest.TestCase):
+    folder = None
+
+    def test_pages_are_listed_by_section_and_names_by_name(self):
+        with tempfile.TemporaryDirectory() as directory:
+            folder = pathlib.Path(directory)
+            (folder / "c.html").write_text(PAGE, encoding="utf-8")
+            (folder / "data.xml").write_text(DATA, encoding="utf-8")
+            self.assertEqual([["function", "A::add_loop()", "a.html#b", "adds a loop"],
+                              ["manual", "Curves", "c.html", "Straight & short. flip()"],
+                              ["manual", "Curves: Closed ones", "c.html#loops", "They end too."]],
+                             sorted(make_text_index.entries(folder / "data.xml", folder)))
+
+    def index(self):
+        if self.folder is None:
+            self.skipTest("no --html")
+        text = (self.folder / "text_index.js").read_text(encoding="utf-8")
+        return json.loads(text.removeprefix("var textIndex = ").rstrip().removesuffix(";"))
+
+    def test_pages_have_the_words_that_users_look_for(self):
+        index = self.index()
+        for query, page in QUERIES.items():
+            found = {entry[2].split("#")[0] for entry in index
+                     if all(word in (entry[1] + " " + entry[3]).lower() for word in query.split())}
+            self.assertIn(page, found, query)
+
+    def test_the_page_about_it_comes_first(self):
+        index, node = self.index(), shutil.which("node") or shutil.which("nodejs")
+        if node is None:
+            self.skipTest("no node")
+        program = ("const read = require('fs').readFileSync(0, 'utf8'); const {index, queries} = JSON.parse(read);"
+                   f"const {{ findTexts }} = require({json.dumps(str(DOC / 'search.js'))});"
+                   "console.log(JSON.stringify(queries.map(query => findTexts(index, query))))")
+        output = subprocess.run([node, "-e", program], input=json.dumps({"index": index, "queries": [*QUERIES, "", "qqq", "Gluing"]}),
+                                capture_output=True, text=True, check=True).stdout
+        *found, nothing, unknown, name = json.loads(output)
+        for query, page, entries in zip(QUERIES, QUERIES.values(), found):
+            guide = [entry[2].split("#")[0] for entry in entries if entry[0] == "manual"]
+            self.assertIn(page, guide[:3], query)
+        self.assertEqual(([], []), (nothing, unknown))
+        self.assertEqual("Gluing", name[0][1])
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--html", type=pathlib.Path)
+    options, others = parser.parse_known_args()
+    Index.folder = options.html
+    unittest.main(argv=[sys.argv[0], *others])
