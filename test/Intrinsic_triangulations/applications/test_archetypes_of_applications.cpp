@@ -17,7 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/direction_field.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/principal_directions.h>
-#include <CGAL/Intrinsic_triangulations/operators/crouzeix_raviart.h>
+#include <CGAL/Intrinsic_triangulations/operators/elements/crouzeix_raviart.h>
 #include <CGAL/Intrinsic_triangulations/operators/hodge_stars.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "meshes.h"
 #include "operator_test_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
@@ -8,8 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -204,6 +209,74 @@ TEST(Mass_matrix, is_zero_at_isolated_vertices_and_takes_faces_without_area) {
   }
   EXPECT_EQ(l.nonZeros(), 5) << "the diagonal is stored";
   EXPECT_NEAR(g.sum(), 2, area_error * 2);
+}
+
+/// Brute force: the part of a large square that is nearer to point i than to all others; its area, and whether the square bounds it.
+std::pair<double, bool> voronoi_cell(const std::vector<std::array<double, 3>>& points,
+                                     std::size_t i) {
+  constexpr double far = 1e4;
+  using Point = std::array<double, 2>;
+  std::vector<Point> cell{{-far, -far}, {far, -far}, {far, far}, {-far, far}};
+  const auto& p = points[i];
+  for (const auto& q : points) {
+    const double x = q[0] - p[0], y = q[1] - p[1];
+    const double level = (q[0] * q[0] + q[1] * q[1] - p[0] * p[0] - p[1] * p[1]) / 2;
+    if (x == 0 && y == 0) continue;
+    const auto beyond = [&](const Point& c) { return x * c[0] + y * c[1] - level; };
+    std::vector<Point> kept;
+    for (std::size_t k = 0; k < cell.size(); ++k) {
+      const Point &a = cell[k], &b = cell[(k + 1) % cell.size()];
+      const double s = beyond(a), t = beyond(b);
+      if (s <= 0) kept.push_back(a);
+      if ((s < 0 && t > 0) || (s > 0 && t < 0))
+        kept.push_back({a[0] + s / (s - t) * (b[0] - a[0]), a[1] + s / (s - t) * (b[1] - a[1])});
+    }
+    cell = kept;
+  }
+  double area = 0;
+  bool is_bounded_by_square = false;
+  for (std::size_t k = 0; k < cell.size(); ++k) {
+    const Point &a = cell[k], &b = cell[(k + 1) % cell.size()];
+    area += (a[0] * b[1] - a[1] * b[0]) / 2;
+    is_bounded_by_square |= std::abs(a[0]) == far || std::abs(a[1]) == far;
+  }
+  return {area, is_bounded_by_square};
+}
+
+TEST(Mass_matrix, of_the_voronoi_dual_has_the_areas_of_cells) {
+  int compared = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const meshes::Mesh m = meshes::random_planar(60, 50, seed);
+    std::vector<char> is_on_border(m.points.size(), 0);
+    Exact t(m.input());
+    IT::flip_to_delaunay(t);
+    for (const auto h : halfedges(t.mesh()))
+      if (CGAL::is_border(h, t.mesh())) is_on_border[t.input_vertex(source(h, t.mesh()))] = 1;
+    const Matrix mass = IT::voronoi_mass_matrix(t);
+    for (std::size_t i = 0; i < m.points.size(); ++i) {
+      if (is_on_border[i]) continue;
+      const auto [area, is_cut] = voronoi_cell(m.points, i);
+      if (is_cut) continue;
+      const auto k = static_cast<Eigen::Index>(i);
+      // corners of cells near the border are up to 1e4 away and rounded there
+      EXPECT_NEAR(mass.coeff(k, k), area, 1e-8 * (1 + area)) << "seed " << seed << ' ' << i;
+      ++compared;
+    }
+    EXPECT_NEAR(mass.sum(), lumped(m.input()).sum(), 1e-10 * mass.cwiseAbs().sum());
+  }
+  EXPECT_GT(compared, 300);
+}
+
+TEST(Mass_matrix, of_the_voronoi_dual_is_positive_on_delaunay_triangulations_without_border) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    Exact t(meshes::potato(2, seed).input());
+    const double area = lumped(meshes::potato(2, seed).input()).sum();
+    EXPECT_NEAR(IT::voronoi_mass_matrix(t).sum(), area, 1e-11 * area);
+    IT::flip_to_delaunay(t);
+    const Matrix mass = IT::voronoi_mass_matrix(t);
+    EXPECT_GT(mass.diagonal().minCoeff(), 0) << "seed " << seed;
+    EXPECT_NEAR(mass.sum(), area, 1e-12 * area);
+  }
 }
 
 } // namespace

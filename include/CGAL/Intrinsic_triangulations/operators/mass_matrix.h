@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_MASS_MATRIX_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_MASS_MATRIX_H
 
+#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/symmetric_assembly.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
@@ -97,8 +98,37 @@ Eigen::SparseMatrix<double> galerkin_mass_matrix(const Triangulation& t) {
   return symmetric_matrix(entries, diagonal);
 }
 
+/*!
+\brief assembles the mass matrix of the Voronoi dual (§4.1 of the course; Meyer, Desbrun, Schroeder and Barr 2003): on the diagonal the
+area of the circumcentric cell of each vertex
+
+    M_ii = 1/4 sum over edges ij of w_ij |ij|^2,    w_ij the cotangent weight,
+
+as the dual of an edge has length w_ij |ij|. In a Delaunay triangulation these are the areas of the cells of the
+intrinsic Voronoi diagram: nonnegative but at a border edge that faces an obtuse angle. Elsewhere areas are signed where
+angles are obtuse, and can be negative. The trace is the area of the surface, up to rounding.
+\tparam Triangulation a model of `MeasuredTriangulation`
+\param t the triangulation, whose predicates may sharpen stored values
+\return a compressed diagonal matrix as that of `lumped_mass_matrix()`
+\throws Invalid_input if a face has no area
+\complexity linear
+*/
+template <MeasuredTriangulation Triangulation>
+Eigen::SparseMatrix<double> voronoi_mass_matrix(const Triangulation& t) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(checked_matrix_size(t));
+  internal::for_each_cotangent_weight(
+      t, [&](typename Triangulation::edge_descriptor e, double weight) {
+        const double half_of_diamond = weight * t.squared_length(e) / t.input().names().sheets / 4;
+        const auto h = halfedge(e, t.mesh());
+        sum[t.input_vertex(source(h, t.mesh()))] += half_of_diamond;
+        sum[t.input_vertex(target(h, t.mesh()))] += half_of_diamond;
+      });
+  return symmetric_matrix({}, sum);
+}
+
 /// \cond
 CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(lumped_mass_matrix)
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(voronoi_mass_matrix)
 CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(galerkin_mass_matrix)
 /// \endcond
 

@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
-#include <CGAL/Intrinsic_triangulations/operators/crouzeix_raviart.h>
+#include <CGAL/Intrinsic_triangulations/operators/elements/crouzeix_raviart.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/divergence_at_corners.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/near_distances.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/operators/crouzeix_raviart.h>
+#include <CGAL/Intrinsic_triangulations/operators/elements/crouzeix_raviart.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
 
 #include <algorithm>

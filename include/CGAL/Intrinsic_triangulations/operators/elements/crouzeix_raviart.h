@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_CROUZEIX_RAVIART_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_CROUZEIX_RAVIART_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_ELEMENTS_CROUZEIX_RAVIART_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_ELEMENTS_CROUZEIX_RAVIART_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
@@ -136,4 +136,4 @@ Eigen::VectorXd edge_mass(const Triangulation& t) {
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_CROUZEIX_RAVIART_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_ELEMENTS_CROUZEIX_RAVIART_H
