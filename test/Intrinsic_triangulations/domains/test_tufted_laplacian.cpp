@@ -7,6 +7,7 @@
 
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
@@ -20,7 +21,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <random>
 #include <string>
@@ -280,6 +284,79 @@ TEST(Tufted_cover, is_certified_to_be_delaunay) {
     EXPECT_TRUE(certificate.is_delaunay()) << name;
     EXPECT_EQ(certificate.statistics.probable_zero, 0U) << name;
   }
+}
+
+/// Edges by their ends: the sides of triangles there, sorted by the angles of the triangles around the edge.
+std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>
+sides_around_edges(const Mesh& m) {
+  const auto point = [&m](std::uint32_t v) { return Eigen::Vector3d(m.points[v].data()); };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> sides;
+  for (std::uint32_t h = 0; h < 3 * m.triangles.size(); ++h)
+    sides[std::minmax(m.triangles[h / 3][h % 3], m.triangles[h / 3][(h + 1) % 3])].push_back(h);
+  for (auto& [ends, around] : sides) {
+    const Eigen::Vector3d origin = point(ends.first),
+                          axis = (point(ends.second) - origin).normalized(),
+                          x = axis.unitOrthogonal(), y = axis.cross(x);
+    const auto angle = [&](std::uint32_t h) {
+      const Eigen::Vector3d d = point(m.triangles[h / 3][(h + 2) % 3]) - origin;
+      return std::atan2(d.dot(y), d.dot(x));
+    };
+    std::sort(around.begin(), around.end(),
+              [&](std::uint32_t g, std::uint32_t h) { return angle(g) < angle(h); });
+  }
+  return sides;
+}
+
+/// The same by incidences, in order around edges, and squared lengths, exact for integer coordinates.
+std::pair<IT::Signed_incidence, std::vector<double>> incidence(const Mesh& m) {
+  IT::Signed_incidence s;
+  s.number_of_vertices = static_cast<std::uint32_t>(m.points.size());
+  s.number_of_faces = static_cast<std::uint32_t>(m.triangles.size());
+  std::vector<double> lengths;
+  for (const auto& [ends, around] : sides_around_edges(m)) {
+    const auto [i, j] = ends;
+    const std::uint32_t e = s.number_of_edges++;
+    s.vertex_edge.push_back({e, i, -1});
+    s.vertex_edge.push_back({e, j, +1});
+    for (const std::uint32_t h : around)
+      s.edge_face.push_back({h / 3, e, m.triangles[h / 3][h % 3] == i ? 1 : -1});
+    double sum = 0;
+    for (std::size_t x = 0; x < 3; ++x)
+      sum += (m.points[i][x] - m.points[j][x]) * (m.points[i][x] - m.points[j][x]);
+    lengths.push_back(sum);
+  }
+  return {s, lengths};
+}
+
+TEST(Tufted_laplacian, of_signed_incidences_and_lengths_is_that_of_points) {
+  std::size_t shared = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    Mesh m = soups::random_without_repetition(12, 60, seed);
+    for (meshes::Point& p : m.points)
+      for (double& x : p) x = static_cast<double>(random() % 1000);
+    const auto [s, lengths] = incidence(m);
+    IT::Domain domain = IT::make_domain(s, lengths);
+    shared += domain.report.nonmanifold_edges;
+    EXPECT_EQ(domain.report.kind, IT::Domain_kind::tufted_cover);
+    const Matrix by_lengths = IT::cotangent_laplacian(delaunay(std::move(domain))),
+                 by_points = IT::cotangent_laplacian(tufted(m));
+    EXPECT_LE(Matrix(by_lengths - by_points).norm(), weight_error * by_points.norm())
+        << "seed " << seed;
+    EXPECT_THROW(IT::make_domain(s, lengths, IT::Domain_kind::manifold), IT::Invalid_input);
+    EXPECT_THROW(IT::make_domain(s, std::vector<double>(1, 1.)), IT::Invalid_input);
+  }
+  EXPECT_GT(shared, 100u);
+}
+
+TEST(Tufted_laplacian, of_signed_incidences_of_a_manifold_makes_no_cover) {
+  const Mesh m = meshes::box(1, 2, 3);
+  const auto [s, lengths] = incidence(m);
+  IT::Domain domain = IT::make_domain(s, lengths);
+  EXPECT_EQ(domain.report.kind, IT::Domain_kind::manifold);
+  const Exact t(m.input());
+  const Matrix l = IT::cotangent_laplacian(Exact(std::move(domain.input)));
+  EXPECT_LE(Matrix(l - IT::cotangent_laplacian(t)).norm(), weight_error * l.norm());
 }
 
 } // namespace

@@ -50,7 +50,8 @@ struct Signed_incidence {
   /// One row per edge, one column per vertex: -1 where the edge starts, +1 where it ends.
   std::vector<Incidence_entry> vertex_edge;
   /// One row per face, one column per edge, +1 where the face runs along the edge, -1 where against
-  /// it. The entries of a row are in cyclic order around the face.
+  /// it. The entries of a row are in cyclic order around the face. Where more than two faces meet at an edge, the entries of its
+  /// column are in cyclic order around the edge.
   std::vector<Incidence_entry> edge_face;
 };
 
@@ -85,6 +86,7 @@ Signed_incidence incidence(const Mesh& mesh) {
 
 namespace internal {
 
+// Reads faces, and glues them in pairs.
 class Gluing_from_incidence {
   struct Ends {
     std::uint32_t source = Gluing::none, target = Gluing::none;
@@ -95,18 +97,34 @@ class Gluing_from_incidence {
   };
 
 public:
-  explicit Gluing_from_incidence(const Signed_incidence& s)
+  // \param shared what is made of edges with more than two faces: nothing is glued there, or an error
+  enum class Shared_edges { leave, refuse };
+  explicit Gluing_from_incidence(const Signed_incidence& s, Shared_edges shared)
       : in_(s), ends_(s.number_of_edges), sides_(3 * std::size_t{s.number_of_faces}) {
     if (s.number_of_faces > (Gluing::reversed_bit - 1) / 3)
       throw Invalid_input(Element_kind::none, 0, "a gluing holds at most 715827882 faces");
     read_edges();
     read_faces();
     for (std::uint32_t f = 0; f < s.number_of_faces; ++f) chain(f);
-    glue();
+    gluing.number_of_vertices = s.number_of_vertices;
+    gluing.glue.assign(sides_.size(), Gluing::none);
+    for (const Side& side : sides_) edge_of_halfedge.push_back(side.edge);
+    find_faces_of_edges();
+    for (std::uint32_t e = 0; e < s.number_of_edges; ++e) {
+      if (faces_at(e) <= 2)
+        glue(e);
+      else if (shared == Shared_edges::refuse)
+        fail_shared(e);
+    }
   }
 
   Gluing gluing;
   std::vector<std::uint32_t> edge_of_halfedge;
+  // sides of faces, those at one edge together, in the order of entries; and where each edge begins
+  std::vector<std::uint32_t> sides_of_edges, begin_of_edge;
+
+  std::uint32_t faces_at(std::uint32_t e) const { return begin_of_edge[e + 1] - begin_of_edge[e]; }
+  bool is_along(std::uint32_t h) const { return sides_[h].along; }
 
 private:
   [[noreturn]] static void fail(Element_kind kind, std::uint32_t i, const std::string& what) {
@@ -181,29 +199,40 @@ private:
     for (int k = 0; k < 3; ++k) gluing.origin.push_back(source(s[k]));
   }
 
-  void glue() {
-    const auto count = static_cast<std::uint32_t>(sides_.size());
-    gluing.number_of_vertices = in_.number_of_vertices;
-    gluing.glue.assign(count, Gluing::none);
-    edge_of_halfedge.resize(count);
-    std::vector<std::uint32_t> first(in_.number_of_edges, Gluing::none);
-    for (std::uint32_t h = 0; h < count; ++h) {
-      const std::uint32_t e = edge_of_halfedge[h] = sides_[h].edge, other = first[e];
-      if (other == Gluing::none) {
-        first[e] = h;
-        continue;
-      }
-      if (gluing.glue[other] != Gluing::none)
-        fail(Element_kind::edge, e,
-             " has more than two faces (" + std::to_string(other / 3) + ", " +
-                 std::to_string(Gluing::partner(gluing.glue[other]) / 3) + ", " +
-                 std::to_string(h / 3) + ", ...); split it so that at most two remain");
-      const bool reversed = sides_[h].along == sides_[other].along;
-      gluing.glue[h] = reversed ? Gluing::reversed(other) : other;
-      gluing.glue[other] = reversed ? Gluing::reversed(h) : h;
+  void find_faces_of_edges() {
+    begin_of_edge.assign(std::size_t{in_.number_of_edges} + 1, 0);
+    for (const Side& side : sides_) ++begin_of_edge[side.edge + std::size_t{1}];
+    for (std::uint32_t e = 0; e < in_.number_of_edges; ++e) {
+      if (begin_of_edge[e + 1] == 0) fail(Element_kind::edge, e, " has no face; remove it");
+      begin_of_edge[e + 1] += begin_of_edge[e];
     }
-    for (std::uint32_t e = 0; e < in_.number_of_edges; ++e)
-      if (first[e] == Gluing::none) fail(Element_kind::edge, e, " has no face; remove it");
+    std::vector<std::uint32_t> next(begin_of_edge.begin(), begin_of_edge.end() - 1);
+    std::vector<char> is_taken(sides_.size(), 0);
+    sides_of_edges.resize(sides_.size());
+    for (const Incidence_entry& x : in_.edge_face) {
+      std::uint32_t h = 3 * x.row; // sides may have changed places
+      while (is_taken[h] != 0 || sides_[h].edge != x.column || sides_[h].along != (x.sign > 0)) ++h;
+      is_taken[h] = 1;
+      sides_of_edges[next[x.column]++] = h;
+    }
+  }
+
+  void glue(std::uint32_t e) {
+    if (faces_at(e) < 2) return;
+    const std::uint32_t g = sides_of_edges[begin_of_edge[e]],
+                        h = sides_of_edges[begin_of_edge[e] + 1];
+    const bool reversed = sides_[h].along == sides_[g].along;
+    gluing.glue[h] = reversed ? Gluing::reversed(g) : g;
+    gluing.glue[g] = reversed ? Gluing::reversed(h) : h;
+  }
+
+  [[noreturn]] void fail_shared(std::uint32_t e) const {
+    std::string faces;
+    for (std::uint32_t i = 0; i < 3; ++i)
+      faces += std::to_string(sides_of_edges[begin_of_edge[e] + i] / 3) + ", ";
+    fail(Element_kind::edge, e,
+         " has more than two faces (" + faces +
+             "...); split it so that at most two remain, or make a cover by `make_domain()`");
   }
 
   const Signed_incidence& in_;
@@ -223,13 +252,13 @@ their direction (see `Gluing::reversed()`).
 \param s the matrices
 \param edge_of_halfedge is set to the edge that each halfedge `3f + k` of the result comes from: a
   `Gluing_map` numbers edges anew
-\throws Invalid_input naming the edge that does not have one start, one end and one or two faces, or
+\throws Invalid_input naming the edge that does not have one start, one end and one or two faces (`make_domain()` takes more), or
   the face that does not have three sides that run around it
 \complexity linear
 */
 inline Gluing gluing_from_incidence(const Signed_incidence& s,
                                     std::vector<std::uint32_t>& edge_of_halfedge) {
-  internal::Gluing_from_incidence result(s);
+  internal::Gluing_from_incidence result(s, internal::Gluing_from_incidence::Shared_edges::refuse);
   edge_of_halfedge = std::move(result.edge_of_halfedge);
   return std::move(result.gluing);
 }
@@ -238,7 +267,8 @@ inline Gluing gluing_from_incidence(const Signed_incidence& s,
 \brief builds a gluing from signed incidence matrices: see the overload with `edge_of_halfedge`.
 */
 inline Gluing gluing_from_incidence(const Signed_incidence& s) {
-  return std::move(internal::Gluing_from_incidence(s).gluing);
+  std::vector<std::uint32_t> edge_of_halfedge;
+  return gluing_from_incidence(s, edge_of_halfedge);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

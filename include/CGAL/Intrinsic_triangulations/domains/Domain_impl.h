@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/Double_cover.h>
 #include <CGAL/Intrinsic_triangulations/domains/sort_around_edge.h>
@@ -227,6 +228,19 @@ inline Double_cover tufted_cover(const Gluing& faces, Halfedges_by_edge& sides,
   return cover;
 }
 
+// The same without points: around an edge, faces are in the order of their entries.
+inline Double_cover tufted_cover(const Gluing_from_incidence& read) {
+  Double_cover cover(read.gluing);
+  std::vector<Double_cover::Side> fan;
+  for (std::size_t e = 0; e + 1 < read.begin_of_edge.size(); ++e) {
+    fan.clear();
+    for (std::uint32_t i = read.begin_of_edge[e]; i < read.begin_of_edge[e + 1]; ++i)
+      fan.push_back({read.sides_of_edges[i], read.is_along(read.sides_of_edges[i])});
+    cover.glue(fan);
+  }
+  return cover;
+}
+
 inline void check_size_of_cover(std::size_t faces) {
   constexpr std::size_t most = Gluing::reversed_bit / 6;
   if (faces > most)
@@ -284,6 +298,41 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Intrinsic_input input, D
       for (const Gluing_map::Halfedge h : input.mesh.sides({f})) edge.push_back(h.index / 2);
   return internal::Domain_maker(std::move(input), report, std::move(faces), std::move(edge))
       .make(kind, conflict);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(const Signed_incidence& s,
+                                                        std::vector<double> squared_lengths,
+                                                        Domain_kind kind,
+                                                        Mollification mollification) {
+  using Read = internal::Gluing_from_incidence;
+  internal::check_size_of_cover(s.number_of_faces);
+  if (squared_lengths.size() != s.number_of_edges)
+    throw Invalid_input(Element_kind::none, 0,
+                        "there are " + std::to_string(squared_lengths.size()) +
+                            " squared lengths; give one for each of the " +
+                            std::to_string(s.number_of_edges) + " edges");
+  const bool takes_shared = kind != Domain_kind::manifold && kind != Domain_kind::orientation_cover;
+  Read read(s, takes_shared ? Read::Shared_edges::leave : Read::Shared_edges::refuse);
+  Domain_report report;
+  std::uint32_t conflict = Gluing::none;
+  for (std::uint32_t e = 0; e < s.number_of_edges; ++e) {
+    const std::uint32_t h = read.sides_of_edges[read.begin_of_edge[e]];
+    if (read.faces_at(e) > 2 && report.nonmanifold_edges++ == 0)
+      report.reason =
+          "edge " + std::to_string(e) + " has " + std::to_string(read.faces_at(e)) + " faces";
+    if (Gluing::is_reversed(read.gluing.glue[h]) && report.unoriented_edges++ == 0) conflict = h;
+  }
+  Intrinsic_input input;
+  input.squared_lengths = std::move(squared_lengths);
+  input.mollification = mollification;
+  if (report.nonmanifold_edges == 0)
+    return internal::Domain_maker(std::move(input), report, std::move(read.gluing),
+                                  std::move(read.edge_of_halfedge))
+        .make(kind, conflict);
+  internal::Double_cover cover = internal::tufted_cover(read);
+  return internal::Domain_maker(std::move(input), report, std::move(read.gluing),
+                                std::move(read.edge_of_halfedge))
+      .finish(std::move(cover), Domain_kind::tufted_cover, report.reason);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
