@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Maps a disk of slivers to a round one, proves that the map is injective, and gives its vertices and those of the common subdivision
-// coordinates. Then maps that keep angles.
+// coordinates, which a file in OBJ format has as texture coordinates. Then maps that keep angles. Usage: parametrization [OUT.obj]
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/certify_map.h>
@@ -17,13 +17,17 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-int main() {
+int main(int argc, char* argv[]) {
+  const std::filesystem::path file =
+      argc > 1 ? argv[1] : std::filesystem::temp_directory_path() / "parametrization.obj";
   Mesh mesh;
   const auto wave = [](std::size_t i, std::size_t j) {
     const double x = double(i) / 8, y = double(j) / 64 + x / 2;
@@ -44,6 +48,12 @@ int main() {
   const Eigen::MatrixX2d of_subdivision =
       IT::interpolation_from_intrinsic(s) * uv; // s.corner[c] is a row
   //! [corners]
+  //! [file]
+  // fields with the names u and v are texture coordinates in OBJ
+  const Eigen::VectorXd u = of_subdivision.col(0), v = of_subdivision.col(1);
+  IT::write_common_subdivision(file, s, IT::positions(s, mesh),
+                               std::array{IT::Vertex_field("u", u), IT::Vertex_field("v", v)});
+  //! [file]
   //! [conformal]
   const IT::Map_distortion harmonic = IT::measure_distortion(t, uv),
                            least_squares =
@@ -56,7 +66,9 @@ int main() {
             << " of the subdivision\nquasi-conformal: harmonic " << harmonic.mean_quasi_conformal
             << ", least squares " << least_squares.mean_quasi_conformal << ", spectral "
             << spectral.mean_quasi_conformal << '\n';
-  return certificate.is_injective() && spectral.mean_quasi_conformal < harmonic.mean_quasi_conformal
+  const bool is_written = std::filesystem::file_size(file) > 0;
+  if (argc <= 1) std::filesystem::remove(file); // the test leaves nothing behind
+  return is_written && certificate.is_injective() && spectral.mean_quasi_conformal < harmonic.mean_quasi_conformal
              ? 0
              : 1;
 }
