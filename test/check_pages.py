@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Says which pages of the manual break its rules: pages are short, doxygen lists them, and they name the course that they cite."""
+
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FOLDER = ROOT / "doc" / "Intrinsic_triangulations"
+MOST_WORDS = 2400
+# Pages that are looked up, not read.
+LONG = ("command_line", "measurements", "distance")
+TITLE = "Geometry Processing with Intrinsic Triangulations"
+
+
+def defects(name, text, listed):
+    """What is wrong with a page."""
+    if len(text.split()) > MOST_WORDS and name not in LONG:
+        yield f"has more than {MOST_WORDS} words: split it by task"
+    if name not in listed:
+        yield "is missing in doc/CMakeLists.txt"
+    cited = re.search(r"\bcourse\b|§ ?\d", text)
+    title = re.search(TITLE.replace(" ", r"\s+"), text)
+    if cited and (title is None or title.start() > cited.end() + 60):
+        yield f"cites the course before it gives its title, {TITLE}"
+
+
+def main():
+    listed = re.search(r"foreach\(page IN ITEMS ([^)]*)\)", (ROOT / "doc" / "CMakeLists.txt").read_text(encoding="utf-8"))[1].split()
+    pages = {page.stem: page for page in sorted(FOLDER.glob("*.md"))} | {"README": ROOT / "README.md"}
+    errors = [f"{page.relative_to(ROOT)} {defect}" for name, page in pages.items()
+              for defect in defects(name, page.read_text(encoding="utf-8"), [*listed, "README"])]
+    print(*errors, f"{len(pages)} pages, {len(errors)} defects", sep="\n")
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
