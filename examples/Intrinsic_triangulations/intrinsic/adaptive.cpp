@@ -13,10 +13,12 @@ Json adaptive_json(const IT::Adaptive_refinement_result& result, const Adaptive_
     rounds.push_back({{"vertices", r.vertices},
                       {"estimated_error", r.estimated_error / unit},
                       {"marked_faces", r.marked_faces}});
-  return {{"status", name(result.status)},
-          {"source", criteria.source},
-          {"tolerance", criteria.tolerance},
-          {"rounds", rounds}};
+  Json json = {{"status", name(result.status)},
+               {"source", criteria.source},
+               {"tolerance", criteria.tolerance},
+               {"rounds", rounds}};
+  if (criteria.heat_time > 0) json["heat_time"] = criteria.heat_time;
+  return json;
 }
 
 } // namespace program

@@ -16,7 +16,9 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -45,8 +47,48 @@ double total_area(const Triangulation& t) {
   return area / t.input().names().sheets;
 }
 
+/// returns the mean length of the edges, in units of the input.
+template <class Triangulation>
+double mean_edge_length(const Triangulation& t) {
+  double sum = 0;
+  for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) sum += t.length(e);
+  return sum / static_cast<double>(num_edges(t.mesh()));
+}
+
 /*!
-\brief refines where the harmonic Green's function of a vertex has large errors, and reports it.
+\brief is the function for which a mesh is refined: the harmonic Green's function of a vertex, or its heat kernel.
+\tparam Triangulation a model of `CorrespondingTriangulation`
+*/
+template <class Triangulation>
+class Adaptive_problem {
+public:
+  /// takes the time of the kernel from the edges of a triangulation before it is refined.
+  Adaptive_problem(const Triangulation& t, const Adaptive_criteria& criteria)
+      : source_(criteria.source), area_(total_area(t)) {
+    if (criteria.heat_time > 0) time_ = criteria.heat_time * std::pow(mean_edge_length(t), 2);
+  }
+
+  /// solves, and estimates the error in the L2 norm of every face.
+  auto operator()(Triangulation& t) const {
+    const Eigen::VectorXd u = time_ > 0 ? IT::short_time_heat_kernel(t, source_, time_)
+                                        : IT::harmonic_green_function(t, source_);
+    const Eigen::VectorXd f = Eigen::VectorXd::Constant(u.size(), time_ > 0 ? 0 : -1 / area_);
+    const IT::Reaction_diffusion equation{time_ > 0 ? time_ : 1, time_ > 0 ? 1. : 0.};
+    return IT::residual_indicators(t, equation, u, f, IT::Error_norm::L2);
+  }
+
+  /// returns what errors are given in: the norm of the kernel in the plane, K0(r / sqrt(t)) / (2 pi t), or the root of the area.
+  double unit() const {
+    return time_ > 0 ? 1 / std::sqrt(4 * std::numbers::pi * time_) : std::sqrt(area_);
+  }
+
+private:
+  std::uint32_t source_;
+  double area_, time_ = 0;
+};
+
+/*!
+\brief refines where the harmonic Green's function of a vertex, or its heat kernel, has large errors, and reports it.
 \throws std::runtime_error if there is no such function
 */
 template <class Triangulation>
@@ -58,25 +100,19 @@ void refine_adaptively(Triangulation& t, const IT::Marked_edges<Triangulation>& 
                              " does not exist; give --source a number below " +
                              std::to_string(t.input().number_of_rows()));
   Stopwatch watch;
-  const double area = total_area(t);
-  const auto estimate = [&](Triangulation& now) {
-    const Eigen::VectorXd u = IT::harmonic_green_function(now, criteria.source);
-    const Eigen::VectorXd density = Eigen::VectorXd::Constant(u.size(), -1 / area);
-    return IT::residual_indicators(now, {.diffusion = 1, .reaction = 0}, u, density,
-                                   IT::Error_norm::L2);
-  };
+  const Adaptive_problem<Triangulation> problem(t, criteria);
   Adaptive_progress visitor{&progress};
   progress.show("refining adaptively");
   try {
     const IT::Adaptive_refinement_result result =
-        IT::adaptive_refine(t, estimate,
-                            IT::parameters::tolerance(criteria.tolerance * std::sqrt(area))
+        IT::adaptive_refine(t, problem,
+                            IT::parameters::tolerance(criteria.tolerance * problem.unit())
                                 .minimum_angle(options.refinement.minimum_angle)
                                 .maximum_vertices(criteria.maximum_vertices)
                                 .edge_is_constrained_map(constrained)
                                 .visitor(std::ref(visitor)));
     expect_accurate(result.inaccuracy, options);
-    json["adaptive"] = adaptive_json(result, criteria, std::sqrt(area));
+    json["adaptive"] = adaptive_json(result, criteria, problem.unit());
   } catch (const std::invalid_argument& e) { // a vertex without faces, or several components
     throw std::runtime_error(options.input + ": " + e.what() +
                              "; give another --source, or a connected part of the mesh");

@@ -240,8 +240,14 @@ void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex) 
   if (has_vertex)
     command.add_option("--source", a.source, "the vertex; default 0")->needs(adaptive);
   command
+      .add_option("--heat-time", a.heat_time,
+                  "refine for the heat kernel after this time instead, in squares of the mean edge")
+      ->check(positive())
+      ->needs(adaptive);
+  command
       .add_option("--tolerance", a.tolerance,
-                  "estimated error to be reached, in units of the root of the area; default 0.01")
+                  "estimated error to be reached, in units of the root of the area, with "
+                  "--heat-time of the kernel's norm; default 0.01")
       ->check(positive())
       ->needs(adaptive);
   command

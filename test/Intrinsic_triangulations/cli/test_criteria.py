@@ -144,6 +144,24 @@ class Adaptive_refinement(Cli_test):
         self.assertEqual(rounds[0], rounds[1])
         self.assertEqual(rounds[0], rounds[2])
 
+    def test_heat_kernel(self):
+        rounds = []
+        for scale in (1, 2.0 ** 30):
+            mesh = self.write_off("s.off", [tuple(scale * x for x in p) for p in self.points],
+                                  self.faces)
+            stats = self.stats("refine", mesh, "--adaptive", "--heat-time", "4", "--source", "17",
+                               "--tolerance", "0.05", "--mass", "m.mtx")
+            adaptive = stats["adaptive"]
+            self.assertEqual((adaptive["status"], adaptive["heat_time"]), ("done", 4))
+            self.assertLessEqual(adaptive["rounds"][-1]["estimated_error"], 0.05)
+            rounds.append([r["vertices"] for r in adaptive["rounds"]])
+            mass = self.read_matrix("m.mtx")[2]
+            area = sorted(mass.values())
+            self.assertLess(mass[17, 17], area[len(area) // 20])
+        self.assertEqual(rounds[0], rounds[1])
+        run = self.run_program("refine", self.mesh, "--heat-time", "4")
+        self.assertEqual(run.code, 2)
+
     def test_cap_on_vertices(self):
         stats = self.stats("refine", self.mesh, "--adaptive", "--tolerance", "1e-6",
                            "--max-vertices", "400")
