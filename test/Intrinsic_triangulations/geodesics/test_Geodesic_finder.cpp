@@ -6,12 +6,14 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/insert_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "meshes.h"
 #include "numbered_as_mesh.h"
+#include "straight_segments.h"
 #include "unfolded_paths.h"
 
 #include <CGAL/Interval_nt.h>
@@ -207,6 +209,82 @@ TEST(GeodesicFinderOfPoints, PointsThatAreNotConnectedAreReported) {
   const Geodesic_path path = find(t.numbers().vertex_at(0), t.numbers().vertex_at(n));
   EXPECT_EQ(path.status, Status::stalled);
   EXPECT_TRUE(path.points.empty());
+}
+
+// ---- Shortest paths
+
+template <class T>
+class ShortestPaths : public ::testing::Test {};
+TYPED_TEST_SUITE(ShortestPaths, Triangulations);
+
+/// Flips that nothing asks for: faces become long, and wind about the surface.
+template <class T>
+void flip_at_random(T& t, std::mt19937& random) {
+  const std::size_t edges = num_edges(t.mesh());
+  for (std::size_t i = 0; i < 2 * edges; ++i)
+    t.flip_edge(t.numbers().halfedge_at(static_cast<std::uint32_t>(random() % (2 * edges))));
+}
+
+// Errors of sums of fewer than 100 lengths of doubles, each relative to the whole path, stay below 1e-12; the search takes a path that
+// passes a vertex within 1e-12 of its length for one through the vertex.
+constexpr double rounding = 1e-11;
+
+TYPED_TEST(ShortestPaths, AreAsLongAsBruteForceTells) {
+  for (unsigned seed = 0; seed < 6; ++seed)
+    for (const meshes::Mesh& mesh :
+         {meshes::potato(0, seed), meshes::rough_grid(3, seed, 2), meshes::box(1, 2, 1),
+          meshes::l_shape(1), meshes::integer_height_field(3, 5, seed),
+          meshes::prism({{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 8}, {0, 8}}, 1)}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", vertices " +
+                   std::to_string(mesh.points.size()));
+      const straight_segments::Distances distance(mesh);
+      TypeParam t = numbered_as<TypeParam>(mesh);
+      IT::Geodesic_finder<TypeParam> find(t);
+      for (std::uint32_t i = 0; i < mesh.points.size(); ++i)
+        for (std::uint32_t j = 0; j < i; ++j) {
+          const auto v = t.numbers().vertex_at(i), w = t.numbers().vertex_at(j);
+          const Geodesic_path path = find(v, w);
+          ASSERT_EQ(path.status, Status::done);
+          EXPECT_NEAR(path.length, distance(i, j), rounding * path.length) << i << " " << j;
+        }
+    }
+}
+
+// Between points in faces, and as edges of the triangulation.
+TYPED_TEST(ShortestPaths, AreAsLongAsTheExactDistance) {
+  std::size_t shorter = 0;
+  for (unsigned seed = 0; seed < 6; ++seed)
+    for (const meshes::Mesh& mesh : {meshes::potato(2, seed), meshes::rough_grid(9, seed, 3),
+                                     meshes::integer_terrain(60, 64, seed), meshes::l_shape(4)}) {
+      SCOPED_TRACE("seed " + std::to_string(seed));
+      TypeParam t = numbered_as<TypeParam>(mesh);
+      std::mt19937 random(seed);
+      if (seed % 2 == 0) flip_at_random(t, random);
+      IT::Geodesic_finder<TypeParam> find(t);
+      for (unsigned i = 0; i < 6; ++i) {
+        const auto point = [&] {
+          const auto f = static_cast<std::uint32_t>(random() % t.input().number_of_faces());
+          const double a = static_cast<double>(1 + random() % 30) / 64,
+                       b = static_cast<double>(1 + random() % 30) / 64;
+          return Surface_point{t.input().halfedge_of_face(f), {a, b, 1 - a - b}};
+        };
+        const Surface_point from = point(), to = point();
+        TypeParam other = t;
+        const auto v = insert_point(other, from).vertex, w = insert_point(other, to).vertex;
+        const double d = IT::Polyhedral_distance(other, v).distance(w);
+        const Geodesic_path path = find({from, to});
+        ASSERT_EQ(path.status, Status::done);
+        EXPECT_NEAR(path.length, d, rounding * d);
+        const auto edges = insert_geodesic(other, v, w);
+        ASSERT_EQ(edges.status, Status::done);
+        double sum = 0;
+        for (const auto h : edges.halfedges) sum += other.length(edge(h, other.mesh()));
+        EXPECT_NEAR(sum, d, rounding * d);
+        const Geodesic_path near = find({from, to}, IT::parameters::shortest(false));
+        if (near.length > d * (1 + 1e-9)) ++shorter;
+      }
+    }
+  EXPECT_GT(shorter, 10U);
 }
 
 // ---- An oracle in 200 digits

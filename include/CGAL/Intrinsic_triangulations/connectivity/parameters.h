@@ -32,8 +32,7 @@ package, but all of the names are here, those of CGAL among them.
               name(maximum_vertices) name(maximum_rounds) name(triangle_inequality) name(margin)   \
                   name(maximum_faces) name(snaps_to_vertices) name(border_condition)               \
                       name(use_binary_mode) name(lines) name(relative_length) name(joint_angle)    \
-                          name(maximum_distance) name(targets)                        \
-                          name(time_factor)
+                          name(maximum_distance) name(targets) name(shortest) name(time_factor)
 /// \endcond
 
 namespace CGAL::Intrinsic_triangulations {

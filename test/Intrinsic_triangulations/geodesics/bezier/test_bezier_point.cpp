@@ -79,14 +79,14 @@ TEST(Bezier_point, stays_at_control_points_that_are_one) {
 }
 
 TEST(Bezier_point, jumps_beside_a_peak) {
-  // The curve of three points passes on both sides of a peak: the geodesic between the points that divide the two sides leads
-  // round the peak on one side, and from some parameter on on the other.
+  // The peak is between the curve of three points and their polygon: the shortest path between the points that divide the two sides leads
+  // round the peak on one side, then on the other, then on the first one again.
   meshes::Mesh plane = meshes::grid(12, 12), peak = plane;
-  peak.points[vertex_at(peak, 5, 3)][2] = 20;
+  peak.points[vertex_at(peak, 6, 7)][2] = 20;
   const auto step = [](const meshes::Mesh& m, int n) {
     Exact t(m.input());
     return largest_step(t, m,
-                        {at_vertex(t, vertex_at(m, 0, 1)), at_vertex(t, vertex_at(m, 7, 6)),
+                        {at_vertex(t, vertex_at(m, 0, 1)), at_vertex(t, vertex_at(m, 7, 11)),
                          at_vertex(t, vertex_at(m, 12, 2))},
                         n);
   };

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/starting_path.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
@@ -27,18 +28,23 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a geodesic between points, over the input.
 */
 struct Geodesic_path : Traced_curve {
-  /// Length of the shortest path along edges that it was made of, in the units of the input.
+  /// Length of what it was made of, in the units of the input: of a shortest path, from the search
+  /// for it; or of one along edges.
   double initial_length = 0;
   /// What was done to make it geodesic.
   Shortening_result shortening;
 };
 
 /*!
-\brief finds geodesics between points, each from a shortest path along edges (§5.1 of the course, Algorithm 7), and leaves the
-triangulation as it was.
+\brief finds shortest paths between points, or other geodesics (§5.1 of the course, Algorithm 7),
+and leaves the triangulation as it was.
 
-A query flips edges, reads the geodesic off, and takes the flips back: it costs what it touches. Geodesics are locally shortest,
-in the homotopy class of the path along edges; most are shortest. On a triangulation that is Delaunay they are found faster.
+By default a path is the shortest of all: a search for the exact distance, see
+`Polyhedral_distance`, tells which faces it passes through. With `shortest(false)` it is made of a
+shortest path along edges: a geodesic in the homotopy class of that path, locally shortest, and
+often longer than the shortest. That is faster, as it costs what it touches. In both cases a query
+flips edges, reads the path off, and takes the flips back. On a triangulation that is Delaunay paths
+are found faster.
 \tparam Triangulation a model of `GeodesicTriangulation` and of `CorrespondingTriangulation`
 */
 template <class Triangulation>
@@ -51,16 +57,22 @@ public:
   /// Halfedge of the triangulation.
   using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
 
-  /// prepares queries. \param t the triangulation, which must outlive the finder, and not change between queries \complexity linear
+  /// prepares queries. \param t the triangulation, which must outlive the finder, and not change
+  /// between queries \complexity linear
   explicit Geodesic_finder(Triangulation& t) : t_(t), network_(t), find_edge_path_(t) {}
 
   /*!
-  \brief finds a geodesic between two vertices.
-  \param from, to vertices of the triangulation; `vertex_on_intrinsic()` finds those of the user's mesh
-  \param np named parameters of `shorten_curves()`
-  \return its way over the input. The status is that of `shorten_curves()`, `stalled` if no path leads from one to the other, or
-  `not_traceable`
-  \complexity that of the search for a path along edges, and of `shorten_curves()`
+  \brief finds a shortest path between two vertices.
+  \param from, to vertices of the triangulation; `vertex_on_intrinsic()` finds those of the user's
+  mesh
+  \param np named parameters of `shorten_curves()`, and:
+    - `shortest(b)`: whether to look for the shortest path, or to start from one along edges.
+      Default: true, but false with `relative_length` or `joint_angle`, which stop on the way from a
+      path along edges
+  \return its way over the input. The status is that of `shorten_curves()`, `stalled` if no path
+  leads from one to the other, `inaccurate` if it is geodesic but the search for the shortest one
+  gave up, or `not_traceable`
+  \complexity that of the search, and of `shorten_curves()`
   */
   template <NamedParameters NP = parameters::Parameters<>>
   Geodesic_path operator()(vertex_descriptor from, vertex_descriptor to,
@@ -69,9 +81,9 @@ public:
   }
 
   /*!
-  \brief finds geodesics from each of several vertices to the next one, as one path; see above.
+  \brief finds shortest paths from each of several vertices to the next one, as one path; see above.
   \param vertices the vertices, two at least; where the path passes one it may turn
-  \param np named parameters of `shorten_curves()`
+  \param np see above
   */
   template <NamedParameters NP = parameters::Parameters<>>
   Geodesic_path operator()(const std::vector<vertex_descriptor>& vertices,
@@ -83,9 +95,10 @@ public:
   }
 
   /*!
-  \brief finds geodesics from each of several points to the next one, as one path. Vertices are inserted for them, and removed again.
+  \brief finds shortest paths from each of several points to the next one, as one path. Vertices are
+  inserted for them, and removed again.
   \param points points of the input, two at least; `surface_point()` finds those of the user's mesh
-  \param np named parameters of `shorten_curves()`
+  \param np see above
   \return see above; `stalled`, too, if a vertex cannot be inserted
   */
   template <NamedParameters NP = parameters::Parameters<>>
@@ -109,27 +122,28 @@ public:
   }
 
 private:
-  // straightens a path along edges, reads it off, and takes the flips back
+  // flips edges until there is a path, reads it off, and takes the flips back
   template <class NP>
   void append(vertex_descriptor from, vertex_descriptor to, const NP& np, Geodesic_path& path) {
     if (from == to) return;
-    const std::vector<halfedge_descriptor> way = find_edge_path_(from, to);
-    if (way.empty()) {
+    Flip_log<Triangulation> log;
+    Shortening_result r;
+    const auto way = internal::starting_path(t_, from, to, find_edge_path_, &log, r, np);
+    if (way.halfedges.empty()) {
       path = {};
-      path.status = Status::stalled;
+      path.status = way.status;
       return;
     }
-    const std::uint32_t curve = network_.add_path(way);
-    path.initial_length += network_.length(curve);
-    Flip_log<Triangulation> log;
-    const Shortening_result r = shorten_curves(network_, log, np);
+    const std::uint32_t curve = network_.add_path(way.halfedges);
+    path.initial_length += way.length;
+    r += internal::shorten_curves(network_, &log, np);
     for (const halfedge_descriptor h : network_.halfedges(curve))
       internal::append_edge(t_, h, path);
     network_.clear();
     typename Triangulation::Session session(t_);
     log.undo(session);
     path.shortening += r;
-    if (path.status == Status::done) path.status = r.status;
+    if (path.status == Status::done) path.status = r.status == Status::done ? way.status : r.status;
   }
 
 private:

@@ -9,6 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/starting_path.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
 
 #include <vector>
@@ -21,34 +24,45 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <class Triangulation>
 struct Inserted_geodesic {
-  /// That of `shorten_curves()`; `stalled` if no path leads from one vertex to the other.
+  /// That of `shorten_curves()`; `stalled` if no path leads from one vertex to the other;
+  /// `inaccurate`: it is geodesic, but the search for the shortest one gave up, see
+  /// `Shortest_path`.
   Status status = Status::done;
   /// Its edges, in its direction.
   std::vector<typename Triangulation::halfedge_descriptor> halfedges;
 };
 
 /*!
-\brief makes a geodesic between two vertices a path of edges of the triangulation (§4.4 of the course): edges are flipped.
+\brief makes a shortest path between two vertices a path of edges of the triangulation (§4.4 of the
+course): edges are flipped.
 
-The geodesic is made of a shortest path along edges, see `Geodesic_finder`. Most are one edge; where they pass vertices they are more. To keep it while other
-edges are flipped, constrain its edges.
+Most are one edge; where they pass vertices they are more. To keep the path while other edges are
+flipped, constrain its edges.
 \tparam Triangulation a model of `GeodesicTriangulation`
 \param t the triangulation
 \param from, to vertices of it; see `vertex_on_intrinsic()` and `insert_point()`
-\param np named parameters of `shorten_curves()`
-\complexity that of the search, of `shorten_curves()`, and linear in the number of edges
+\param np named parameters of `shorten_curves()`, and:
+  - `shortest(b)`: if false, the path is made of a shortest one along edges, see `Geodesic_finder`.
+    Default: true, but false with `relative_length` or `joint_angle`, which stop on the way from
+    that path
+\complexity that of the search by `Polyhedral_distance`, or along edges; of `shorten_curves()`, and
+linear in the number of edges
 */
 template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Inserted_geodesic<Triangulation> insert_geodesic(Triangulation& t,
                                                  typename Triangulation::vertex_descriptor from,
                                                  typename Triangulation::vertex_descriptor to,
                                                  const NP& np = parameters::default_values()) {
-  const auto way = Edge_path_finder<Triangulation>(t)(from, to);
-  if (way.empty()) return {from == to ? Status::done : Status::stalled, {}};
+  if (from == to) return {};
+  Flip_log<Triangulation>* const no_log = nullptr;
+  Shortening_result result;
+  Edge_path_finder<Triangulation> find(t);
+  const auto way = internal::starting_path(t, from, to, find, no_log, result, np);
+  if (way.halfedges.empty()) return {way.status, {}};
   Curve_network<Triangulation> network(t);
-  network.add_path(way);
-  const Status status = shorten_curves(network, np).status;
-  return {status, network.halfedges(0)};
+  network.add_path(way.halfedges);
+  const Status status = internal::shorten_curves(network, no_log, np).status;
+  return {status == Status::done ? way.status : status, network.halfedges(0)};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -66,7 +66,8 @@ Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
 template <class Triangulation, class NamedParameters>
 Shortening_result shorten_curves(Curve_network<Triangulation>& network,
                                  Flip_log<Triangulation>* log, const NamedParameters& np) {
-  expect_names<tags::relative_length, tags::joint_angle, tags::maximum_number, tags::visitor>(np);
+  expect_names<tags::relative_length, tags::joint_angle, tags::maximum_number, tags::visitor,
+               tags::shortest>(np);
   auto stored_visitor = object_or<tags::visitor>(np, Shortening_visitor());
   auto& observed = unwrapped(stored_visitor);
   const Shortening_limits limits = shortening_limits(network, np);
