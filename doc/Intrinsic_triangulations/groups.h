@@ -13,8 +13,9 @@ All names are in the namespace `CGAL::Intrinsic_triangulations` unless they say 
 OpenMesh and `CGAL::Polyhedron_3` in `connectivity/adaptors/`, of `.idt` files in `IO/idt/` and pages in `IO/view/`, and of
 incidence matrices and validity in `connectivity/`; the page of each name says which header it is in.
 
-What programs use comes first. The topics whose names begin with *Inside* are for who writes a model of a concept, or wants to
-know how something works.
+Names that programs use come first. Read the topics whose names begin with *Inside* if you write a model of a concept, or want to
+know how something works. The comments cite sections, figures and equations of the course *Geometry Processing with Intrinsic
+Triangulations* (Sharp, Gillespie, Crane 2021).
 */
 
 /*!
@@ -35,9 +36,9 @@ a class template is that template with any arguments.
 /*!
 \defgroup ref_owner Triangulations
 \ingroup page_reference
-\brief Who owns connectivity, metric and correspondence, and makes moves; options and results of all functions.
+\brief The classes that own connectivity, metric and correspondence, and make moves; options and results of all functions.
 
-Begin with \itc{Intrinsic_triangulation}, or with \itc{Corresponding_triangulation} if results are wanted on the input.
+Begin with \itc{Intrinsic_triangulation}, or with \itc{Corresponding_triangulation} if you want results on the input.
 */
 
 /*!
@@ -155,11 +156,11 @@ What is in the files: \ref page_file_format, \ref page_output_formats, \ref page
 \ingroup page_reference
 \brief How a sign is found where intervals leave it open.
 
-| step | who does it |
+| step | done by |
 |---|---|
-| what is asked | expressions such as \itc{Delaunay_expression}, models of \itc{DiamondExpression} |
-| what is done with them beyond intervals of doubles | \itc{Recorded_diamond_expression}, \itc{Recorded_face_expression} |
-| who decides and encloses, for a metric | \itc{Exact_geometry} |
+| the question | expressions such as \itc{Delaunay_expression}, models of \itc{DiamondExpression} |
+| its evaluation beyond intervals of doubles | \itc{Recorded_diamond_expression}, \itc{Recorded_face_expression} |
+| decisions and enclosures for a metric | \itc{Exact_geometry} |
 | two input faces, in integers of fixed size | \itf{input_diamond_sign} |
 | the input triangles under a diamond or a face | \itc{Unfolded_diamond}, found by an \itc{Input_unfolder} or along the \itc{Flip_history} |
 | diamonds in one plane | \itf{flat_diamond_sign}, \itf{flat_diamond_sign} |
