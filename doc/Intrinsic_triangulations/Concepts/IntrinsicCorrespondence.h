@@ -57,7 +57,7 @@ in the opposite order.
 | `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five |
 | \itf{common_subdivision}, queries | not part of this concept: see \ref ::CurveCoordinates |
 
-The C++20 concept asks for all five, so that a triangulation can make every move; who needs one alone derives from
+The C++20 concept asks for all five, so that a triangulation can make every move. If you need only one of them, derive from
 \itc{No_correspondence}, as the example does.
 
 \cgalHeading{Invariants}

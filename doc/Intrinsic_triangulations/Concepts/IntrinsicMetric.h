@@ -27,7 +27,7 @@ edges at an edge are passed as a \itc{Diamond}, those at a vertex as a
 \itc{Vertex_star} or a \itc{Border_star}. Values are in scaled
 units: lengths of the input times 2 to the power of `scale_exponent()`.
 
-Predicates are const, and so is all that is read: what a metric keeps to decide again faster, or counts, is no part of
+Predicates and all functions that read are const. Values that a metric keeps to decide faster, and what it counts, are not part of
 its value.
 
 \cgalHeading{Which operation needs what}

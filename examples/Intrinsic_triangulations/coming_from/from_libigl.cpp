@@ -35,7 +35,8 @@ int main() {
     }
 
   //! [laplacian]
-  IT::Intrinsic_triangulation<> t(IT::triangle_soup(V.rowwise(), F.rowwise()));
+  const IT::Triangle_soup soup = IT::triangle_soup(V.rowwise(), F.rowwise());
+  IT::Intrinsic_triangulation<> t(soup);
   IT::flip_to_delaunay(t);
   const Eigen::SparseMatrix<double> L = IT::cotangent_laplacian(t);
   const Eigen::SparseMatrix<double> M = IT::lumped_mass_matrix(t);
