@@ -67,10 +67,22 @@ struct Face_table {
   }
 
   double mean_edge_length() const {
+    return mean_of_edges([](const Table_face& f, std::size_t k) { return f.length(k); });
+  }
+
+  double area() const {
+    double sum = 0;
+    for (const Table_face& f : faces) sum += f.area();
+    return sum;
+  }
+
+  // the mean over all edges of a function of a face and a side, 1 if there are none
+  template <class Function>
+  double mean_of_edges(const Function& function) const {
     double sum = 0;
     std::size_t edges = 0;
     for_each_edge([&](const Table_face& f, std::size_t k) {
-      sum += f.length(k);
+      sum += function(f, k);
       ++edges;
     });
     return edges == 0 ? 1 : sum / static_cast<double>(edges);

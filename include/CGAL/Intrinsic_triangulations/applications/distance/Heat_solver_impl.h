@@ -16,7 +16,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -38,15 +37,20 @@ inline double norm_of(const std::complex<double>& x) {
   return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::abs(x);
 }
 
+// Heat is positive. With negative weights, what is solved for has signs of its own far from the sources, but its magnitude
+// decreases along shortest paths all the same.
+inline Heat<double> magnitudes(Heat<double> heat) {
+  heat.value = heat.value.cwiseAbs();
+  return heat;
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Heat_solver::Heat_solver(Ordered_laplacian laplacian, Face_table table, const Heat_options& options,
                          std::uint32_t sheets, Heat_progress progress)
     : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
-      time_(options.time_factor * mean_edge_ * mean_edge_), component_(table_.components()),
+      time_(flow_time(options.time_factor, mean_edge_ * mean_edge_, table_.area())), component_(table_.components()),
       laplacian_(std::move(laplacian)), poisson_(laplacian_, component_), sheets_(sheets),
       progress_(std::move(progress)) {
-  if (!(options.time_factor > 0) || !std::isfinite(time_))
-    throw std::invalid_argument("the time factor must be positive and finite");
   const Eigen::VectorXd masses = row_areas(table_, sheets);
   insulated_.emplace(laplacian_.matrix(), time_, poisson_.factor_with_multiple(time_, masses));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
@@ -94,11 +98,11 @@ Heat_solver::heat(const Source_places& sources, const Pinned_laplacian::Pins& pi
   for (const auto& [row, value] : pins) is_reached[component_[row_number(row)]] = 1;
   for (std::size_t r = 0; r < is_reached.size(); ++r) is_reached[r] = is_reached[component_[r]];
   const Eigen::VectorXd start = initial_heat(sources);
-  Heat<double> all = (*insulated_)(start, is_reached);
+  Heat<double> all = magnitudes((*insulated_)(start, is_reached));
   if (cold_) {
     std::vector<char> reached_inside;
     for (const int r : inside_) reached_inside.push_back(is_reached[row_number(r)]);
-    const Heat<double> inside = (*cold_)(start(inside_), reached_inside);
+    const Heat<double> inside = magnitudes((*cold_)(start(inside_), reached_inside));
     const double unit = std::ldexp(1.0, inside.exponent - all.exponent);
     for (std::size_t i = 0; i < inside_.size(); ++i)
       all.value[inside_[i]] +=

@@ -12,7 +12,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -29,9 +28,9 @@ class Signed_heat_solver {
 public:
   Signed_heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
                      double time_factor)
-      : table_(std::move(table)), time_(time_factor * std::pow(table_.mean_edge_length(), 2)),
+      : table_(std::move(table)), time_(flow_time(time_factor, squared_spacing(table_), table_.area())),
         component_(table_.components()), poisson_(Ordered_laplacian(laplacian), component_),
-        flow_(flow_matrix(time_factor), edge_masses()) {}
+        flow_(flow_matrix(), edge_masses()) {}
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
@@ -40,7 +39,12 @@ public:
   Eigen::VectorXd distances(const Source_places& curves);
 
 private:
-  Eigen::SparseMatrix<Complex> flow_matrix(double time_factor) const;
+  // The mean of the squared distances of neighbouring nodes, which are the midpoints of edges.
+  static double squared_spacing(const Face_table& table) {
+    return table.mean_of_edges(
+        [](const Table_face& f, std::size_t k) { return f.squared_lengths[k] / 4; });
+  }
+  Eigen::SparseMatrix<Complex> flow_matrix() const;
   Eigen::VectorXd edge_masses() const;
 
   // The normals on the right of the curves, diffused.

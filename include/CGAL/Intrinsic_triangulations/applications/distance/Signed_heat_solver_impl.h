@@ -36,9 +36,7 @@ Signed_heat_solver::distances(const Source_places& curves) {
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::SparseMatrix<std::complex<double>>
-Signed_heat_solver::flow_matrix(double time_factor) const {
-  if (!(time_factor > 0) || !std::isfinite(time_))
-    throw std::invalid_argument("the time factor must be positive and finite");
+Signed_heat_solver::flow_matrix() const {
   Eigen::SparseMatrix<Complex> m = time_ * edge_connection_laplacian(table_);
   for (int e = 0; e < m.cols(); ++e) m.coeffRef(e, e); // stored
   m.makeCompressed();

@@ -15,13 +15,28 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <iomanip>
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <sstream>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// The time of a flow, a factor times a unit. Above 1e8 areas of the surface, heat is so even that rounding hides its gradients, and
+// distances are those of 1e6 areas to six digits. Below 1e-100 units, heat falls by more than 2^-800 along single edges.
+// \throws std::invalid_argument if the factor is out of these limits
+inline double flow_time(double factor, double unit, double area) {
+  const double greatest = 1e8 * std::max(area / unit, 1.0);
+  if (factor >= 1e-100 && factor <= greatest) return factor * unit;
+  std::ostringstream message;
+  message << "the time factor must be between 1e-100 and " << std::setprecision(2) << greatest
+          << ", where heat has spread evenly, not " << factor;
+  throw std::invalid_argument(message.str());
+}
 
 // x * 2^e, in two steps: the power of two alone may be no double.
 template <class Scalar>
