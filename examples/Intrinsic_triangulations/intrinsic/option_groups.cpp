@@ -411,8 +411,10 @@ std::string field_misuse(const Options& o) {
 
 void add_time_option(CLI::App& command, Options& options) {
   command
-      .add_option("--time", options.application.time_factor,
-                  "how long heat flows, in squares of the mean edge length (default 1)")
+      .add_option(
+          "--time", options.application.time_factor,
+          "how long heat flows, in squares of the mean edge length, with --signed of half of "
+          "it (default 1)")
       ->check(CLI::PositiveNumber);
 }
 

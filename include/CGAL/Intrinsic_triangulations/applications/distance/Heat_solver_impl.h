@@ -37,8 +37,8 @@ inline double norm_of(const std::complex<double>& x) {
   return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::abs(x);
 }
 
-// Heat is positive. With negative weights, what is solved for has signs of its own far from the sources, but its magnitude
-// decreases along shortest paths all the same.
+// Heat is positive. With negative weights, what is solved for has signs of its own far from the
+// sources, but its magnitude decreases along shortest paths all the same.
 inline Heat<double> magnitudes(Heat<double> heat) {
   heat.value = heat.value.cwiseAbs();
   return heat;
@@ -48,9 +48,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Heat_solver::Heat_solver(Ordered_laplacian laplacian, Face_table table, const Heat_options& options,
                          std::uint32_t sheets, Heat_progress progress)
     : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
-      time_(flow_time(options.time_factor, mean_edge_ * mean_edge_, table_.area())), component_(table_.components()),
-      laplacian_(std::move(laplacian)), poisson_(laplacian_, component_), sheets_(sheets),
-      progress_(std::move(progress)) {
+      time_(flow_time(options.time_factor, mean_edge_ * mean_edge_, table_.area())),
+      component_(table_.components()), laplacian_(std::move(laplacian)),
+      poisson_(laplacian_, component_), sheets_(sheets), progress_(std::move(progress)) {
   const Eigen::VectorXd masses = row_areas(table_, sheets);
   insulated_.emplace(laplacian_.matrix(), time_, poisson_.factor_with_multiple(time_, masses));
   is_cancelled_ = !progress_(Heat_step::heat_factored);

@@ -28,7 +28,8 @@ class Signed_heat_solver {
 public:
   Signed_heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
                      double time_factor)
-      : table_(std::move(table)), time_(flow_time(time_factor, squared_spacing(table_), table_.area())),
+      : table_(std::move(table)),
+        time_(flow_time(time_factor, squared_spacing(table_), table_.area())),
         component_(table_.components()), poisson_(Ordered_laplacian(laplacian), component_),
         flow_(flow_matrix(), edge_masses()) {}
 
