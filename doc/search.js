@@ -24,8 +24,8 @@ function occurrences(text, word) {
 
 // How well an entry [kind, title, address, text] answers the words; 0 if one of them is missing.
 function score(entry, words) {
-  // Of a member the name of its class is a word of its text only.
-  const title = entry[1].toLowerCase().replace(/^.*::/, ""), text = (entry[3] + " " + entry[1]).toLowerCase();
+  // The name of its class is a word of the text of a member, and the title of its page a word of the text of a section.
+  const title = entry[1].toLowerCase().replace(/^.*(::|: )/, ""), text = (entry[3] + " " + entry[1]).toLowerCase();
   const titleWords = wordsOf(title);
   let sum = 0;
   for (const word of words) {
