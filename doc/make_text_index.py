@@ -20,6 +20,7 @@ NAMESPACE = "CGAL::Intrinsic_triangulations::"
 # Entries without a text of their own.
 LEFT_OUT = ("dir", "namespace", "source")
 KINDS = {"page": "manual", "group": "topic", "file": "header", "struct": "class"}
+LICENCE = re.compile(r"// Copyright.*\n// SPDX.*\n")
 EMPTY = {"area", "base", "br", "col", "hr", "img", "input", "link", "meta", "param", "wbr"}
 
 
@@ -65,7 +66,7 @@ class Sections(html.parser.HTMLParser):
 
 
 def words(text):
-    return re.sub(r"\s+", " ", text).strip()
+    return re.sub(r"\s+", " ", LICENCE.sub("", text)).strip()
 
 
 def page_entries(kind, address, text):

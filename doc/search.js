@@ -55,8 +55,9 @@ function excerpt(text, query) {
   const lower = text.toLowerCase();
   const places = wordsOf(query).flatMap(word => occurrences(lower, word).slice(0, 1));
   const from = Math.max(0, Math.min(...places, text.length) - 80);
-  if (places.length === 0 || from === 0) return text.slice(0, 240);
-  return "… " + text.slice(text.indexOf(" ", from) + 1, from + 240);
+  const begin = places.length === 0 || from === 0 ? 0 : text.indexOf(" ", from) + 1;
+  const end = text.length <= begin + 240 ? text.length : text.lastIndexOf(" ", begin + 240);
+  return (begin > 0 ? "… " : "") + text.slice(begin, end) + (end < text.length ? " …" : "");
 }
 
 // ---- The page
