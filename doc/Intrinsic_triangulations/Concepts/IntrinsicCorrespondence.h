@@ -54,7 +54,7 @@ in the opposite order.
 | `insert_vertex()`, `split_edge()`, on an inner edge | \itc{Insertion_in_face} and \itc{Flip}; also \itc{Removal_from_face}, if the flip is refused |
 | the same on the border | \itc{Insertion_on_border} |
 | `remove_vertex()` | \itc{Flip} until three edges are left, then \itc{Removal_from_face} or \itc{Removal_from_border} |
-| `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five |
+| `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five; the first and the last of these also \itc{Move_in_star}, where the model takes it and the metric can do it |
 | \itf{common_subdivision}, queries | not part of this concept: see \ref ::CurveCoordinates |
 
 The C++20 concept asks for all five, so that a triangulation can make every move. If you need only one of them, derive from

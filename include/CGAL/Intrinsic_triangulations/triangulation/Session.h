@@ -283,15 +283,22 @@ private:
   }
 
   // Moves a vertex to a place in one of its faces where it still sees all others about it: the values of its edges and
-  // faces change, and nothing else. Only where nobody else has to know where it is.
+  // faces change, and nothing else. Only where the correspondence can follow.
   bool move_in_star(vertex_descriptor v, Place p) {
-    if constexpr (!Triangulation::has_correspondence &&
-                  requires(const Whole_star& s) { t_.metric_.move_in_star(s, 0., 0.); }) {
+    if constexpr (requires(const Whole_star& s, const Move_in_star& move) {
+                    t_.metric_.move_in_star(s, 0., 0.);
+                    t_.correspondence_.before(t_, move);
+                  }) {
       for (int k = 0; k < 3 && source(p.h, t_.mesh()) != v; ++k)
         p = {next(p.h, t_.mesh()), {p.weights[1], p.weights[2], p.weights[0]}};
       if (source(p.h, t_.mesh()) != v) return false;
       const std::optional<Whole_star> s = internal::whole_star(p.h, t_.mesh(), t_.numbers());
-      return s && t_.metric_.move_in_star(*s, p.weights[1], p.weights[2]);
+      const Move_in_star move{t_.numbers().halfedge(p.h), p.weights, t_.index(v)};
+      if (!s || !t_.correspondence_.before(t_, move) ||
+          !t_.metric_.move_in_star(*s, p.weights[1], p.weights[2]))
+        return false;
+      t_.correspondence_.after(t_, move);
+      return true;
     } else {
       return false;
     }

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
@@ -303,6 +304,43 @@ TEST(Signposts, Trace_edges_after_all_moves) {
     expect_paths(s, name);
     SCOPED_TRACE(name);
     expect_round_trips(s, 100, 1e-7); // removals flip what they must: some faces are thin
+  }
+}
+
+TEST(Signposts, Follow_vertices_that_move_within_the_faces_about_them) {
+  for (const auto& [name, m] : all_meshes()) {
+    if (name == "parabola") continue; // see above
+    Placed<Rounded> s(m);
+    IT::flip_to_delaunay(s.t);
+    std::vector<Rounded::halfedge_descriptor> starts;
+    for (const auto f : faces(s.t.mesh())) starts.push_back(halfedge(f, s.t.mesh()));
+    std::vector<Rounded::vertex_descriptor> inserted;
+    for (std::size_t i = 0; i < starts.size(); i += 3)
+      inserted.push_back(s.t.insert_vertex(starts[i], {0.25, 0.25, 0.5}).vertex);
+    IT::flip_to_delaunay(s.t);
+    std::mt19937 random(7);
+    int moved = 0;
+    for (int i = 0; i < 200; ++i) {
+      const auto v = inserted[random() % inserted.size()];
+      auto h = opposite(halfedge(v, s.t.mesh()), s.t.mesh()); // from v
+      for (unsigned k = random() % 8; k > 0; --k)
+        h = opposite(next(next(h, s.t.mesh()), s.t.mesh()), s.t.mesh());
+      const double a = std::ldexp(random() % 1024, -12), b = std::ldexp(random() % 1024, -12);
+      const std::array<double, 3> weights{1 - a - b, a, b};
+      const auto there =
+          IT::locate_on_input(s.t, Surface_point{s.t.numbers().halfedge(h), weights});
+      ASSERT_TRUE(there) << name;
+      const auto n = s.t.reposition_vertex(v, h, weights);
+      if (n.status != IT::Move_status::done) continue; // a thin face
+      if (n.vertex != v) { // it would not have seen all others
+        std::replace(inserted.begin(), inserted.end(), v, n.vertex);
+        continue;
+      }
+      ++moved;
+      EXPECT_LE(distance(s.vertex(s.t.index(v)), s.position(*there)), 1e-9) << name;
+    }
+    EXPECT_GT(moved, 100) << name;
+    expect_paths(s, name);
   }
 }
 

@@ -180,6 +180,35 @@ public:
       set_next(view, g);
   }
 
+  /// announces that a vertex moves within the faces about it (Eq. 8 of the course).
+  /// \return whether the place on the input was found
+  template <class Triangulation>
+  bool before(const Triangulation& t, const Move_in_star& move) {
+    const auto p = internal::find_on_input(t, *this, {move.spoke, move.weights});
+    if (!p) return false;
+    inserted_ = p->point;
+    const Geodesic_face face(Intrinsic_view<Triangulation>(t), move.spoke);
+    const Planar_vector<double> to_target = p->transfer(face.to_corner(move.weights, 1));
+    seen_ = {1, std::atan2(to_target[1], to_target[0])};
+    return true;
+  }
+
+  /// follows it: the directions of all edges at the vertex, from both ends.
+  template <class Triangulation>
+  void after(const Triangulation& t, const Move_in_star& move) {
+    const Intrinsic_view<Triangulation> view(t);
+    location_[move.vertex - input_->number_of_vertices()] = inserted_;
+    Signpost& first = signpost_[move.spoke];
+    first.angle = reduced(first.fan, seen_.angle);
+    std::uint32_t g = move.spoke;
+    do {
+      set_next(view, view.next(g));
+      const std::uint32_t after = next_around_source(view, g);
+      if (after != move.spoke) set_next(view, g);
+      g = after;
+    } while (g != move.spoke);
+  }
+
   /// announces the insertion of a vertex on the border.
   /// \return true
   template <class Triangulation>
