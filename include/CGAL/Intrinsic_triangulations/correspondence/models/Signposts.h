@@ -111,7 +111,8 @@ public:
   template <class View>
   Corner_direction intrinsic_direction(const View& view, std::uint32_t h, double turn) const {
     const std::uint32_t f = frames_->fan_of(h);
-    return direction_from(view, outgoing_[f], reduced(f, frames_->cone_angle(h) + turn));
+    return internal::direction_from(view, *this, outgoing_[f],
+                                    reduced(f, frames_->cone_angle(h) + turn));
   }
 
   /// finds a direction at a vertex that was inserted on an input halfedge, see above.
@@ -124,9 +125,10 @@ public:
     unsigned side = 0; // of the face of the location, that the vertex is on
     while (side < 2 && (face.side[side] / 2 != h / 2 || p.weights[(side + 2) % 3] != 0)) ++side;
     const double along = std::atan2(face.edge[side][1], face.edge[side][0]);
-    return direction_from(view, first,
-                          reduced(signpost_[first].fan,
-                                  along + (face.side[side] == h ? 0 : std::numbers::pi) + turn));
+    return internal::direction_from(
+        view, *this, first,
+        reduced(signpost_[first].fan,
+                along + (face.side[side] == h ? 0 : std::numbers::pi) + turn));
   }
 
   /// announces a flip. \return true
@@ -283,24 +285,6 @@ private:
     if (angle < 0) angle += fan.angle;
     if (angle >= 0 && angle < fan.angle) return angle;
     return 0;
-  }
-
-  // Finds the last halfedge before an angle, from one on about its source.
-  template <class View>
-  Corner_direction direction_from(const View& view, std::uint32_t first, double angle) const {
-    const Tangent_frames::Fan fan = fan_of(signpost_[first].fan);
-    std::uint32_t best = first, g = first;
-    double least = 2 * fan.angle; // the angle from `best`
-    do {
-      if (view.is_border(g)) break;
-      double d = angle - signpost_[g].angle;
-      if (d < 0 && !fan.is_on_border) d += fan.angle;
-      if (d >= 0 && d < least) least = d, best = g;
-      g = next_around_source(view, g);
-    } while (g != first);
-    if (view.is_border(next_around_source(view, best)))
-      least = std::min(least, angle_at_source(view, best));
-    return {best, least}; // beyond the corner of `best` if that is thinner than rounding
   }
 
   // the halfedge after `g` at its source is an angle of the metric away (Eq. 7)

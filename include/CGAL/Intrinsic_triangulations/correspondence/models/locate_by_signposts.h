@@ -8,7 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
+#include <CGAL/Intrinsic_triangulations/tracing/tangent_frames.h>
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
@@ -27,6 +29,25 @@ Points and vectors taken from one triangulation to the other along geodesics tha
 */
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// Finds the last halfedge before an angle, from one on about its source.
+template <class View, class Signposts>
+Corner_direction direction_from(const View& view, const Signposts& signposts, std::uint32_t first,
+                                double angle) {
+  const Tangent_frames::Fan fan = signposts.fan(first);
+  std::uint32_t best = first, g = first;
+  double least = 2 * fan.angle; // the angle from `best`
+  do {
+    if (view.is_border(g)) break;
+    double d = angle - signposts.angle(g);
+    if (d < 0 && !fan.is_on_border) d += fan.angle;
+    if (d >= 0 && d < least) least = d, best = g;
+    g = next_around_source(view, g);
+  } while (g != first);
+  if (view.is_border(next_around_source(view, best)))
+    least = std::min(least, angle_at_source(view, best));
+  return {best, least}; // beyond the corner of `best` if that is thinner than rounding
+}
 
 /// The geodesic from a corner of a face to a point of it.
 struct Corner_geodesic {
