@@ -154,9 +154,10 @@ template <class Triangulation>
 void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
   Json json = improve_and_measure(loaded, options, progress);
   if (const Json& count = json["delaunay"]["non_delaunay_edges"]; count != 0 && !options.no_flip)
-    std::cerr << options.input << ": " << count
-              << " edges are not Delaunay as far as double arithmetic can tell; --arithmetic exact "
-                 "decides them\n";
+    std::cerr << options.input << ": " << count << " edges are not Delaunay"
+              << (Triangulation::Metric::is_exact
+                      ? ": their flips were refused; --correspondence none refuses none\n"
+                      : " as far as double arithmetic can tell; --arithmetic exact decides them\n");
   Stopwatch watch;
   Output_files files;
   if constexpr (!std::is_same_v<typename Triangulation::Correspondence, IT::No_correspondence>)

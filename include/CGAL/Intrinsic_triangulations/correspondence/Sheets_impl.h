@@ -7,12 +7,14 @@
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -21,6 +23,26 @@ namespace CGAL::Intrinsic_triangulations::internal {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Sheets::is_seam(std::uint32_t edge) const {
   return !input_.is_border(2 * edge) && !input_.is_border(2 * edge + 1) &&
          edges_over(2 * edge, 3).size() != 2;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<char> Sheets::wide_seams() const {
+  constexpr double limit = (1 - 0x1p-20) * std::numbers::pi / 3; // equilateral faces are wide
+  std::vector<char> result(input_.number_of_edges(), 0);
+  for (std::uint32_t e = 0; e < result.size(); ++e) result[e] = is_seam(e) ? 1 : 0;
+  std::vector<std::uint32_t> narrow;
+  for (std::uint32_t h = 0; h < 2 * result.size(); ++h) {
+    double angle = 0;
+    std::uint32_t g = h; // from one seam to the next, counterclockwise
+    do {
+      if (result[h / 2] == 0 || input_.is_border(g)) break;
+      angle += angle_at_source(input_, g);
+      g = next_around_source(input_, g);
+    } while (angle < limit && result[g / 2] == 0);
+    if (angle > 0 && angle < limit && result[g / 2] != 0) narrow.insert(narrow.end(), {h, g});
+  }
+  for (const std::uint32_t h : narrow)
+    for (const std::uint32_t copy : edges_over(h)) result[copy / 2] = 0;
+  return result;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Surface_point>

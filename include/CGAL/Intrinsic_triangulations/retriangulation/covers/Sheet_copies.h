@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edge.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
@@ -40,6 +41,10 @@ public:
   static bool exist() { return false; }
   static bool is_seam(std::uint32_t) { return false; }
   static std::vector<Surface_point> missing(std::uint32_t) { return {}; }
+  template <class Is_segment>
+  static bool keep_distance(std::uint32_t, double, const Is_segment&) {
+    return true;
+  }
   static void note(std::uint32_t) {}
   static void forget(std::uint32_t) {}
   static void join(const std::vector<std::uint32_t>&) {}
@@ -61,8 +66,7 @@ public:
     const Sheets sheets(t.input());
     if (!sheets.is_cover()) return;
     sheets_.emplace(sheets);
-    for (std::uint32_t e = 0; e < t.input().number_of_edges(); ++e)
-      is_seam_.push_back(sheets_->is_seam(e) ? 1 : 0);
+    is_seam_ = sheets_->wide_seams();
     find_copies();
   }
 
@@ -88,6 +92,16 @@ public:
   // the places of the copies of a vertex that are still to be inserted
   std::vector<Surface_point> missing(std::uint32_t vertex) const {
     return exist() ? sheets_->others(places()->location(vertex)) : std::vector<Surface_point>();
+  }
+
+  // Whether the copies of a vertex that are still to be inserted will be at a distance, squared, from the vertices of the faces that
+  // they are in, and of those beside, but not beyond segments.
+  template <class Is_segment>
+  bool keep_distance(std::uint32_t vertex, double distance, const Is_segment& is_segment) const {
+    return std::ranges::all_of(missing(vertex), [&](const Surface_point& place) {
+      const std::vector<Surface_point> found = locate(place);
+      return found.empty() || keeps_distance(found.front(), distance, is_segment);
+    });
   }
 
   // notes a vertex that was inserted, if it is on a seam
@@ -182,6 +196,23 @@ private:
     return Surface_point{start->halfedge, {1 - w, w, 0}};
   }
 
+  template <class Is_segment>
+  bool keeps_distance(Surface_point p, double distance, const Is_segment& is_segment) const {
+    for (int k = 0; k < 3; ++k, p = turned(p)) {
+      const Geodesic_face face(View(t_), p.halfedge);
+      const Planar_vector<double> at{p.weights[1] * face.length[0] - p.weights[2] * face.edge[2][0],
+                                     -p.weights[2] * face.edge[2][1]};
+      if (planar_dot(at, at) < distance) return false;
+      const std::uint32_t o = p.halfedge ^ 1U;
+      if (is_segment(o)) continue;
+      // turned by half a turn about the middle of the side
+      const Geodesic_face beside(View(t_), o);
+      const double x = face.length[0] + beside.edge[2][0] - at[0], y = beside.edge[2][1] - at[1];
+      if (x * x + y * y < distance) return false;
+    }
+    return true;
+  }
+
   std::uint32_t along(std::uint32_t h) const {
     const Integer_coordinates& c = *places();
     return c.normal_coordinate(h / 2) >= 0 ? Gluing::none : c.fans().halfedge(c.roundabout(h));
@@ -210,7 +241,7 @@ private:
 
   const Triangulation& t_;
   std::optional<Sheets> sheets_;
-  std::vector<char> is_seam_; // of each edge of the input
+  std::vector<char> is_seam_; // of each edge of the input: the wide ones
   std::map<Place_on_edge, std::uint32_t> on_seam_;
   // one list for all of them
   std::unordered_map<std::uint32_t, std::shared_ptr<const std::vector<std::uint32_t>>> copies_;

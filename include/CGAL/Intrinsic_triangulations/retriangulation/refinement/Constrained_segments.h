@@ -44,14 +44,16 @@ public:
   \param complex the surface
   \param h a halfedge of the edge
   \param is_constrained false for an edge of the border that is nothing else
+  \param is_seam whether the edge runs along a seam of a cover: it is split until it is locally Delaunay
   */
   template <NumberedComplex Complex>
-  void add(const Complex& complex, std::uint32_t h, bool is_constrained) {
+  void add(const Complex& complex, std::uint32_t h, bool is_constrained, bool is_seam = false) {
     set(h / 2, static_cast<std::uint32_t>(segments_.size()));
     segments_.push_back({{complex.source(h), complex.target(h)},
                          h,
                          std::sqrt(complex.squared_length(h / 2)),
-                         is_constrained});
+                         is_constrained,
+                         is_seam});
   }
 
   /// finds where two segments make a small angle. \complexity linear in the degrees of their ends
@@ -64,20 +66,6 @@ public:
     }
   }
 
-  /*!
-  \brief takes all angles at copies of a corner for small if one of them is: segments over one edge of a cover are split
-  alike.
-  \param vertices the number of vertices that may be corners
-  \param row a functor: of a vertex, what its copies share
-  */
-  template <class Row>
-  void share_small_angles(std::uint32_t vertices, const Row& row) {
-    std::unordered_set<std::uint32_t> rows;
-    for (const std::uint32_t v : has_small_angle_) rows.insert(row(v));
-    for (std::uint32_t v = 0; v < vertices; ++v)
-      if (rows.count(row(v)) != 0) has_small_angle_.insert(v);
-  }
-
   /// tells whether an edge is one, or a part of one.
   bool is_segment(std::uint32_t edge) const {
     return edge < segment_.size() && segment_[edge] != Gluing::none;
@@ -86,6 +74,12 @@ public:
   bool is_constrained(std::uint32_t edge) const {
     return is_segment(edge) && segments_[segment_[edge]].is_constrained;
   }
+  /// tells whether an edge, or the edge that it is a part of, runs along a seam.
+  bool is_seam(std::uint32_t edge) const {
+    return is_segment(edge) && segments_[segment_[edge]].is_seam;
+  }
+  /// makes a segment or a part of one an edge like others.
+  void release(std::uint32_t edge) { segment_[edge] = Gluing::none; }
   /// returns the edge that a segment or a part of one was before any split.
   std::uint32_t whole(std::uint32_t edge) const { return segments_[segment_[edge]].halfedge / 2; }
   /// tells whether there are none.
@@ -155,7 +149,7 @@ private:
     std::array<std::uint32_t, 2> ends;
     std::uint32_t halfedge; // before any split, from the first end
     double length;
-    bool is_constrained;
+    bool is_constrained, is_seam;
   };
   struct Place {
     std::uint32_t segment;

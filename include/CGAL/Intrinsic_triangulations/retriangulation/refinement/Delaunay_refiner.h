@@ -17,9 +17,13 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <optional>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -49,17 +53,22 @@ struct Refinement_settings {
 /*!
 Refines a triangulation: Chew's second algorithm, intrinsically (§4.3 of the course, Algorithm 5).
 
-See `delaunay_refine()`; a segment is an edge of the border, a constrained one, or on a cover one over a seam. Vertices that
+See `delaunay_refine()`; a segment is an edge of the border, a constrained one, or on a cover one along a wide seam. Vertices that
 are removed near a split one are those in a Dijkstra ball, with their copies. For a bound of at most 30 degrees the
-circumradius of such a face is at least its shortest side: new vertices keep this distance from all others. So do their copies on
-a cover: to change sides is an isometry of what is left when it is cut along its seams, see `Sheets`, and it maps the vertices to
-vertices; Chew's argument needs no more than what is seen from a circumcenter across no segment.
+circumradius of such a face is at least its shortest side: new vertices keep this distance from all others.
+
+On a cover, copies must keep it, too. To change sides is an isometry of what is left when a cover is cut along its seams, see
+`Sheets`, and it maps the vertices to vertices: across no seam a copy is as far from others as the circumcenter. Seams that make
+wide angles with each other are segments: splits do not lead from one to the next without end (Ruppert). Small angles
+between seams are no angles of the surface, and a seam is no edge that anyone asked for: those are crossed like other edges. There
+the distances of copies are measured, and a vertex is put where all keep theirs, or nowhere.
 */
 template <class Triangulation, class Visitor>
 class Delaunay_refiner : public Refinement_moves<Triangulation> {
   using Base = Refinement_moves<Triangulation>;
   using Face = typename Base::Face;
   using Halfedge = typename Base::Halfedge;
+  using Insertion = typename Base::Insertion;
   using Base::descriptor, Base::insert, Base::is_segment, Base::number, Base::split, Base::touch;
   using Base::encroached_, Base::flipper_, Base::is_going_on_, Base::mesh_, Base::queue_,
       Base::result_, Base::segments_, Base::session_, Base::t_, Base::touched_, Base::view_;
@@ -83,6 +92,7 @@ public:
     for (const Face f : faces(mesh_)) touch(f);
     if (split_encroached()) check_touched();
     while (is_going_on_ && !queue_.empty()) refine(queue_.pop());
+    if (!is_going_on_) flip_over_seams();
     list_unsatisfied();
     return std::move(result_);
   }
@@ -94,11 +104,20 @@ public:
   bool before_check() { return (++checks_ & 0xffffU) != 0 || ask_visitor(); }
 
 private:
-  Face_state state(Face f) {
+  // where its sides start
+  std::array<std::uint32_t, 3> corners_of_sides(Face f) const {
     const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_), l = next(n, mesh_);
-    const auto corner = [this](Halfedge g) { return t_.index(source(g, mesh_)); };
+    return {t_.index(source(h, mesh_)), t_.index(source(n, mesh_)), t_.index(source(l, mesh_))};
+  }
+  std::array<std::uint32_t, 3> corners(Face f) const {
+    std::array<std::uint32_t, 3> result = corners_of_sides(f);
+    std::ranges::sort(result);
+    return result;
+  }
+
+  Face_state state(Face f) {
     const Face_state s =
-        test_(t_.metric(), indexed_face(t_, f), {corner(h), corner(n), corner(l)}, segments_);
+        test_(t_.metric(), indexed_face(t_, f), corners_of_sides(f), segments_);
     if (s != Face_state::bad && is_bad_for_visitor(f)) return Face_state::bad;
     return s;
   }
@@ -119,7 +138,7 @@ private:
       const std::uint32_t i = t_.index(f);
       if (!queue_.begin_check(i)) continue; // seen
       if (!is_going_on_ || ((++checks_ & 0x3fffU) == 0 && !ask_visitor())) continue;
-      if (state(f) == Face_state::bad)
+      if (state(f) == Face_state::bad && refused_.count(corners(f)) == 0)
         queue_.push(i, priority(f));
       else
         queue_.remove(i);
@@ -131,11 +150,12 @@ private:
   void refine(std::uint32_t f) {
     if (!may_insert()) return;
     // in thin faces lengths and area may be known too roughly for what they both tell to agree
+    const std::array<std::uint32_t, 3> face = corners(t_.numbers().face_at(f));
     const bool is_done =
         refine(f, view_) || (touched_.empty() && refine(f, Accurate_view<Triangulation>(t_)));
     if (!is_done) {
       ++result_.counts.refused;
-      give_up();
+      refused_.insert(face);
     }
     if (split_encroached()) check_touched();
   }
@@ -146,11 +166,26 @@ private:
   bool refine(std::uint32_t f, const Complex& view) {
     using Kind = Located_circumcenter::Kind;
     const Face bad = t_.numbers().face_at(f);
+    const std::uint32_t h = number(halfedge(bad, mesh_));
     const auto is_kept = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
-    const Located_circumcenter c = locate_circumcenter(view, number(halfedge(bad, mesh_)), is_kept);
-    if (c.kind == Kind::point) return insert(c.point, least_distance(approximation(bad)));
+    Located_circumcenter c = locate_circumcenter(view, h, is_kept);
     if (c.kind == Kind::segment) split_between(bad, descriptor(c.segment));
-    return c.kind == Kind::segment;
+    if (c.kind != Kind::point) return c.kind == Kind::segment;
+    const Face_values<double> v = approximation(bad);
+    const double least = least_distance(v, test_.is_thin(v)),
+                 radius = std::sqrt(squared_circumradius(v));
+    // On a cover a copy may be close to other vertices: then other points of a disk about the circumcenter are tried.
+    const double offset = std::min(radius / 2, radius - std::sqrt(least));
+    auto found = Insertion::not_here;
+    for (const double distance : {std::max(least, radius * radius / 4), least})
+      for (int k = 0; k <= number_of_tries && found == Insertion::not_here; ++k) {
+        const double angle = k * 2 * std::numbers::pi / number_of_tries;
+        if (k > 0)
+          c = locate_circumcenter(view, h, is_kept,
+                                  {offset * std::cos(angle), offset * std::sin(angle)});
+        if (c.kind == Kind::point) found = insert(c.point, distance);
+      }
+    return found == Insertion::done;
   }
 
   // Splits a segment between a face and its circumcenter. The segment cuts off less than half of the
@@ -193,12 +228,6 @@ private:
     return true;
   }
 
-  // leaves the faces alone that wait to be looked at, until they change again
-  void give_up() {
-    for (const Face f : touched_) queue_.remove(t_.index(f));
-    touched_.clear();
-  }
-
   // splits constrained edges that are not locally Delaunay, if that is asked for
   bool split_encroached() {
     while (is_going_on_ && !encroached_.empty()) {
@@ -213,6 +242,13 @@ private:
 
   // ---- the end
 
+  // Seams that are not Delaunay are split until they are. Where that is stopped, they are flipped, and every face is Delaunay.
+  void flip_over_seams() {
+    for (const auto e : edges(mesh_))
+      if (segments_.is_seam(t_.index(e))) flipper_.push(halfedge(e, mesh_));
+    Base::flip();
+  }
+
   void list_unsatisfied() {
     for (const Face f : faces(mesh_)) {
       const Face_state s = state(f);
@@ -221,7 +257,11 @@ private:
     }
   }
 
+  static constexpr int number_of_tries = 6;
+
   Refinement_test test_;
+  // Faces by their corners, in order: an insertion at the circumcenter was refused, and would be again.
+  std::set<std::array<std::uint32_t, 3>> refused_;
   Visitor& visitor_;
   Refinement_order order_;
   std::uint64_t cap_;

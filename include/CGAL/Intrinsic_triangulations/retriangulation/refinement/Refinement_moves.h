@@ -54,11 +54,11 @@ protected:
     for (const auto e : edges(mesh_)) {
       const Halfedge h = halfedge(e, mesh_);
       const bool is_constrained = !is_kept.empty() && is_kept[number(h) / 2] != 0;
-      if (is_constrained || is_border(h) || is_border(opposite(h, mesh_)) ||
-          copies_.is_seam(number(h) / 2))
-        segments_.add(view_, number(h), is_constrained);
+      const bool is_seam = copies_.is_seam(number(h) / 2);
+      if (is_constrained || is_seam || is_border(h) || is_border(opposite(h, mesh_)))
+        segments_.add(view_, number(h), is_constrained, is_seam);
     }
-    find_small_angles();
+    segments_.find_small_angles(view_);
     removable_.find(t_, [this](Halfedge h) { return is_segment(h); });
   }
 
@@ -72,8 +72,14 @@ public:
     return false;
   }
   bool is_constrained(Halfedge h) {
-    if (!segments_.is_segment(number(h) / 2)) return false;
-    if (is_conforming_ || copies_.is_seam(number(h) / 2)) encroached_.push_back(h);
+    const std::uint32_t e = number(h) / 2;
+    if (!segments_.is_segment(e)) return false;
+    const bool is_seam = segments_.is_seam(e);
+    if (is_seam && !is_going_on_ && !segments_.is_constrained(e)) {
+      segments_.release(e);
+      return false;
+    }
+    if (is_conforming_ || is_seam) encroached_.push_back(h);
     return true;
   }
   void after_flip(Halfedge h) {
@@ -89,14 +95,6 @@ protected:
   bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
   bool is_segment(Halfedge h) const { return segments_.is_segment(number(h) / 2); }
 
-  void find_small_angles() {
-    if (segments_.empty()) return;
-    segments_.find_small_angles(view_);
-    if (copies_.exist())
-      segments_.share_small_angles(t_.input().number_of_vertices(),
-                                   [this](std::uint32_t v) { return t_.input().names().row(v); });
-  }
-
   // with inexact numbers, rounding may make flips go round
   std::uint64_t flip_cap() const {
     return 1000000 + 100 * (std::uint64_t{num_edges(mesh_)} + result_.counts.circumcenters);
@@ -104,23 +102,35 @@ protected:
 
   void touch(Face f) { touched_.push_back(f); }
 
+  // What became of a vertex.
+  enum class Insertion {
+    done,     // it is there, with its copies
+    not_here, // a copy would come too close to other vertices: nothing has changed
+    refused   // edges have been flipped
+  };
+
   // inserts a vertex and its copies if they keep their distance, squared, from others
-  bool insert(const Surface_point& p, double distance) {
+  Insertion insert(const Surface_point& p, double distance) {
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
-    if (n.status != Move_status::done) return false;
+    if (n.status != Move_status::done) return Insertion::refused;
+    const bool is_in_face = std::ranges::count(p.weights, 0.) == 0;
+    const auto is_kept = [this](std::uint32_t h) { return segments_.is_segment(h / 2); };
+    if (is_in_face && !copies_.keep_distance(t_.index(n.vertex), distance, is_kept) &&
+        session_.remove_vertex(n.vertex) == Move_status::done)
+      return Insertion::not_here;
     start_from(n.vertex);
     std::vector<std::uint32_t> all{t_.index(n.vertex)};
     if (insert_copies(all) && (!flip() || std::ranges::all_of(all, [&](std::uint32_t v) {
           return keeps_distance(t_, t_.numbers().vertex_at(v), distance);
         })))
-      return true;
+      return Insertion::done;
     copies_.take(all.front());
     for (const std::uint32_t v : all) {
-      if (!flip()) return false; // before: edges that wait may be removed
+      if (!flip()) return Insertion::refused; // before: edges that wait may be removed
       if (!is_on_segment(t_.numbers().vertex_at(v))) remove(t_.numbers().vertex_at(v));
     }
     flip();
-    return false;
+    return Insertion::refused;
   }
   // such a copy stays: without it the parts of the segment would be no edges
   bool is_on_segment(Vertex v) const {

@@ -25,7 +25,8 @@ enum class Refinement_order {
 enum class Unsatisfied_reason {
   needle,      ///< it wraps around a vertex of degree one, whose total angle is below the bound
   small_angle, ///< it lies between constrained or border edges that make a small angle
-  refused, ///< an insertion was refused, would have come too close to a vertex, or was lost, by rounding
+  refused, ///< an insertion was refused or lost by rounding; or, on a cover, a copy would have come too close to a vertex of
+           ///< a third face at an edge
   stopped ///< refinement was stopped before
 };
 
@@ -51,7 +52,7 @@ struct Refinement_counts {
   std::uint64_t removals = 0;
   /// Edges flipped to keep the triangulation Delaunay, those of insertions and removals not counted.
   std::uint64_t flips = 0;
-  /// Insertions and removals that the triangulation refused.
+  /// Insertions and removals that were refused.
   std::uint64_t refused = 0;
 
   /// returns how many vertices there are more than before.
@@ -82,7 +83,7 @@ struct Refinement_visitor {
   /*!
   \brief is called now and then: about every 256 insertions, and before the first one every 65536 edges and 16384 faces that
   are looked at.
-  \return whether to go on; if not before the first insertion, some edges may not be locally Delaunay yet
+  \return whether to go on; if not before the first insertion, some edges may not be locally Delaunay yet, except on covers
   */
   bool progress(const Refinement_counts&) { return true; }
   /*!

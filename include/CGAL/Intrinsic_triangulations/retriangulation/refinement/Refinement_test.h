@@ -91,6 +91,12 @@ public:
     return state;
   }
 
+  /// tells whether a face of rounded values has an angle below the bound, up to rounding.
+  bool is_thin(const Face_values<double>& v) const {
+    const auto& [l, a] = v;
+    return l[0] + l[1] + l[2] - 2 * std::min({l[0], l[1], l[2]}) > cotangent_ * a;
+  }
+
 private:
   static double squared(double length, int scale_exponent) {
     return std::ldexp(length * length, 2 * scale_exponent);
@@ -137,12 +143,14 @@ inline double squared_circumradius(const Face_values<double>& v) {
   return l[0] / a * l[1] * (l[2] / a);
 }
 
-// The circumcenter of a face of a Delaunay triangulation is a circumradius from all vertices, which for
-// bounds up to 30 degrees is not below the shortest side: were rounding to break that, refinement might
-// go on for ever. Squared, and a little less.
-inline double least_distance(const Face_values<double>& v) {
+// How near a vertex for a face, and its copies on other sheets, may come to others: were they nearer, refinement might go on
+// for ever. The circumcenter of a face of a Delaunay triangulation is a circumradius from all vertices, which for bounds up to
+// 30 degrees is not below the shortest side of a thin face; for a face that is only too large, half of it is enough. Squared,
+// and a little less.
+inline double least_distance(const Face_values<double>& v, bool is_thin) {
   const auto& l = v.squared_lengths;
-  return (1 - 0x1p-10) * std::min({l[0], l[1], l[2], squared_circumradius(v)});
+  return (1 - 0x1p-10) *
+         std::min({l[0], l[1], l[2], squared_circumradius(v) * (is_thin ? 1 : 0.25)});
 }
 
 // The face of the greatest one comes first: largest circumradius, or greatest cotangent.

@@ -80,7 +80,7 @@ Located_circumcenter arrived(Surface_point p, const Geodesic_face& face,
 } // namespace internal
 
 /*!
-\brief finds the circumcenter of a face: from its barycenter straight on.
+\brief finds the circumcenter of a face, or a point near it: from the barycenter straight on.
 
 In a Delaunay triangulation the disk about it has no vertex inside, thus is flat.
 \tparam Complex a model of `NumberedComplex`
@@ -89,20 +89,27 @@ border
 \param complex the surface
 \param h a halfedge of the face
 \param is_segment the functor
+\param offset from the circumcenter to the point, where `h` has the direction of the first axis
 \complexity linear in the number of faces crossed
 */
 template <NumberedComplex Complex, class Is_segment>
 Located_circumcenter locate_circumcenter(const Complex& complex, std::uint32_t h,
-                                         const Is_segment& is_segment) {
+                                         const Is_segment& is_segment,
+                                         const Planar_vector<double>& offset = {0, 0}) {
   using Kind = Located_circumcenter::Kind;
   const Located_circumcenter nowhere{Kind::none, {Gluing::none, {}}, Gluing::none};
   const Geodesic_face face(complex, h);
   const double area = complex.quadruple_area(complex.face(h));
   if (!(area > 0)) return nowhere;
-  const std::array<double, 3> w = circumcenter({complex.squared_length(face.side[0] / 2),
-                                                complex.squared_length(face.side[1] / 2),
-                                                complex.squared_length(face.side[2] / 2)},
-                                               area);
+  std::array<double, 3> w = circumcenter({complex.squared_length(face.side[0] / 2),
+                                          complex.squared_length(face.side[1] / 2),
+                                          complex.squared_length(face.side[2] / 2)},
+                                         area);
+  if (offset[0] != 0 || offset[1] != 0) {
+    const double along_last = -offset[1] / face.edge[2][1];
+    const double along_first = (offset[0] + along_last * face.edge[2][0]) / face.edge[0][0];
+    w = {w[0] - along_first - along_last, w[1] + along_first, w[2] + along_last};
+  }
   if (w[0] >= 0 && w[1] >= 0 && w[2] >= 0) return internal::arrived({h, w}, face, is_segment);
   // from the barycenter, which is at a third of the sum of the vectors to the corners
   const double third = 1.0 / 3, x = w[1] - third, y = w[2] - third;
