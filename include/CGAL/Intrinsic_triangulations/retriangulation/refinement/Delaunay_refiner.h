@@ -168,23 +168,31 @@ private:
     const Face bad = t_.numbers().face_at(f);
     const std::uint32_t h = number(halfedge(bad, mesh_));
     const auto is_kept = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
-    Located_circumcenter c = locate_circumcenter(view, h, is_kept);
+    const Located_circumcenter c = locate_circumcenter(view, h, is_kept);
     if (c.kind == Kind::segment) split_between(bad, descriptor(c.segment));
     if (c.kind != Kind::point) return c.kind == Kind::segment;
-    const Face_values<double> v = approximation(bad);
+    return insert_near(approximation(bad), h, c.point, view);
+  }
+
+  // Inserts a circumcenter. On a cover a copy may be close to other vertices: then other points of a disk about the circumcenter are
+  // tried.
+  template <class Complex>
+  bool insert_near(const Face_values<double>& v, std::uint32_t h, const Surface_point& center,
+                   const Complex& view) {
+    const auto is_kept = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
     const double least = least_distance(v, test_.is_thin(v)),
-                 radius = std::sqrt(squared_circumradius(v));
-    // On a cover a copy may be close to other vertices: then other points of a disk about the circumcenter are tried.
-    const double offset = std::min(radius / 2, radius - std::sqrt(least));
-    auto found = Insertion::not_here;
-    for (const double distance : {std::max(least, radius * radius / 4), least})
-      for (int k = 0; k <= number_of_tries && found == Insertion::not_here; ++k) {
+                 radius = std::sqrt(squared_circumradius(v)),
+                 offset = std::min(radius / 2, radius - std::sqrt(least));
+    Insertion found = Insertion::not_here;
+    for (const double wanted : {std::max(least, radius * radius / 4), least}) {
+      if (found == Insertion::not_here) found = insert(center, least, wanted);
+      for (int k = 0; k < number_of_tries && found == Insertion::not_here; ++k) {
         const double angle = k * 2 * std::numbers::pi / number_of_tries;
-        if (k > 0)
-          c = locate_circumcenter(view, h, is_kept,
-                                  {offset * std::cos(angle), offset * std::sin(angle)});
-        if (c.kind == Kind::point) found = insert(c.point, distance);
+        const Located_circumcenter c = locate_circumcenter(
+            view, h, is_kept, {offset * std::cos(angle), offset * std::sin(angle)});
+        if (c.kind == Located_circumcenter::Kind::point) found = insert(c.point, least, wanted);
       }
+    }
     return found == Insertion::done;
   }
 
@@ -200,6 +208,7 @@ private:
       ++result_.counts.refused;
       return;
     }
+    refused_.clear(); // vertices near it are removed, and make way
     const std::uint32_t i = t_.index(f);
     queue_.push(i, priority(f)); // before: what changes is checked again, and removed if it goes
     if (!split(segment)) queue_.remove(i);
@@ -257,7 +266,7 @@ private:
     }
   }
 
-  static constexpr int number_of_tries = 6;
+  static constexpr int number_of_tries = 6; // directions, all around
 
   Refinement_test test_;
   // Faces by their corners, in order: an insertion at the circumcenter was refused, and would be again.

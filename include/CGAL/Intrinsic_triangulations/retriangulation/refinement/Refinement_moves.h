@@ -109,19 +109,20 @@ protected:
     refused   // edges have been flipped
   };
 
-  // inserts a vertex and its copies if they keep their distance, squared, from others
-  Insertion insert(const Surface_point& p, double distance) {
+  // Inserts a vertex and its copies if they keep the least distance, squared, from others.
+  // \param wanted the distance of copies, as far as it is known before they are inserted
+  Insertion insert(const Surface_point& p, double least, double wanted) {
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Move_status::done) return Insertion::refused;
     const bool is_in_face = std::ranges::count(p.weights, 0.) == 0;
     const auto is_kept = [this](std::uint32_t h) { return segments_.is_segment(h / 2); };
-    if (is_in_face && !copies_.keep_distance(t_.index(n.vertex), distance, is_kept) &&
+    if (is_in_face && !copies_.keep_distance(t_.index(n.vertex), wanted, is_kept) &&
         session_.remove_vertex(n.vertex) == Move_status::done)
       return Insertion::not_here;
     start_from(n.vertex);
     std::vector<std::uint32_t> all{t_.index(n.vertex)};
     if (insert_copies(all) && (!flip() || std::ranges::all_of(all, [&](std::uint32_t v) {
-          return keeps_distance(t_, t_.numbers().vertex_at(v), distance);
+          return keeps_distance(t_, t_.numbers().vertex_at(v), least);
         })))
       return Insertion::done;
     copies_.take(all.front());
