@@ -39,7 +39,7 @@ int main(int argc, char* argv[]) {
 
   std::vector<double> height; // any function on the surface: one value for each vertex of s
   for (const std::array<double, 3>& p : positions) height.push_back(p[2]);
-  const std::vector<IT::Vertex_field> fields{{"height", height}};
+  const std::vector<IT::Subdivision_field> fields{{"height", height}};
   IT::write_common_subdivision(file, s, positions, fields);
   //! [write]
 

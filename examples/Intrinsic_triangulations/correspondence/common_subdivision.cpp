@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   const IT::Common_subdivision s = IT::common_subdivision(t);
   const Eigen::VectorXd values = IT::interpolation_from_intrinsic(s) * area;
   IT::write_common_subdivision(file, s, IT::positions(s, mesh),
-                               std::array{IT::Vertex_field("area", values)});
+                               std::array{IT::Subdivision_field("area", values)});
   //! [subdivision]
 
   //! [polylines]

@@ -77,8 +77,9 @@ inline double area(const IT::Common_subdivision& s, const std::vector<Point>& po
 
 /// The common subdivision and where its vertices are.
 struct Drawn_subdivision {
-  IT::Common_subdivision s;
+  IT::Common_subdivision s; ///< labelled with the polygons of the file
   std::vector<Point> points;
+  std::vector<std::uint32_t> input_triangle; ///< the triangle of the input that each face is in
 };
 
 /// throws std::runtime_error if nothing can be drawn, as the input has no points.
@@ -96,10 +97,11 @@ Drawn_subdivision drawn_subdivision(const Loaded<Triangulation>& loaded, const O
                                     Json& json) {
   if (is_mesh_output(options) || !options.view.empty()) expect_points(loaded, options);
   IT::Common_subdivision s = subdivide(loaded, options, json);
+  std::vector<std::uint32_t> triangles = s.input_face;
   IT::label_with_polygons(s, loaded.triangulation.input().names().polygon_of_triangle);
   std::vector<Point> points = IT::positions(s, input_points(loaded), loaded.triangulation.input());
   json["subdivision"]["area"] = area(s, points) / loaded.triangulation.input().names().sheets;
-  return {std::move(s), std::move(points)};
+  return {std::move(s), std::move(points), std::move(triangles)};
 }
 
 /// writes the common subdivision, what interpolates there, and the page that shows it.
@@ -107,7 +109,7 @@ template <class Triangulation>
 void write_subdivision(const Loaded<Triangulation>& loaded, const Options& options, Json& json,
                        Output_files& files, Progress& progress, Stopwatch& watch) {
   progress.show("subdividing");
-  const auto [s, points] = drawn_subdivision(loaded, options, json);
+  const auto [s, points, triangles] = drawn_subdivision(loaded, options, json);
   if constexpr (!Triangulation::Metric::is_exact)
     if (loaded.triangulation.input().planar_polygons().empty()) // which are not planar in space
       expect_covered(json["area"]["input"], json["subdivision"]["area"], options);

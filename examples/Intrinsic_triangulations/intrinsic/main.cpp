@@ -163,6 +163,10 @@ void add_field(CLI::App& app, Options& options, Command& chosen) {
   command.add_option("--vectors", options.application.vectors,
                      "text file of vectors that are kept, as for transport");
   command
+      .add_option("--singularities", options.application.singularities,
+                  "write the singularities: points with their index (.vtp .obj .ply)")
+      ->check(program::polyline_file());
+  command
       .add_option("--align", options.application.alignment,
                   "follow the directions of principal curvature, so strongly; 0: as smoothly as it "
                   "gets while they are followed at all")

@@ -61,7 +61,7 @@ constexpr std::array refinement_options{"min-angle",       "max-circumradius",
 bool names_a_file_twice(const Options& o) {
   std::vector<std::filesystem::path> paths;
   for (const std::string& name :
-       {o.output, o.mass, o.laplacian, o.interpolation, o.input_interpolation, o.stats, o.view})
+       {o.output, o.application.singularities, o.mass, o.laplacian, o.interpolation, o.input_interpolation, o.stats, o.view})
     if (!name.empty() && name != "-")
       paths.push_back(std::filesystem::weakly_canonical(std::filesystem::absolute(name)));
   std::sort(paths.begin(), paths.end());
@@ -91,6 +91,16 @@ std::string curve_output_misuse(const Options& o) {
 } // namespace
 
 CLI::Validator matrix_file() { return extension(".mtx", "matrices in Matrix Market format"); }
+
+CLI::Validator polyline_file() {
+  return CLI::Validator(
+      [](std::string& path) {
+        return IT::is_polyline_extension(std::filesystem::path(path).extension().string())
+                   ? std::string()
+                   : path + ": the format is not offered; write points to .vtp, .obj or .ply";
+      },
+      "FILE");
+}
 
 CLI::Validator text_or_mesh() {
   return CLI::Validator(

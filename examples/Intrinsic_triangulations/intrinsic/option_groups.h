@@ -17,6 +17,8 @@ namespace program {
 CLI::Validator matrix_file();
 /// returns a check that a file is one of values, or of the common subdivision with values.
 CLI::Validator text_or_mesh();
+/// files of curves and points
+CLI::Validator polyline_file();
 
 /// returns a check that a file is one of values, or of a surface.
 CLI::Validator text_or_surface();

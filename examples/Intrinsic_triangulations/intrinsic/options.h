@@ -61,6 +61,7 @@ struct Application_options {
   std::optional<double> alignment = std::nullopt;
   std::string map = "harmonic";      ///< `harmonic`, `spectral` or `lscm`
   std::string vectors;               ///< file of vectors at vertices
+  std::string singularities;         ///< file of points with indices; empty: none
   std::string handles;               ///< file of vertices and their displacements; empty: none
   std::string energy = "biharmonic"; ///< of a deformation
 };

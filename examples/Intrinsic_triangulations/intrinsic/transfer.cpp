@@ -74,7 +74,7 @@ void write_values(std::ostream& out, const Functions& values) {
 
 void write_fields(const std::string& path, const Transferred& r, const IT::Common_subdivision& s,
                   const std::vector<Point>& points, Output_files& files) {
-  std::vector<IT::Vertex_field> fields;
+  std::vector<IT::Subdivision_field> fields;
   const auto add = [&](const std::string& name, const Functions& values) {
     for (Eigen::Index k = 0; k < values.cols(); ++k)
       fields.push_back({values.cols() == 1 ? name : name + "_" + std::to_string(k), values.col(k)});

@@ -75,7 +75,10 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   view.trackball_controls = trackball_controls_js();
   view.curves = viewed.curves;
   view.initial_curves = viewed.initial_curves;
-  if (viewed.field != nullptr) view.field = *viewed.field;
+  view.fields = viewed.fields;
+  view.shown_field = viewed.shown_field;
+  view.marks = viewed.marks;
+  view.marks_name = viewed.marks_name;
   view.isolines = viewed.isolines;
   view.texture = viewed.texture;
   view.has_edges = view.has_face_colors = !viewed.is_plain;

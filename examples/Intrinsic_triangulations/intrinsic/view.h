@@ -13,8 +13,10 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <array>
+#include <cstddef>
 #include <ostream>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace program {
@@ -22,8 +24,11 @@ namespace program {
 /// What a page shows besides the triangulation.
 struct Viewed {
   std::span<const IT::Polyline> curves{}, initial_curves{};
-  const IT::Vertex_field* field = nullptr;          ///< shown as colours; null: none
-  unsigned isolines = 0;                            ///< steps between lines of equal values of it
+  std::span<const IT::Subdivision_field> fields{}; ///< numbers at vertices, to be shown as colours
+  std::size_t shown_field = 0;                     ///< which of them at first; others: none
+  unsigned isolines = 0; ///< steps between lines of equal values of it
+  std::span<const IT::Polyline> marks{}; ///< points that are marked, of one point each
+  std::string marks_name{};
   std::span<const std::array<double, 2>> texture{}; ///< places in the plane, or none
   bool is_plain =
       false; ///< whether edges are hidden at first, and faces without a field have no colours

@@ -5,6 +5,7 @@
 import math
 import os
 import shutil
+import struct
 import subprocess
 
 from cli_support import Cli_test, icosphere, jittered_grid, main
@@ -20,11 +21,11 @@ class Applications(Cli_test):
         with open(self.path(name), encoding="ascii") as file:
             return [[float(x) for x in line.split()] for line in file]
 
-    def scalars(self, page):
-        """The description of the field of a page."""
+    def data(self, page, name):
+        """The attributes of the data of that name in a page."""
         with open(self.path(page), encoding="utf-8") as file:
             text = file.read()
-        begin = text.index('id="scalars"')
+        begin = text.index(f'id="{name}"')
         return text[begin:text.index(">", begin)]
 
 
@@ -116,9 +117,10 @@ class Eigen(Applications):
         if run.code == 1 and "three.js" in run.err:
             self.skipTest("the program was built without three.js")
         self.assertEqual(run.code, 0, run.err)
-        field = self.scalars("e.html")
-        self.assertIn('data-name="eigenfunction_1"', field)
-        self.assertIn('data-isolines="20" data-edges="hidden"', field)
+        for k in range(3):
+            self.assertIn(f'data-name="eigenfunction_{k}"', self.data("e.html", f"field-{k}"))
+        self.assertIn('data-shown="1" data-isolines="20" data-edges="hidden"',
+                      self.data("e.html", "settings"))
 
     def test_isolated_vertices_do_not_matter(self):
         mesh = self.write_off("isolated.off", self.points + [[9, 9, 9]], self.faces)
@@ -211,9 +213,10 @@ class Vectors(Applications):
     def test_transport_keeps_lengths(self):
         file = self.write("v.txt", "0 90 2\n")
         self.stats("transport", self.sphere, "--vectors", file, "-o", "t.txt")
-        for length, x, y in self.values("t.txt"):
+        for length, x, y, *axis in self.values("t.txt"):
             self.assertLess(abs(length - 2), 1e-9)
             self.assertLess(abs(math.hypot(x, y) - 2), 1e-9)
+            self.assertLess(abs(math.hypot(*axis) - 1), 1e-9)
 
     def test_logarithms_are_as_long_as_geodesics(self):
         for method in ("affine", "polar"):
@@ -228,11 +231,98 @@ class Vectors(Applications):
         for degree in (1, 2, 4, 6):
             stats = self.stats("field", self.sphere, "--degree", degree)["field"]
             self.assertEqual(stats["index_sum"], 2 * degree)
+            self.stats("field", self.sphere, "--degree", degree, "--singularities", "s.obj")
+            with open(self.path("s.obj"), encoding="ascii") as file:
+                lines = file.read().splitlines()
+            index = [int(line.split()[2]) for line in lines if line.startswith("# index")]
+            self.assertEqual(sum(index), 2 * degree)
+            self.assertEqual(len(index), stats["singular_faces"])
+            self.assertEqual(sum(line.startswith("v ") for line in lines), len(index))
         points, faces = jittered_grid(5)
         mesh = self.write_off("g.off", points, faces)
         stats = self.stats("field", mesh, "--degree", "4")["field"]
         self.assertEqual(stats["index_sum"], 4 + stats["border_turns"])
 
+
+    def ply(self, name):
+        """The rows of the elements of a PLY that is binary, each a dictionary."""
+        with open(self.path(name), "rb") as file:
+            head, body = file.read().split(b"end_header\n", 1)
+        letters = {"double": "d", "int": "i", "uchar": "B"}
+        result, elements, at = {}, [], 0
+        for line in head.decode("ascii").splitlines():
+            words = line.split()
+            if words[0] == "element":
+                elements.append((words[1], int(words[2]), []))
+            elif words[0] == "property":
+                elements[-1][2].append((words[-1], words[1:-1]))
+        for element, count, properties in elements:
+            result[element] = []
+            for _ in range(count):
+                row = {}
+                for key, types in properties:
+                    form = letters[types[-1]]
+                    if types[0] == "list":
+                        form, at = f"{body[at]}{form}", at + 1
+                    row[key] = struct.unpack_from("<" + form, body, at)
+                    at += struct.calcsize("<" + form)
+                result[element].append(row)
+        return result
+
+    def test_files_have_directions_in_space(self):
+        """All of them, tangent to the sphere, unit vectors at vertices and turned alike."""
+        degree = 4
+        for on in ("subdivision", "input"):
+            stats = self.stats("field", self.sphere, "--degree", degree, "-o", "f.ply", "--on", on)
+            ply = self.ply("f.ply")
+            for element in ("vertex", "face"):
+                for row in ply[element]:
+                    all_of_it = [[row[f"direction_{k}_{c}"][0] for c in "xyz"]
+                                 for k in range(degree)]
+                    lengths = [math.hypot(*x) for x in all_of_it]
+                    if element == "vertex":
+                        self.assertLess(abs(lengths[0] - (0 if row["kind"][0] == 2 else 1)), 1e-9)
+                    for k in range(degree):  # the opposite, and one that is orthogonal
+                        opposite, beside = all_of_it[(k + 2) % 4], all_of_it[(k + 1) % 4]
+                        # at a vertex directions are in the planes of different faces, 0.15 from the mean plane
+                        bound = 0.2 if element == "vertex" else 1e-9
+                        self.assertLess(math.dist(all_of_it[k], [-x for x in opposite]), bound)
+                        self.assertLess(abs(sum(x * y for x, y in zip(all_of_it[k], beside))),
+                                        bound)
+                        self.assertLess(abs(lengths[k] - lengths[0]), 1e-9)
+                    if element == "face":
+                        corners = [ply["vertex"][v] for v in row["vertex_indices"]]
+                        a, b, c = ([p[x][0] for x in "xyz"] for p in corners[:3])
+                        for p in (b, c):  # in the face, up to rounding
+                            side = [x - y for x, y in zip(p, a)]
+                            normal = [side[1] * all_of_it[0][2] - side[2] * all_of_it[0][1],
+                                      side[2] * all_of_it[0][0] - side[0] * all_of_it[0][2],
+                                      side[0] * all_of_it[0][1] - side[1] * all_of_it[0][0]]
+                            other = [x - y for x, y in zip(b if p is c else c, a)]
+                            self.assertLess(abs(sum(x * y for x, y in zip(normal, other))), 1e-9)
+            if on == "input":
+                self.assertEqual(sum(row["index"][0] for row in ply["face"]),
+                                 stats["field"]["index_sum"])
+
+    def test_vectors_in_text_are_those_of_files(self):
+        """On a plane, what a row says of a vector is that vector."""
+        points, faces = jittered_grid(6)
+        points = [(x, y, 0) for x, y, _ in points]
+        mesh = self.write_off("p.off", points, faces)
+        inner = next(i for i, (x, y, _) in enumerate(points) if 2 < x < 4 and 2 < y < 4)
+        file = self.write("v.txt", f"{inner} 25 3\n")
+        self.stats("transport", mesh, "--vectors", file, "-o", "t.txt")
+        self.stats("transport", mesh, "--vectors", file, "-o", "t.ply", "--on", "input")
+        rows, vertices = self.values("t.txt"), self.ply("t.ply")["vertex"]
+        angle = None
+        for (x, y, _), (_, re, im, ex, ey, ez), row in zip(points, rows, vertices):
+            if not (0.9 < x < 5.1 and 0.9 < y < 5.1):
+                continue  # angles at the border are scaled
+            vector = complex(re, im) * complex(ex, ey)
+            self.assertLess(abs(vector - complex(row["vector_x"][0], row["vector_y"][0])), 1e-9)
+            self.assertEqual(ez, 0)
+            angle = vector if angle is None else angle
+            self.assertLess(abs(vector - angle), 1e-7)  # transport is exact in the plane
 
     def test_fields_follow_curvature(self):
         """Of an open cylinder the greatest curvature is around it; alone, the smoothest lines may turn as they like."""
@@ -255,7 +345,7 @@ class Vectors(Applications):
         fields = []
         for options in (("--align", "0.1"), ("--align", "100"), ()):
             self.stats("field", mesh, "--degree", "2", "-o", "f.txt", *options)
-            fields.append([complex(x, y) ** 2 for x, y in self.values("f.txt")][3 * n:-3 * n])
+            fields.append([complex(x, y) ** 2 for x, y, *_ in self.values("f.txt")][3 * n:-3 * n])
         self.assertLess(max(abs(a - b) for a, b in zip(fields[0], fields[1])), 1e-3)
         self.assertGreater(max(abs(a - b) for a, b in zip(fields[0], fields[2])), 1e-2)
         for options in (("--degree", "3", "--align", "1"), ("--degree", "2", "--align", "-1")):

@@ -6,6 +6,7 @@
 
 #include "../statistics.h"
 
+#include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 
 #include <Eigen/Core>
@@ -26,10 +27,18 @@ struct Function {
 
 /// Tangent vectors at the vertices of the intrinsic triangulation.
 struct Direction_field {
+  std::string name; ///< of one of the vectors, in files
   IT::Tangent_field vectors;
   unsigned degree = 1; ///< vectors that differ by a turn by 2 pi / degree are alike
   /// Number of the vector of each row: of a cover, that of the first copy of the vertex; `Gluing::none` where there is none.
   std::vector<std::uint32_t> of_row;
+  std::vector<int> index{}; ///< of each face of the intrinsic triangulation, at its number; or none
+};
+
+/// Points that a page and files show with a number each: sources, or singularities with their indices.
+struct Marks {
+  std::string name;
+  std::vector<IT::Polyline> points{}; ///< of one point each
 };
 
 /// What a command has computed.
@@ -42,6 +51,7 @@ struct Computed {
   /// Whether the first two functions are places in the plane, shown by a checkerboard.
   bool is_map = false;
   std::optional<Direction_field> directions{};
+  Marks marks{};
   /// Displacement of each vertex, a row each; empty: the surface stays as it is.
   Eigen::MatrixXd displacements{};
 };

@@ -9,6 +9,10 @@
 #include "../view.h"
 #include "direction_lines.h"
 
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 
 #include <Eigen/Core>
@@ -21,6 +25,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <ostream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -34,7 +39,8 @@ namespace {
 /// The surface on which results are drawn: the common subdivision, or the mesh of the file.
 struct Drawn_results {
   Drawn_subdivision drawn;
-  std::vector<IT::Vertex_field> fields;
+  std::vector<IT::Subdivision_field> fields; ///< first the functions
+  Drawn_directions directions{};
 };
 
 void expect_writable_results(const Options& options) {
@@ -45,7 +51,9 @@ void expect_writable_results(const Options& options) {
         "the common subdivision with --on subdivision, or values to a file .txt");
 }
 
-void write_functions(std::ostream& out, const Computed& computed, Eigen::Index rows) {
+// The values of each row; of directions one of them in polar coordinates, and the unit vector in space along the real axis there.
+void write_functions(std::ostream& out, const Computed& computed, const std::vector<Point>& axes,
+                     Eigen::Index rows) {
   Number_rows numbers(out);
   for (Eigen::Index i = 0; i < rows; ++i) {
     for (const Function& f : computed.functions) numbers.put(f.values[i]);
@@ -53,10 +61,12 @@ void write_functions(std::ostream& out, const Computed& computed, Eigen::Index r
       numbers.put(computed.displacements(i, c));
     if (computed.directions) {
       const std::uint32_t copy = computed.directions->of_row[static_cast<std::size_t>(i)];
-      const std::complex<double> z =
-          copy == IT::Gluing::none ? 0 : computed.directions->vectors[copy];
+      const bool is_vertex = copy != IT::Gluing::none;
+      const std::complex<double> z = is_vertex ? computed.directions->vectors[copy] : 0;
       numbers.put(z.real());
       numbers.put(z.imag());
+      if (!axes.empty())
+        for (const double x : is_vertex ? axes[copy] : Point{0, 0, 0}) numbers.put(x);
     }
     numbers.end_row();
   }
@@ -64,7 +74,7 @@ void write_functions(std::ostream& out, const Computed& computed, Eigen::Index r
 
 Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
                    const Eigen::SparseMatrix<double>& interpolation) {
-  Drawn_results results{std::move(drawn), {}};
+  Drawn_results results{std::move(drawn), {}, {}};
   for (const Function& f : computed.functions)
     results.fields.push_back(
         {f.name, Eigen::VectorXd(interpolation * f.values.head(interpolation.cols()))});
@@ -77,10 +87,12 @@ Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
 }
 
 void write_results_view(std::ostream& out, const Drawn_results& results, const Computed& computed,
-                        const std::vector<IT::Polyline>& lines, const Options& options,
-                        const Json& json) {
+                        const Options& options, const Json& json) {
   Viewed viewed;
+  const std::vector<IT::Polyline> lines = direction_lines(results.directions, results.drawn);
   viewed.curves = lines;
+  viewed.marks = computed.marks.points;
+  viewed.marks_name = computed.marks.name;
   viewed.isolines = computed.isolines;
   viewed.is_plain = computed.isolines > 0 || computed.is_map || computed.directions;
   if (computed.directions) viewed.curve_width = 1.5;
@@ -88,15 +100,15 @@ void write_results_view(std::ostream& out, const Drawn_results& results, const C
   if (computed.is_map)
     for (std::size_t v = 0; v < results.drawn.points.size(); ++v)
       texture.push_back({results.fields[0].values[v], results.fields[1].values[v]});
-  else if (computed.shown < results.fields.size())
-    viewed.field = &results.fields.at(computed.shown);
+  viewed.fields = results.fields;
+  viewed.shown_field = computed.is_map ? results.fields.size() : computed.shown;
   viewed.texture = texture;
   write_view(out, results.drawn.s, results.drawn.points, options, json, viewed);
 }
 
-/// returns the mesh of the file, or the input that was stored: the common subdivision before the first move.
+/// returns the mesh of the file, or the input that was stored, before the first move.
 template <class Triangulation>
-Drawn_subdivision drawn_input(const Loaded<Triangulation>& loaded, const Options& options) {
+Loaded<Triangulation> input_alone(const Loaded<Triangulation>& loaded, const Options& options) {
   expect_points(loaded, options);
   const IT::Input& input = loaded.triangulation.input();
   IT::Intrinsic_input in(input.mesh(), loaded.scaled_points(), IT::Mollification::none);
@@ -107,8 +119,86 @@ Drawn_subdivision drawn_input(const Loaded<Triangulation>& loaded, const Options
   Loaded<Triangulation> alone{Triangulation(std::move(in)), {}, {}, {}, {}};
   if (!Triangulation::Metric::is_exact)
     alone.points = alone.triangulation.input().metric().points();
+  return alone;
+}
+
+// The index of each face that is drawn: of its intrinsic face, or on the input the sum of those about points in its face.
+template <class Triangulation>
+std::vector<int> drawn_index(const Triangulation& t, const std::vector<int>& index,
+                             const Drawn_subdivision& drawn, bool is_on_input) {
+  std::vector<int> of_triangle(is_on_input ? drawn.s.number_of_faces() : 0, 0), result;
+  if (is_on_input)
+    for (const auto f : faces(t.mesh())) {
+      const IT::Surface_point centre{t.numbers().halfedge(halfedge(f, t.mesh())),
+                                     {1. / 3, 1. / 3, 1. / 3}};
+      if (index[t.index(f)] == 0) continue;
+      if (const auto p = IT::locate_on_input(t, centre))
+        of_triangle[t.input().names().faces.user(t.input().face(p->halfedge))] +=
+            index[t.index(f)];
+    }
+  for (std::size_t f = 0; f < drawn.s.number_of_faces(); ++f)
+    result.push_back(is_on_input ? of_triangle[drawn.input_triangle[f]]
+                                 : index[drawn.s.intrinsic_face[f]]);
+  return result;
+}
+
+template <class Triangulation>
+Drawn_directions drawn_directions(const Loaded<Triangulation>& loaded,
+                                  const Loaded<Triangulation>& surface, const Computed& computed,
+                                  const Drawn_subdivision& drawn) {
+  if (!computed.directions) return {};
+  const Direction_field& d = *computed.directions;
+  const bool is_on_input = &surface != &loaded;
+  Drawn_directions result =
+      is_on_input ? directions_in_space(
+                        surface,
+                        IT::tangent_field_to_intrinsic(
+                            surface.triangulation,
+                            IT::tangent_field_to_input(loaded.triangulation, d.vectors)),
+                        d.degree, drawn)
+                  : directions_in_space(loaded, d.vectors, d.degree, drawn);
+  if (!d.index.empty())
+    result.index = drawn_index(loaded.triangulation, d.index, drawn, is_on_input);
+  return result;
+}
+
+// The unit vector in space along the real axis of each tangent plane; none if there are no points.
+template <class Triangulation>
+std::vector<Point> axes_in_space(const Loaded<Triangulation>& loaded, const Computed& computed) {
+  if (!computed.directions || loaded.scaled_points().empty()) return {};
+  return IT::vectors_in_space(loaded.triangulation,
+                              IT::Tangent_field(computed.directions->vectors.size(), 1),
+                              input_points(loaded));
+}
+
+/// writes what was computed to files that show it on a surface: that of a triangulation, or the input.
+template <class Triangulation>
+void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangulation>& surface,
+                      const Computed& computed, const Options& options, Json& json,
+                      Output_files& files, Progress& progress, Stopwatch& watch) {
   Json unread;
-  return drawn_subdivision(alone, options, unread);
+  const bool is_on_input = &surface != &loaded;
+  Drawn_subdivision drawn = drawn_subdivision(surface, options, is_on_input ? unread : json);
+  Drawn_directions directions = drawn_directions(loaded, surface, computed, drawn);
+  const Eigen::SparseMatrix<double> interpolation = is_on_input
+                                                        ? IT::interpolation_from_input(drawn.s)
+                                                        : IT::interpolation_from_intrinsic(drawn.s);
+  Drawn_results results = draw(std::move(drawn), computed, interpolation);
+  results.directions = std::move(directions);
+  json["seconds"]["subdivide"] = watch.lap();
+  progress.show("writing");
+  if (is_mesh_output(options))
+    files.write(options.output, [&](std::ostream& out) {
+      std::vector<IT::Subdivision_field> fields = results.fields;
+      if (computed.directions)
+        append_fields(fields, computed.directions->name, results.directions);
+      IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
+                                   results.drawn.s, results.drawn.points, fields);
+    });
+  if (!options.view.empty())
+    files.write(options.view, [&](std::ostream& out) {
+      write_results_view(out, results, computed, options, json);
+    });
 }
 
 /// writes what was computed.
@@ -119,32 +209,43 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
   const bool is_on_input = options.application.on == "input";
   if (needs_subdivision(options)) {
     progress.show("subdividing");
-    Drawn_subdivision drawn =
-        is_on_input ? drawn_input(loaded, options) : drawn_subdivision(loaded, options, json);
-    const Eigen::SparseMatrix<double> interpolation =
-        is_on_input ? IT::interpolation_from_input(drawn.s)
-                    : IT::interpolation_from_intrinsic(drawn.s);
-    const Drawn_results results = draw(std::move(drawn), computed, interpolation);
-    json["seconds"]["subdivide"] = watch.lap();
-    progress.show("writing");
-    if (is_mesh_output(options))
-      files.write(options.output, [&](std::ostream& out) {
-        IT::write_common_subdivision(out,
-                                     std::filesystem::path(options.output).extension().string(),
-                                     results.drawn.s, results.drawn.points, results.fields);
-      });
-    if (!options.view.empty())
-      files.write(options.view, [&](std::ostream& out) {
-        write_results_view(out, results, computed, direction_lines(loaded, computed, results.drawn),
-                           options, json);
-      });
+    if (is_on_input)
+      write_on_surface(loaded, input_alone(loaded, options), computed, options, json, files,
+                       progress, watch);
+    else
+      write_on_surface(loaded, loaded, computed, options, json, files, progress, watch);
+  }
+  if (!options.application.singularities.empty()) {
+    expect_points(loaded, options);
+    files.write(options.application.singularities, [&](std::ostream& out) {
+      IT::write_polylines(
+          out, std::filesystem::path(options.application.singularities).extension().string(),
+          computed.marks.points, "index");
+    });
   }
   if (!options.output.empty() && !is_mesh_output(options))
     files.write(options.output, [&](std::ostream& out) {
-      write_functions(out, computed,
+      write_functions(out, computed, axes_in_space(loaded, computed),
                       is_on_input ? loaded.triangulation.input().number_of_rows()
                                   : loaded.triangulation.number_of_vertices());
     });
+}
+
+// Where sources are.
+template <class Triangulation>
+Marks source_marks(const Loaded<Triangulation>& loaded, const Sources& sources,
+                   std::size_t curves) {
+  Marks marks{"sources"};
+  const Triangulation& t = loaded.triangulation;
+  const std::vector<Point> points = input_points(loaded);
+  for (const auto& list : std::span(sources).first(sources.size() - curves))
+    for (const auto v : list)
+      if (const auto p = IT::locate_on_input(
+              t, IT::Surface_point{t.numbers().halfedge(
+                                       opposite(halfedge(v, t.mesh()), t.mesh())),
+                                   {1, 0, 0}}))
+        marks.points.push_back({{IT::point_in_space(t, *p, points)}, false, 0});
+  return marks;
 }
 
 // Adaptive refinement is about the first vertex from which something is computed.
@@ -177,7 +278,9 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
   Json json = improve_and_measure(loaded, about_source(options, asked), progress);
   Stopwatch watch;
   progress.show("solving");
-  const Computed computed = solved(loaded, options, solve, sources);
+  Computed computed = solved(loaded, options, solve, sources);
+  if (computed.marks.points.empty() && !sources.empty())
+    computed.marks = source_marks(loaded, sources, options.application.curves.size());
   json[computed.command] = computed.json;
   json["seconds"]["solve"] = watch.lap();
   Output_files files;
@@ -188,30 +291,61 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
 
 } // namespace
 
+namespace {
+
+// A line from a point along a vector, or an arrow, the tip of which has another colour.
 void append_direction(std::vector<IT::Polyline>& lines, const Point& from, const Point& vector,
-                      bool is_arrow) {
+                      double scale, bool is_arrow) {
   Point middle, to;
   for (std::size_t c = 0; c < 3; ++c) {
-    middle[c] = from[c] + 0.7 * vector[c];
-    to[c] = from[c] + vector[c];
+    middle[c] = from[c] + 0.7 * scale * vector[c];
+    to[c] = from[c] + scale * vector[c];
   }
   lines.push_back({{from, is_arrow ? middle : to}, false, 1});
-  if (is_arrow) lines.push_back({{middle, to}, false, 0}); // a tip of another colour
+  if (is_arrow) lines.push_back({{middle, to}, false, 0});
 }
 
-double length_of_lines(const IT::Common_subdivision& s, const std::vector<Point>& points,
-                       const IT::Tangent_field& vectors) {
+double length(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
+
+// The factor by which to draw vectors.
+double scale_of_lines(const Drawn_directions& directions, const Drawn_subdivision& drawn) {
   double longest = 0, sum = 0;
-  for (const std::complex<double>& z : vectors) longest = std::max(longest, std::abs(z));
+  for (const Point& p : directions.at_vertices.front()) longest = std::max(longest, length(p));
   std::size_t count = 0;
+  const std::vector<Point>& x = drawn.points;
   IT::for_each_subdivision_edge(
-      s, [&](std::uint32_t a, std::uint32_t b, const IT::Common_subdivision::Side& side) {
+      drawn.s, [&](std::uint32_t a, std::uint32_t b, const IT::Common_subdivision::Side& side) {
         if (side.intrinsic_edge == IT::Common_subdivision::none) return;
         ++count;
-        sum += std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1],
-                          points[a][2] - points[b][2]);
+        sum += length({x[a][0] - x[b][0], x[a][1] - x[b][1], x[a][2] - x[b][2]});
       });
   return longest > 0 && count > 0 ? sum / static_cast<double>(count) / 2 / longest : 0;
+}
+
+} // namespace
+
+std::vector<IT::Polyline> direction_lines(const Drawn_directions& directions,
+                                          const Drawn_subdivision& drawn) {
+  std::vector<IT::Polyline> lines;
+  if (directions.at_vertices.empty()) return lines;
+  const double scale = scale_of_lines(directions, drawn);
+  const bool are_arrows = directions.at_vertices.size() == 1;
+  for (const std::vector<Point>& vectors : directions.at_vertices)
+    for (std::size_t v = 0; v < drawn.s.vertices.size(); ++v)
+      append_direction(lines, drawn.points[v], vectors[v], scale, are_arrows);
+  return lines;
+}
+
+void append_fields(std::vector<IT::Subdivision_field>& fields, const std::string& name,
+                   const Drawn_directions& directions) {
+  using Place = IT::Subdivision_field::Place;
+  const std::size_t degree = directions.at_vertices.size();
+  for (std::size_t k = 0; k < degree; ++k) {
+    const std::string numbered = degree == 1 ? name : name + "_" + std::to_string(k);
+    fields.push_back({numbered, directions.at_vertices[k]});
+    fields.push_back({numbered, directions.at_faces[k], Place::faces});
+  }
+  if (!directions.index.empty()) fields.push_back({"index", directions.index, Place::faces});
 }
 
 void run_application(const Options& options, const Solver<IT::Exact_euclidean_traits>& exact,

@@ -15,46 +15,58 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace program {
 
-/// appends a line from a point along a vector, or an arrow, the tip of which has another colour.
-void append_direction(std::vector<IT::Polyline>& lines, const Point& from, const Point& vector,
-                      bool is_arrow);
-/// returns the factor by which to draw vectors: the longest as long as half of a mean edge.
-double length_of_lines(const IT::Common_subdivision& s, const std::vector<Point>& points,
-                       const IT::Tangent_field& vectors);
+/// A direction field on the surface that is drawn, in space.
+struct Drawn_directions {
+  std::vector<std::vector<Point>> at_vertices{}; ///< each of the directions; zero at crossings
+  std::vector<std::vector<Point>> at_faces{};
+  std::vector<int> index{}; ///< of each face, or none
+};
+
+/// returns lines that show directions at vertices: arrows if there is one at each, else crosses. The longest is as long as half of a mean
+/// edge.
+std::vector<IT::Polyline> direction_lines(const Drawn_directions& directions,
+                                          const Drawn_subdivision& drawn);
+/// appends vectors at vertices and faces, and indices of faces, to the fields of a file.
+void append_fields(std::vector<IT::Subdivision_field>& fields, const std::string& name,
+                   const Drawn_directions& directions);
 
 /*!
-\brief returns lines that show a direction field on a surface: an arrow at each vertex, or crosses.
-\param loaded the triangulation
-\param computed the field
-\param drawn the common subdivision, or the mesh of the file, on which lines are drawn at the vertices of the triangulation
+\brief returns the directions of a field on a surface, in space.
+\param loaded the triangulation: the one with the field, or the input before its first move
+\param field one of the directions at each vertex of it
+\param degree how many of them differ by turns of a full turn by their number
+\param drawn its common subdivision
 */
 template <class Triangulation>
-std::vector<IT::Polyline> direction_lines(const Loaded<Triangulation>& loaded,
-                                          const Computed& computed,
-                                          const Drawn_subdivision& drawn) {
-  std::vector<IT::Polyline> lines;
-  if (!computed.directions) return lines;
-  const auto& t = loaded.triangulation;
-  const IT::Tangent_field& vectors = computed.directions->vectors;
-  const unsigned degree = computed.directions->degree;
-  const double length = length_of_lines(drawn.s, drawn.points, vectors);
+Drawn_directions directions_in_space(const Loaded<Triangulation>& loaded,
+                                     const IT::Tangent_field& field, unsigned degree,
+                                     const Drawn_subdivision& drawn) {
+  const Triangulation& t = loaded.triangulation;
   const IT::internal::Vertex_copies copies(t);
   const std::vector<Point> points = input_points(loaded);
+  Drawn_directions result;
+  IT::Common_subdivision s = drawn.s;
+  s.input_face = drawn.input_triangle;
+  const std::vector<Point> in_faces = IT::vectors_in_space(t, field, s, points, degree);
   for (unsigned k = 0; k < degree; ++k) {
-    IT::Tangent_field turned = vectors;
-    for (std::complex<double>& z : turned)
-      z *= std::polar(length, 2 * std::numbers::pi * k / degree);
+    IT::Tangent_field turned = field;
+    for (std::complex<double>& z : turned) z *= std::polar(1., 2 * std::numbers::pi * k / degree);
     const std::vector<Point> in_space = IT::vectors_in_space(t, turned, points);
-    for (std::size_t v = 0; v < drawn.s.vertices.size(); ++v)
-      append_direction(lines, drawn.points[v],
-                       in_space[copies(t.numbers().vertex_at(drawn.s.vertices[v].intrinsic))],
-                       degree == 1);
+    std::vector<Point> at_vertices(s.number_of_vertices(), {0, 0, 0}), at_faces;
+    for (std::size_t v = 0; v < s.vertices.size(); ++v)
+      at_vertices[v] = in_space[copies(t.numbers().vertex_at(s.vertices[v].intrinsic))];
+    for (std::size_t f = 0; f < s.number_of_faces(); ++f)
+      at_faces.push_back(in_faces[degree * f + k]);
+    result.at_vertices.push_back(std::move(at_vertices));
+    result.at_faces.push_back(std::move(at_faces));
   }
-  return lines;
+  return result;
 }
 
 } // namespace program

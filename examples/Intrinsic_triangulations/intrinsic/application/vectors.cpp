@@ -9,6 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/direction_field.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/principal_directions.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <algorithm>
@@ -66,17 +68,21 @@ Eigen::VectorXd by_rows(const std::vector<std::uint32_t>& first, const Values& v
 }
 
 template <class Triangulation>
-Computed transport(const Triangulation& t, const Options& options) {
+Computed transport(const Triangulation& t, const Options& options, const Points& points) {
   std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> sources;
-  for (const Asked_vector& v : read_vectors(options, t.input().number_of_rows()))
+  Marks marks{"sources"};
+  for (const Asked_vector& v : read_vectors(options, t.input().number_of_rows())) {
     sources.push_back({t.numbers().vertex_at(t.input().names().vertex(v.row)), v.z});
+    marks.points.push_back({{points[v.row]}, false, 0});
+  }
   const IT::Vector_heat_method<Triangulation> heat(t, options.application.time_factor);
   Computed computed{"transport", {}, {}};
-  computed.directions = {heat.transport(sources), 1, first_copies(t)};
+  computed.directions = {"vector", heat.transport(sources), 1, first_copies(t)};
   computed.functions.push_back(
       {"length", by_rows(computed.directions->of_row, computed.directions->vectors,
                          [](const std::complex<double>& z) { return std::abs(z); })});
   computed.shown = computed.functions.size(); // none: arrows
+  computed.marks = std::move(marks);
   computed.json = {{"sources", sources.size()},
                    {"longest", computed.functions[0].values.maxCoeff()}};
   return computed;
@@ -114,6 +120,22 @@ IT::Direction_field field_of(
                                      *options.application.alignment, fixed);
 }
 
+// The centres of the faces with an index other than 0, in space, with the index.
+template <class Triangulation>
+std::vector<IT::Polyline> centres(const Triangulation& t, const std::vector<int>& index,
+                                  const Points& points) {
+  std::vector<IT::Polyline> result;
+  for (const auto f : faces(t.mesh())) {
+    const int i = index[t.index(f)];
+    const IT::Surface_point centre{t.numbers().halfedge(halfedge(f, t.mesh())),
+                                   {1. / 3, 1. / 3, 1. / 3}};
+    if (i == 0) continue;
+    if (const auto p = IT::locate_on_input(t, centre))
+      result.push_back({{IT::point_in_space(t, *p, points)}, false, i});
+  }
+  return result;
+}
+
 template <class Triangulation>
 Computed direction_field(const Triangulation& t, const Options& options, const Points& points) {
   std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> fixed;
@@ -126,7 +148,9 @@ Computed direction_field(const Triangulation& t, const Options& options, const P
   int turns = 0;
   for (const auto& [h, n] : singular.turns) turns += n;
   Computed computed{"field", {}, {}};
-  computed.directions = {field.directions(), options.application.degree, first_copies(t)};
+  computed.directions = {"direction", field.directions(), options.application.degree,
+                         first_copies(t), singular.index};
+  computed.marks = {"singularities", centres(t, singular.index, points)};
   computed.json = {
       {"degree", degree},
       {"fixed", fixed.size()},
@@ -143,8 +167,9 @@ Computed direction_field(const Triangulation& t, const Options& options, const P
 } // namespace
 
 void run_transport(const Options& options) {
-  run_application(
-      options, [&](const auto& t, const Sources&, const Points&) { return transport(t, options); });
+  run_application(options, [&](const auto& t, const Sources&, const Points& points) {
+    return transport(t, options, points);
+  });
 }
 void run_logmap(const Options& options) {
   run_application(options, [&](const auto& t, const Sources& sources, const Points&) {

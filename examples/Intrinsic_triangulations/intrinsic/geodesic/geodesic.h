@@ -28,7 +28,7 @@ void warn_of_cap(const Json& json, const Options& options);
 
 /// returns for each vertex of a common subdivision the number of a curve that passes it, or -1.
 template <class Triangulation>
-IT::Vertex_field curve_field(const Triangulation& t, const IT::Common_subdivision& s,
+IT::Subdivision_field curve_field(const Triangulation& t, const IT::Common_subdivision& s,
                              const Curve_labels<Triangulation>& labels) {
   std::vector<double> curve(s.number_of_vertices(), -1);
   std::vector<std::int32_t> label(t.numbers().edge_capacity(t.mesh()), 0);
@@ -56,13 +56,15 @@ void write_curves_on_subdivision(const Loaded<Triangulation>& loaded,
   progress.show("writing");
   if (options.geodesic.writes_subdivision)
     files.write(options.output, [&](std::ostream& out) {
-      const IT::Vertex_field field = curve_field(loaded.triangulation, drawn.s, labels);
+      const IT::Subdivision_field field = curve_field(loaded.triangulation, drawn.s, labels);
       IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
                                    drawn.s, drawn.points, std::span(&field, 1));
     });
   if (!options.view.empty())
     files.write(options.view, [&](std::ostream& out) {
-      write_view(out, drawn.s, drawn.points, options, json, {curves.shortened(), curves.initial()});
+      Viewed viewed{curves.shortened(), curves.initial()};
+      viewed.is_plain = true; // curves are not to be looked for among colours
+      write_view(out, drawn.s, drawn.points, options, json, viewed);
     });
 }
 

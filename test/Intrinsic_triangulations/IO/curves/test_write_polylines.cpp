@@ -73,9 +73,18 @@ TEST(WritePolylines, KnowsItsExtensions) {
 
 TEST(WritePolylines, ObjHasLinesAndPointsWithLabels) {
   EXPECT_EQ(written("obj", example()),
-            "# polylines; numbers of curves count from 0\n"
+            "# polylines and their labels: curve\n"
             "v 0 0 0.1\nv 1 0 0\nv 1 1e-300 0\nv 0 0 2\nv 1 0 2\nv 0 1 2\nv 5 5 5\n"
             "# curve 7\nl 1 2 3\n# curve -1\nl 4 5 6 4\n# curve 3\np 7\n");
+}
+
+TEST(WritePolylines, NamesLabelsAsItIsAskedTo) {
+  for (const std::string extension : {"vtp", "obj", "ply"}) {
+    std::ostringstream out;
+    IT::write_polylines(out, extension, example(), "index");
+    EXPECT_NE(out.str().find("index"), std::string::npos) << extension;
+    EXPECT_EQ(out.str().find("curve"), std::string::npos) << extension;
+  }
 }
 
 TEST(WritePolylines, PlyHasVerticesAndEdgesWithLabels) {

@@ -25,6 +25,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -68,7 +69,7 @@ Example labelled() {
 template <class NP = IT::parameters::Parameters<>>
 std::string written(const std::string& extension, const Example& e,
                     const NP& np = IT::parameters::default_values(),
-                    std::span<const IT::Vertex_field> fields = {}) {
+                    std::span<const IT::Subdivision_field> fields = {}) {
   std::ostringstream out;
   IT::write_common_subdivision(out, extension, e.s, e.points, fields, np);
   return out.str();
@@ -387,7 +388,7 @@ TEST(Write_common_subdivision, Writes_fields_to_PLY_and_VTP) {
     height.push_back(e.points[v][2]);
     noise.push_back(std::sin(double(v * v)));
   }
-  const std::vector<IT::Vertex_field> fields{{"height", height}, {"u.2", noise}};
+  const std::vector<IT::Subdivision_field> fields{{"height", height}, {"u.2", noise}};
   for (const bool binary : {false, true}) {
     auto ply = read_PLY(written("ply", e, IT::parameters::use_binary_mode(binary), fields));
     for (std::size_t v = 0; v < e.points.size(); ++v) {
@@ -399,6 +400,61 @@ TEST(Write_common_subdivision, Writes_fields_to_PLY_and_VTP) {
   const std::string vtp = written("vtp", e, IT::parameters::default_values(), fields);
   EXPECT_EQ(vtp_array(vtp, "PointData", "height"), height);
   EXPECT_EQ(vtp_array(vtp, "PointData", "u.2"), noise);
+}
+
+TEST(Write_common_subdivision, Writes_vectors_and_fields_of_faces_to_PLY_and_VTP) {
+  using Place = IT::Subdivision_field::Place;
+  const Example e = grid(3);
+  const unsigned seed = 5;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::normal_distribution<double> number;
+  const auto vectors = [&](std::size_t n) {
+    std::vector<Point> result(n);
+    for (Point& p : result)
+      for (double& x : p) x = number(random);
+    return result;
+  };
+  const std::size_t faces = e.s.number_of_faces();
+  const std::vector<Point> at_vertices = vectors(e.points.size()), at_faces = vectors(faces);
+  std::vector<double> index;
+  for (std::size_t f = 0; f < faces; ++f) index.push_back(number(random));
+  // vertices and faces may have fields of the same name
+  const std::vector<IT::Subdivision_field> fields{{"direction", at_vertices},
+                                                  {"direction", at_faces, Place::faces},
+                                                  {"index", index, Place::faces}};
+  const std::array<std::string, 3> components{"direction_x", "direction_y", "direction_z"};
+  for (const bool binary : {false, true}) {
+    auto ply = read_PLY(written("ply", e, IT::parameters::use_binary_mode(binary), fields));
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t v = 0; v < e.points.size(); ++v)
+        EXPECT_EQ(ply["vertex"][v][components[c]][0], at_vertices[v][c]);
+      for (std::size_t f = 0; f < faces; ++f)
+        EXPECT_EQ(ply["face"][f][components[c]][0], at_faces[f][c]);
+    }
+    for (std::size_t f = 0; f < faces; ++f) EXPECT_EQ(ply["face"][f]["index"][0], index[f]);
+    expect_labels(e, ply);
+  }
+  for (const bool lines : {false, true}) { // which come before faces
+    const std::string vtp = written("vtp", e, IT::parameters::lines(lines), fields);
+    EXPECT_NE(vtp.find("Name=\"direction\" NumberOfComponents=\"3\""), std::string::npos);
+    const std::vector<double> of_vertices = vtp_array(vtp, "PointData", "direction"),
+                              of_cells = vtp_array(vtp, "CellData", "direction"),
+                              numbers = vtp_array(vtp, "CellData", "index");
+    const std::size_t first = numbers.size() - faces;
+    EXPECT_EQ(first > 0, lines);
+    ASSERT_EQ(of_cells.size(), 3 * numbers.size());
+    ASSERT_EQ(of_vertices.size(), 3 * e.points.size());
+    for (std::size_t i = 0; i < of_vertices.size(); ++i)
+      EXPECT_EQ(of_vertices[i], at_vertices[i / 3][i % 3]);
+    for (std::size_t i = 0; i < of_cells.size(); ++i)
+      EXPECT_EQ(of_cells[i], i < 3 * first ? 0 : at_faces[i / 3 - first][i % 3]);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (i < first)
+        EXPECT_TRUE(std::isnan(numbers[i]));
+      else
+        EXPECT_EQ(numbers[i], index[i - first]);
+  }
 }
 
 TEST(Write_common_subdivision, Contains_the_intrinsic_edges_as_lines_if_so_asked) {
@@ -420,12 +476,12 @@ TEST(Write_common_subdivision, Labels_faces_and_lines_of_OBJ_in_comments) {
 
 TEST(Write_common_subdivision, Gives_OBJ_the_fields_u_and_v_as_texture_coordinates) {
   const Example e = grid(1); // five vertices
-  const auto obj = [&e](const std::vector<IT::Vertex_field>& fields) {
+  const auto obj = [&e](const std::vector<IT::Subdivision_field>& fields) {
     std::ostringstream out;
     IT::write_common_subdivision(out, "obj", e.s, e.points, fields);
     return out.str();
   };
-  const IT::Vertex_field u{"u", std::vector<double>{0, 1, 0, 1, 0.5}},
+  const IT::Subdivision_field u{"u", std::vector<double>{0, 1, 0, 1, 0.5}},
       v{"v", std::vector<double>{0, 0, 2, 2, 1}};
   const std::string both = obj({u, v});
   EXPECT_NE(both.find("\nvt 0 0\nvt 1 0\nvt 0 2\nvt 1 2\nvt 0.5 1\n"), std::string::npos) << both;
@@ -460,7 +516,7 @@ TEST(Write_common_subdivision, Refuses_fields_that_would_spoil_the_file) {
   const Example e = grid(1);
   const std::vector<double> values(e.points.size(), 1.5);
   const std::span<const double> all = values;
-  const auto refuses = [&](const std::vector<IT::Vertex_field>& fields) {
+  const auto refuses = [&](const std::vector<IT::Subdivision_field>& fields) {
     EXPECT_THROW(written("ply", e, IT::parameters::default_values(), fields), IT::Invalid_input);
     EXPECT_THROW(written("vtp", e, IT::parameters::default_values(), fields), IT::Invalid_input);
   };
@@ -470,6 +526,12 @@ TEST(Write_common_subdivision, Refuses_fields_that_would_spoil_the_file) {
   refuses({{"a\"b", all}});
   refuses({{"kind", all}});
   refuses({{"u", all}, {"u", all}});
+  const std::vector<Point> vectors(e.points.size());
+  refuses({{"u", vectors}, {"u", all}});
+  refuses({{"u", vectors}, {"u_x", all}}); // a name of PLY
+  refuses({{"u", std::span(vectors).first(1)}});
+  refuses({{"sheet", std::vector<double>(e.s.number_of_faces()),
+            IT::Subdivision_field::Place::faces}});
 }
 
 TEST(Write_common_subdivision, Refuses_coordinates_that_STL_cannot_hold) {

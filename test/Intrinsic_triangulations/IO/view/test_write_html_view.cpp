@@ -12,10 +12,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <regex>
 #include <set>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -93,7 +96,7 @@ std::size_t occurrences(const std::string& text, const std::string& word) {
 const std::vector<std::string> data_ids{
     "points",  "triangles",       "colors",      "sources",
     "kinds",   "labels",          "input-edges", "input-edges-room",
-    "scalars", "intrinsic-edges", "view-axes",   "intrinsic-edges-room"};
+    "marks",   "intrinsic-edges", "view-axes",   "intrinsic-edges-room"};
 
 } // namespace
 
@@ -124,7 +127,8 @@ TEST(Html_view, Has_data_in_base64_of_the_expected_sizes) {
     EXPECT_EQ(numbers<std::uint32_t>(html, edges).size(), (24u + 18) * 2);
     EXPECT_EQ(numbers<float>(html, edges + "-room").size(), 24u + 18);
   }
-  EXPECT_TRUE(encoded(html, "scalars").empty());
+  EXPECT_TRUE(encoded(html, "settings").empty());
+  EXPECT_TRUE(encoded(html, "marks").empty());
 }
 
 TEST(Html_view, Has_triangles_and_sources_of_the_subdivision) {
@@ -270,7 +274,8 @@ TEST(Html_view, Scales_a_field_in_double_precision) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> values{1e15, 1e15 + 1, 1e15 + 4, 1e15 + 2, nan};
   IT::Html_view view = simple_view();
-  view.field = {"heat", values};
+  const std::vector<IT::Subdivision_field> fields{{"heat", values}};
+  view.fields = fields;
   const std::string html = page(s, points_of(s, 1), view);
   EXPECT_NE(html.find("data-name=\"heat\""), std::string::npos);
   const auto attribute = [&](const std::string& name) {
@@ -279,7 +284,7 @@ TEST(Html_view, Scales_a_field_in_double_precision) {
   };
   EXPECT_EQ(attribute("data-least"), 1e15);
   EXPECT_EQ(attribute("data-greatest"), 1e15 + 4);
-  const auto x = numbers<float>(html, "scalars");
+  const auto x = numbers<float>(html, "field-0");
   ASSERT_EQ(x.size(), 5u);
   EXPECT_EQ((std::vector<float>{x.begin(), x.end() - 1}), (std::vector<float>{0, 0.25, 1, 0.5}));
   EXPECT_TRUE(std::isnan(x[4]));
@@ -291,8 +296,9 @@ TEST(Html_view, Takes_fields_that_are_constant_or_not_finite_or_huge) {
   const double huge = std::numeric_limits<double>::max();
   IT::Html_view view = simple_view();
   const auto scalars = [&](const std::vector<double>& values) {
-    view.field = {"f", values};
-    return numbers<float>(page(s, points_of(s, 1), view), "scalars");
+    const IT::Subdivision_field field("f", values);
+    view.fields = std::span(&field, 1);
+    return numbers<float>(page(s, points_of(s, 1), view), "field-0");
   };
   EXPECT_EQ(scalars({3, 3, 3, 3, 3}), std::vector<float>(5, 0));
   EXPECT_EQ(scalars({-huge, huge, 0, 0, 0}), (std::vector<float>{0, 1, 0.5, 0.5, 0.5}));
@@ -323,18 +329,81 @@ TEST(Html_view, Refuses_what_it_cannot_show) {
   EXPECT_THROW(page(s, subdivisions::grid_points(1)), IT::Invalid_input); // none for the crossing
   IT::Html_view view = simple_view();
   const std::vector<double> values(4, 0.);
-  view.field = {"short", values};
-  EXPECT_THROW(page(s, points, view), IT::Invalid_input);
-  for (std::string_view IT::Html_view::*script :
-       {&IT::Html_view::three, &IT::Html_view::trackball_controls}) {
-    view = simple_view();
-    view.*script = {};
-    try {
-      page(s, points, view);
-      ADD_FAILURE() << "a page without its scripts was written";
-    } catch (const IT::Invalid_input& error) {
-      EXPECT_NE(std::string(error.what()).find("libjs-three"), std::string::npos);
-    }
+  for (const IT::Subdivision_field& field :
+       {IT::Subdivision_field("short", values),
+        IT::Subdivision_field("vectors", std::vector<std::array<double, 3>>(5)),
+        IT::Subdivision_field("faces", std::vector<double>(s.number_of_faces()),
+                              IT::Subdivision_field::Place::faces)}) {
+    view.fields = std::span(&field, 1);
+    EXPECT_THROW(page(s, points, view), IT::Invalid_input) << field.name;
+  }
+}
+
+TEST(Html_view, Shows_one_of_several_fields_first) {
+  const auto s = subdivisions::grid(1);
+  const std::vector<IT::Subdivision_field> fields{{"a", std::vector<double>{0, 1, 2, 3, 4}},
+                                                  {"b\"c", std::vector<double>{0, 4, 8, 2, 6}}};
+  IT::Html_view view = simple_view();
+  view.fields = std::span(fields).first(1);
+  EXPECT_NE(page(s, points_of(s, 1), view).find("data-fields=\"1\" data-shown=\"0\""),
+            std::string::npos);
+  view.fields = fields;
+  EXPECT_THROW(page(s, points_of(s, 1), view), IT::Invalid_input); // a quote in a name
+  const std::vector<IT::Subdivision_field> named{fields[0], {"b", fields[1].values}};
+  view.fields = named;
+  view.shown_field = 1;
+  std::string html = page(s, points_of(s, 1), view);
+  EXPECT_NE(html.find("data-fields=\"2\" data-shown=\"1\""), std::string::npos);
+  EXPECT_EQ(numbers<float>(html, "field-1"), (std::vector<float>{0, 0.5, 1, 0.25, 0.75}));
+  view.shown_field = 2; // none: faces have their colours, or one
+  html = page(s, points_of(s, 1), view);
+  EXPECT_NE(html.find("data-shown=\"faces\""), std::string::npos);
+  view.has_face_colors = false;
+  html = page(s, points_of(s, 1), view);
+  EXPECT_NE(html.find("data-shown=\"none\""), std::string::npos);
+  EXPECT_EQ(numbers<std::uint8_t>(html, "colors").size(), 3 * s.number_of_faces()); // to be chosen
+}
+
+TEST(Html_view, Has_marked_points_with_labels) {
+  const auto s = subdivisions::grid(1);
+  const Points points = points_of(s, 1);
+  const std::vector<IT::Polyline> marks{{{points[3]}, false, 2}, {{points[0]}, false, -1}};
+  IT::Html_view view = simple_view();
+  view.marks = marks;
+  view.marks_name = "zeros & poles";
+  const std::string html = page(s, points, view);
+  EXPECT_NE(html.find("data-marks=\"zeros &amp; poles\""), std::string::npos);
+  EXPECT_EQ(numbers<std::int32_t>(html, "marks-labels"), (std::vector<std::int32_t>{2, -1}));
+  const auto all = numbers<float>(html, "points"), marked = numbers<float>(html, "marks");
+  EXPECT_EQ((std::vector<float>{all.begin() + 9, all.begin() + 12}),
+            (std::vector<float>{marked.begin(), marked.begin() + 3}));
+}
+
+TEST(Html_view, Finds_three_js_that_is_not_given) {
+  const std::filesystem::path directory =
+      std::filesystem::path(testing::TempDir()) / "three_js_of_a_test";
+  std::filesystem::create_directories(directory / "build");
+  EXPECT_TRUE(IT::find_three_js(directory).three.empty());
+  EXPECT_TRUE(IT::find_three_js(directory / "nowhere").trackball_controls.empty());
+  std::ofstream(directory / "build" / "three.min.js") << "a\nb";
+  std::ofstream(directory / "TrackballControls.js") << "c";
+  EXPECT_EQ(IT::find_three_js(directory).three, "a\nb");
+  EXPECT_EQ(IT::find_three_js(directory).trackball_controls, "c");
+  std::filesystem::remove_all(directory);
+
+  const auto s = subdivisions::grid(1);
+  const IT::Html_view view{.title = "t", .description = "d"};
+  const IT::Three_js found = IT::find_three_js();
+  if (!found.three.empty() && !found.trackball_controls.empty()) {
+    EXPECT_NE(page(s, points_of(s, 1), view).find("TrackballControls = function"),
+              std::string::npos);
+    return;
+  }
+  try {
+    page(s, points_of(s, 1), view);
+    ADD_FAILURE() << "a page without its scripts was written";
+  } catch (const IT::Invalid_input& error) {
+    EXPECT_NE(std::string(error.what()).find("libjs-three"), std::string::npos);
   }
 }
 

@@ -60,7 +60,8 @@ inline void write_VTK_cells(Output_buffer& out, std::string_view kind,
 }
 
 // Cells are numbered through: those of one point before lines.
-inline void write_polylines_VTP(Output_buffer& out, std::span<const Polyline> polylines) {
+inline void write_polylines_VTP(Output_buffer& out, std::span<const Polyline> polylines,
+                                std::string_view label) {
   const Numbered_polylines p(polylines);
   VTK_array_writer data(out);
   out.text("<?xml version=\"1.0\"?>\n"
@@ -68,10 +69,10 @@ inline void write_polylines_VTP(Output_buffer& out, std::span<const Polyline> po
            "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"",
            p.points.size(), "\" NumberOfVerts=\"", p.verts.size(), "\" NumberOfLines=\"",
            p.lines.size(),
-           "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
-           "<CellData Scalars=\"curve\">\n");
+           "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<CellData Scalars=\"",
+           label, "\">\n");
   const std::size_t m = p.verts.size();
-  data.scalars("curve", m + p.lines.size(),
+  data.scalars(label, m + p.lines.size(),
                [&](std::size_t i) { return i < m ? p.vert_labels[i] : p.line_labels[i - m]; });
   out.text("</CellData>\n<Points>\n");
   data.arrays("Points", p.points.size(), [&](std::size_t v) { return p.points[v]; });
@@ -82,13 +83,15 @@ inline void write_polylines_VTP(Output_buffer& out, std::span<const Polyline> po
 }
 
 // Numbers of vertices count from 1.
-inline void write_polylines_OBJ(Output_buffer& out, std::span<const Polyline> polylines) {
+inline void write_polylines_OBJ(Output_buffer& out, std::span<const Polyline> polylines,
+                                std::string_view label) {
   const Numbered_polylines p(polylines);
-  out.text("# polylines; numbers of curves count from 0\n");
+  out.text("# polylines and their labels: ", label, "\n");
   for (const std::array<double, 3>& x : p.points) out.line('v', x[0], x[1], x[2]);
   const auto write = [&](char kind, const auto& cells, const auto& labels) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      out.line("# curve", labels[i]);
+      out.words("#", label);
+      out.line(labels[i]);
       out.words(kind);
       for (const std::int64_t v : cells[i]) out.words(v + 1);
       out.line();
@@ -99,16 +102,18 @@ inline void write_polylines_OBJ(Output_buffer& out, std::span<const Polyline> po
 }
 
 // Binary, little endian.
-inline void write_polylines_PLY(Output_buffer& out, std::span<const Polyline> polylines) {
+inline void write_polylines_PLY(Output_buffer& out, std::span<const Polyline> polylines,
+                                std::string_view label) {
   const Numbered_polylines p(polylines);
   std::size_t edges = 0;
   for (const std::vector<std::int64_t>& line : p.lines) edges += line.size() - 1;
   out.text("ply\nformat binary_little_endian 1.0\n"
-           "comment polylines; numbers of curves count from 0\nelement vertex ",
+           "comment polylines and their labels\nelement vertex ",
            p.points.size(),
-           "\nproperty double x\nproperty double y\nproperty double z\nproperty int curve\n"
-           "element edge ",
-           edges, "\nproperty int vertex1\nproperty int vertex2\nproperty int curve\nend_header\n");
+           "\nproperty double x\nproperty double y\nproperty double z\nproperty int ",
+           label, "\nelement edge ",
+           edges, "\nproperty int vertex1\nproperty int vertex2\nproperty int ", label,
+           "\nend_header\n");
   for (std::size_t v = 0; v < p.points.size(); ++v) {
     for (const double x : p.points[v]) out.binary(x);
     out.binary(p.point_labels[v]);

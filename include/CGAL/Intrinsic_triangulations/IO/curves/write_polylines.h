@@ -35,25 +35,27 @@ inline bool is_polyline_extension(std::string_view extension) {
 /*!
 \brief writes polylines in the format of a file extension.
 
-VTP has lines with the cell data `curve`, OBJ elements `l` with labels in comments, PLY vertices and edges with the property
-`curve`; polylines of one point are vertices without edges. Nothing is rounded.
+VTP has lines with labels as cell data, OBJ elements `l` with labels in comments, PLY vertices and edges with labels as
+properties; polylines of one point are vertices without edges. Nothing is rounded.
 \param out the stream, binary
 \param extension one of `polyline_extensions`, in any letter case, with or without its dot
 \param polylines the polylines
+\param label what files name the labels: letters, digits and `_`
 \throws Invalid_input if the extension is another one
 \throws std::runtime_error if the stream fails
 \complexity linear
 */
 inline void write_polylines(std::ostream& out, std::string_view extension,
-                            std::span<const Polyline> polylines) {
+                            std::span<const Polyline> polylines,
+                            std::string_view label = "curve") {
   const std::string name = internal::plain_extension(extension);
   internal::Output_buffer buffer(out);
   if (name == "vtp")
-    internal::write_polylines_VTP(buffer, polylines);
+    internal::write_polylines_VTP(buffer, polylines, label);
   else if (name == "obj")
-    internal::write_polylines_OBJ(buffer, polylines);
+    internal::write_polylines_OBJ(buffer, polylines, label);
   else if (name == "ply")
-    internal::write_polylines_PLY(buffer, polylines);
+    internal::write_polylines_PLY(buffer, polylines, label);
   else
     throw Invalid_input(Element_kind::none, 0,
                         "the extension \"" + name +
@@ -67,13 +69,14 @@ inline void write_polylines(std::ostream& out, std::string_view extension,
 Whatever fails, the file is complete or what it was before: see `Replacing_file`.
 \param path the file
 \param polylines the polylines
+\param label what files name the labels
 \throws std::runtime_error naming the file if it cannot be written
 */
-inline void write_polylines(const std::filesystem::path& path,
-                            std::span<const Polyline> polylines) {
+inline void write_polylines(const std::filesystem::path& path, std::span<const Polyline> polylines,
+                            std::string_view label = "curve") {
   Replacing_file file(path);
   try {
-    write_polylines(file.stream(), path.extension().string(), polylines);
+    write_polylines(file.stream(), path.extension().string(), polylines, label);
   } catch (const Invalid_input& e) {
     throw Invalid_input(e.kind(), e.index(), path.string() + ": " + e.what());
   } catch (const std::runtime_error&) {

@@ -85,15 +85,15 @@ precision; the others are without loss.
 \param extension one of `common_subdivision_extensions`, in any letter case, with or without its dot
 \param s the subdivision
 \param points the position of each vertex, see `positions()`
-\param fields numbers to be written for each vertex, to PLY and VTP; where there are two with the names `u` and `v`, OBJ has them as texture
-  coordinates
+\param fields numbers or vectors to be written for each vertex or face, to PLY and VTP; where two have a number per vertex and the
+  names `u` and `v`, OBJ has them as texture coordinates
 \param np optional named parameters:
   - `use_binary_mode(b)`: whether PLY is binary, little endian; the other formats have one encoding here.
     Default: true.
   - `lines(b)`: whether VTP and OBJ contain the intrinsic edges as polylines; `CGAL::IO::read_OBJ()` refuses
     such files. Default: true for VTP, false for OBJ.
 \throws Invalid_input if the extension is another one, if `points` or a field do not have one value
-  for each vertex, or if a coordinate exceeds the range of STL
+  for each vertex or face, or if a coordinate exceeds the range of STL
 \throws std::runtime_error if the stream fails
 \complexity linear
 */
@@ -101,7 +101,7 @@ template <NamedParameters NP = parameters::Parameters<>>
 void write_common_subdivision(std::ostream& out, std::string_view extension,
                               const Common_subdivision& s,
                               std::span<const std::array<double, 3>> points,
-                              std::span<const Vertex_field> fields = {},
+                              std::span<const Subdivision_field> fields = {},
                               const NP& np = parameters::default_values()) {
   internal::write_subdivision(out, extension, {s, points, fields},
                               internal::subdivision_format(np));
@@ -119,7 +119,7 @@ complexity are those of the overload with a stream.
 template <NamedParameters NP = parameters::Parameters<>>
 void write_common_subdivision(const std::filesystem::path& path, const Common_subdivision& s,
                               std::span<const std::array<double, 3>> points,
-                              std::span<const Vertex_field> fields = {},
+                              std::span<const Subdivision_field> fields = {},
                               const NP& np = parameters::default_values()) {
   internal::write_subdivision(path, {s, points, fields}, internal::subdivision_format(np));
 }

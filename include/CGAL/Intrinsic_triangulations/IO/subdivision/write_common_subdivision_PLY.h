@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -79,10 +80,23 @@ private:
         out_.text("property ", PLY_type<typename Values::value_type>, ' ',
                   component_name(component, i, components), '\n');
     });
-    for (const Vertex_field& field : o_.fields) out_.text("property double ", field.name, "\n");
+    declare_fields(Subdivision_field::Place::vertices);
     out_.text("element face ", s_.number_of_faces(), "\n", PLY_face_properties,
-              s_.sheet.empty() ? "" : "property uchar sheet\n", "element edge ", edges, "\n",
-              PLY_edge_properties, "end_header\n");
+              s_.sheet.empty() ? "" : "property uchar sheet\n");
+    declare_fields(Subdivision_field::Place::faces);
+    out_.text("element edge ", edges, "\n", PLY_edge_properties, "end_header\n");
+  }
+
+  void declare_fields(Subdivision_field::Place place) {
+    for (const Subdivision_field& field : o_.fields)
+      if (field.place == place)
+        for (const std::string& name : component_names(field))
+          out_.text("property double ", name, "\n");
+  }
+  void write_fields(Subdivision_field::Place place, std::size_t i) {
+    for (const Subdivision_field& field : o_.fields)
+      for (std::size_t c = 0; field.place == place && c < field.components; ++c)
+        put(field.values[field.components * i + c]);
   }
 
   void write_vertex(std::size_t v) {
@@ -90,7 +104,7 @@ private:
     for_each_vertex_label(s_, [&](std::string_view, std::string_view, auto values) {
       for (const auto x : values(v)) put(x);
     });
-    for (const Vertex_field& field : o_.fields) put(field.values[v]);
+    write_fields(Subdivision_field::Place::vertices, v);
     end();
   }
 
@@ -102,6 +116,7 @@ private:
     const Rgb_color& c = colors[s_.intrinsic_face[f]];
     put(signed_label(s_.input_face[f]), signed_label(s_.intrinsic_face[f]), c[0], c[1], c[2]);
     if (!s_.sheet.empty()) put(s_.sheet[f]);
+    write_fields(Subdivision_field::Place::faces, f);
     end();
   }
 

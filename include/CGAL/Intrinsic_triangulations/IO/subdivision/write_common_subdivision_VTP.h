@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -57,12 +58,27 @@ private:
   void write_point_data() {
     const std::size_t n = o_.points.size();
     out_.text("<PointData>\n");
-    for (const Vertex_field& field : o_.fields)
-      data_.scalars(field.name, n, [&](std::size_t v) { return field.values[v]; });
+    write_fields(Subdivision_field::Place::vertices, 0, n);
     for_each_vertex_label(s_, [&](std::string_view name, std::string_view, auto values) {
       data_.arrays(name, n, values);
     });
     out_.text("</PointData>\n");
+  }
+
+  // Writes the fields of a place: at the `first` elements, which have none, not a number or no vector.
+  void write_fields(Subdivision_field::Place place, std::size_t first, std::size_t n) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    for (const Subdivision_field& field : o_.fields) {
+      const std::vector<double>& x = field.values;
+      if (field.place != place) continue;
+      if (field.components == 1)
+        data_.scalars(field.name, n, [&](std::size_t i) { return i < first ? none : x[i - first]; });
+      else
+        data_.arrays(field.name, n, [&](std::size_t i) {
+          const std::size_t k = 3 * (i - first);
+          return i < first ? std::array{0., 0., 0.} : std::array{x[k], x[k + 1], x[k + 2]};
+        });
+    }
   }
 
   // Cells are numbered through: lines before polygons.
@@ -72,6 +88,7 @@ private:
       return [&, m](std::size_t i) { return signed_label(i < m ? none : faces[i - m]); };
     };
     out_.text("<CellData>\n");
+    write_fields(Subdivision_field::Place::faces, m, n);
     data_.scalars("input_face", n, label(s_.input_face));
     data_.scalars("intrinsic_face", n, label(s_.intrinsic_face));
     data_.scalars("intrinsic_edge", n,

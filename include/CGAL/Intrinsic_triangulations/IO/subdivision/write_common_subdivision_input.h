@@ -20,21 +20,41 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// One number per vertex of a common subdivision, under a name.
-struct Vertex_field {
+/// Numbers or vectors in space at the vertices or the faces of a common subdivision, under a name.
+struct Subdivision_field {
+  /// What has a value.
+  enum class Place : std::uint8_t {
+    vertices, ///< each vertex
+    faces     ///< each face
+  };
+
   std::string name;           ///< letters, digits and `_.-`; no name that files use themselves
-  std::vector<double> values; ///< one per vertex
+  std::vector<double> values; ///< `components` for each vertex or face
+  Place place = Place::vertices; ///< what the values belong to
+  unsigned components = 1;       ///< 1: numbers; 3: vectors in space
 
   /// is a field without name or values.
-  Vertex_field() = default;
-  /// takes name and values.
-  Vertex_field(std::string its_name, std::vector<double> its_values)
-      : name(std::move(its_name)), values(std::move(its_values)) {}
-  /// takes a name and copies values. \tparam Range a range of numbers, such as `Eigen::VectorXd`
+  Subdivision_field() = default;
+  /// takes a name and numbers.
+  Subdivision_field(std::string its_name, std::vector<double> its_values,
+                    Place its_place = Place::vertices)
+      : name(std::move(its_name)), values(std::move(its_values)), place(its_place) {}
+  /// takes a name and copies vectors.
+  Subdivision_field(std::string its_name, std::span<const std::array<double, 3>> vectors,
+                    Place its_place = Place::vertices)
+      : name(std::move(its_name)), place(its_place), components(3) {
+    for (const std::array<double, 3>& x : vectors) values.insert(values.end(), x.begin(), x.end());
+  }
+  /// takes a name and copies numbers. \tparam Range a range of numbers, such as `Eigen::VectorXd`
   template <class Range>
-    requires(!std::is_convertible_v<const Range&, std::vector<double>>)
-  Vertex_field(std::string its_name, const Range& its_values)
-      : name(std::move(its_name)), values(its_values.begin(), its_values.end()) {}
+    requires(!std::is_convertible_v<const Range&, std::vector<double>> &&
+             !std::is_convertible_v<const Range&, std::span<const std::array<double, 3>>>)
+  Subdivision_field(std::string its_name, const Range& its_values,
+                    Place its_place = Place::vertices)
+      : name(std::move(its_name)), values(its_values.begin(), its_values.end()), place(its_place) {}
+
+  /// returns whether it has a number per vertex.
+  bool is_function() const { return place == Place::vertices && components == 1; }
 };
 
 namespace internal {
@@ -43,7 +63,7 @@ namespace internal {
 struct Subdivision_output {
   const Common_subdivision& s;
   std::span<const std::array<double, 3>> points;
-  std::span<const Vertex_field> fields;
+  std::span<const Subdivision_field> fields;
 };
 
 // Numbers of elements are written as signed 32 bit integers, `none` as -1: modular by the standard; they are
@@ -96,9 +116,19 @@ inline std::string component_name(std::string_view component, std::size_t i,
   return std::string(component) + (components == 1 ? "" : std::to_string(i));
 }
 
-inline bool is_field_name(std::string_view name) {
-  constexpr std::string_view allowed =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-";
+// The names of the numbers of a field where each has its own: `v` or `v_x`, `v_y`, `v_z`.
+inline std::vector<std::string> component_names(const Subdivision_field& field) {
+  if (field.components == 1) return {field.name};
+  return {field.name + "_x", field.name + "_y", field.name + "_z"};
+}
+
+// Whether files use a name themselves, at vertices or at faces.
+inline bool is_label_name(std::string_view name, Subdivision_field::Place place) {
+  constexpr std::array<std::string_view, 8> of_faces{
+      "vertex_indices", "input_face", "intrinsic_face", "intrinsic_edge",
+      "sheet",          "red",        "green",          "blue"};
+  if (place == Subdivision_field::Place::faces)
+    return std::ranges::count(of_faces, name) != 0;
   bool is_taken = name == "x" || name == "y" || name == "z";
   const Common_subdivision none;
   for_each_vertex_label(none, [&](std::string_view label, std::string_view component, auto values) {
@@ -107,25 +137,45 @@ inline bool is_field_name(std::string_view name) {
     for (std::size_t i = 0; i < components; ++i)
       is_taken = is_taken || name == component_name(component, i, components);
   });
-  return !is_taken && !name.empty() && name.find_first_not_of(allowed) == std::string_view::npos;
+  return is_taken;
+}
+
+inline bool is_field_name(const Subdivision_field& field) {
+  constexpr std::string_view allowed =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-";
+  const auto is_taken = [&](const std::string& name) { return is_label_name(name, field.place); };
+  return !is_taken(field.name) && std::ranges::none_of(component_names(field), is_taken) &&
+         !field.name.empty() && field.name.find_first_not_of(allowed) == std::string::npos;
+}
+
+// Whether two fields of one place have a name in common.
+inline bool share_a_name(const Subdivision_field& a, const Subdivision_field& b) {
+  const std::vector<std::string> of_a = component_names(a), of_b = component_names(b);
+  return a.place == b.place &&
+         (a.name == b.name || std::ranges::find_first_of(of_a, of_b) != of_a.end());
 }
 
 inline void check_fields(const Subdivision_output& o) {
   for (std::size_t i = 0; i < o.fields.size(); ++i) {
-    const Vertex_field& field = o.fields[i];
+    const Subdivision_field& field = o.fields[i];
     const std::string name = "the field \"" + field.name + "\" ";
     const auto fail = [&name](const std::string& what) {
       throw Invalid_input(Element_kind::none, 0, name + what);
     };
-    if (!is_field_name(field.name))
+    if (field.components != 1 && field.components != 3)
+      fail("has " + std::to_string(field.components) +
+           " components; give numbers with 1, or vectors with 3");
+    if (!is_field_name(field))
       fail("cannot be written under this name; name it with letters, digits and _.-, and not as "
-           "labels of "
-           "vertices are named");
-    if (std::ranges::count(o.fields.first(i), field.name, &Vertex_field::name) != 0)
-      fail("occurs twice; rename one of the two");
-    if (field.values.size() != o.s.number_of_vertices())
-      fail("has " + std::to_string(field.values.size()) + " values; give one for each of the " +
-           std::to_string(o.s.number_of_vertices()) + " vertices of the common subdivision");
+           "labels of vertices or faces are named");
+    for (std::size_t j = 0; j < i; ++j)
+      if (share_a_name(o.fields[j], field)) fail("occurs twice; rename one of the two");
+    const bool is_at_faces = field.place == Subdivision_field::Place::faces;
+    const std::size_t n = is_at_faces ? o.s.number_of_faces() : o.s.number_of_vertices();
+    if (field.values.size() != n * field.components)
+      fail("has " + std::to_string(field.values.size()) + " values; give " +
+           (field.components == 1 ? "one" : "three") + " for each of the " + std::to_string(n) +
+           (is_at_faces ? " faces" : " vertices") + " of the common subdivision");
   }
 }
 

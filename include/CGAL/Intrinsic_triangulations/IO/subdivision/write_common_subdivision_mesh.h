@@ -48,8 +48,9 @@ inline void write_OBJ_face(Output_buffer& out, std::span<const std::uint32_t> ve
 }
 
 // Fields of these names are places in the plane.
-inline const Vertex_field* find_field(const Subdivision_output& o, std::string_view name) {
-  const auto i = std::ranges::find(o.fields, name, &Vertex_field::name);
+inline const Subdivision_field* find_field(const Subdivision_output& o, std::string_view name) {
+  const auto i = std::ranges::find_if(
+      o.fields, [name](const Subdivision_field& f) { return f.name == name && f.is_function(); });
   return i == o.fields.end() ? nullptr : &*i;
 }
 
@@ -59,7 +60,7 @@ inline void write_OBJ(Output_buffer& out, const Subdivision_output& o, bool with
   out.text("# common subdivision of a mesh (the input) and an intrinsic triangulation of it\n"
            "# numbers in comments count from 0; input_faces: one for each face that follows\n");
   for (const std::array<double, 3>& p : o.points) out.line('v', p[0], p[1], p[2]);
-  const Vertex_field *const u = find_field(o, "u"), *const v = find_field(o, "v");
+  const Subdivision_field *const u = find_field(o, "u"), *const v = find_field(o, "v");
   const bool has_texture = u != nullptr && v != nullptr;
   for (std::size_t i = 0; has_texture && i < o.points.size(); ++i)
     out.line("vt", u->values[i], v->values[i]);

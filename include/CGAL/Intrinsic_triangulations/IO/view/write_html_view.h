@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/Unit_ball_scaling.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/drawn_edges.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/find_three_js.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
 
@@ -36,24 +37,30 @@ struct Html_view {
   std::string_view title;
   /// Text under the title.
   std::string_view description;
-  /// Text of three.js, revision 111 or near: it is copied into the page, with its licence notice.
+  /// Text of three.js, revision 111 or near: it is copied into the page, with its licence notice. Empty: that of `find_three_js()`.
   std::string_view three;
-  /// Text of the classic script `TrackballControls.js` of the same distribution.
+  /// Text of the classic script `TrackballControls.js` of the same distribution. Empty: that of `find_three_js()`.
   std::string_view trackball_controls;
-  /// A field to be shown as colours; without values the intrinsic faces have their own.
-  Vertex_field field{};
-  /// How many steps of the field lines of equal value show, where there are values; 0: none.
+  /// Fields of numbers at vertices, one of which is shown as colours at a time.
+  std::span<const Subdivision_field> fields{};
+  /// Which of the fields is shown at first; none if there are fewer.
+  std::size_t shown_field = 0;
+  /// How many steps of the field lines of equal value show at first; 0: none.
   unsigned isolines = 0;
   /// A place in the plane for each vertex, to be shown by a checkerboard; or none.
   std::span<const std::array<double, 2>> texture{};
   bool has_edges = true;       ///< whether edges show at first
-  bool has_face_colors = true; ///< whether faces without a field have colours
+  bool has_face_colors = true; ///< whether faces without a field have colours at first
   /// Width of curves in pixels.
   double curve_width = 3.5;
   /// Curves on the surface, to be drawn in colours that their labels choose.
   std::span<const Polyline> curves{};
   /// What the curves were before, to be drawn thin and grey.
   std::span<const Polyline> initial_curves{};
+  /// Points to be marked, each a polyline of one point: red where the label is positive, blue where it is negative, else yellow.
+  std::span<const Polyline> marks{};
+  /// What the marked points are.
+  std::string_view marks_name = "points";
 };
 
 namespace internal {
@@ -158,10 +165,13 @@ private:
     write_vertices();
     write_edges("input-edges", &Common_subdivision::Side::input_edge, s_.input_face);
     write_edges("intrinsic-edges", &Common_subdivision::Side::intrinsic_edge, s_.intrinsic_face);
-    write_field();
+    write_settings();
+    for (std::size_t i = 0; i < view_.fields.size(); ++i)
+      write_field("field-" + std::to_string(i), view_.fields[i]);
     write_texture();
     write_curves("curves", view_.curves);
     write_curves("initial-curves", view_.initial_curves);
+    write_marks();
   }
 
   // A fan for each convex polygon.
@@ -187,13 +197,10 @@ private:
 
   // The colour of each triangle, of a polygon each.
   void write_colors(const std::vector<std::size_t>& polygon) {
-    const std::vector<Rgb_color> colors =
-        view_.has_face_colors ? intrinsic_face_colors(s_) : std::vector<Rgb_color>();
-    const Rgb_color light{226, 229, 234};
+    const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
     data("colors", [&](Base64_writer& out) {
       for (const std::size_t f : polygon)
-        for (const std::uint8_t c : colors.empty() ? light : colors[s_.intrinsic_face[f]])
-          out.put(c);
+        for (const std::uint8_t c : colors[s_.intrinsic_face[f]]) out.put(c);
     });
   }
 
@@ -223,24 +230,36 @@ private:
     });
   }
 
+  void write_settings() {
+    open_data("settings");
+    out_.text(" data-fields=\"", view_.fields.size(), "\" data-shown=\"");
+    if (view_.shown_field < view_.fields.size())
+      out_.text(view_.shown_field);
+    else
+      out_.text(view_.has_face_colors ? "faces" : "none");
+    out_.text("\" data-isolines=\"", view_.isolines, "\" data-edges=\"",
+              view_.has_edges ? "shown" : "hidden", "\" data-curve-width=\"", view_.curve_width,
+              "\" data-marks=\"");
+    escaped(view_.marks_name);
+    out_.text("\"></script>\n");
+  }
+
   // Values from 0 to 1 in single precision, and their range; halves, so that nothing overflows.
-  void write_field() {
+  void write_field(std::string_view id, const Subdivision_field& field) {
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
-    for (const double x : view_.field.values)
+    for (const double x : field.values)
       if (std::isfinite(x)) {
         least = std::min(least, x);
         greatest = std::max(greatest, x);
       }
     if (greatest < least) least = greatest = 0;
     const double range = greatest / 2 - least / 2;
-    open_data("scalars");
+    open_data(id);
     out_.text(" data-name=\"");
-    escaped(view_.field.name);
-    out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\" data-isolines=\"",
-              view_.isolines, "\" data-edges=\"", view_.has_edges ? "shown" : "hidden",
-              "\" data-curve-width=\"", view_.curve_width, "\">");
+    escaped(field.name);
+    out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\">");
     close_data([&](Base64_writer& out) {
-      for (const double x : view_.field.values)
+      for (const double x : field.values)
         out.put(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()
                 : range > 0       ? static_cast<float>((x / 2 - least / 2) / range)
                                   : 0.f);
@@ -276,6 +295,18 @@ private:
       }
     tuples(id, ends);
     numbers(std::string(id) + "-labels", labels);
+  }
+
+  void write_marks() {
+    std::vector<std::array<float, 3>> places;
+    std::vector<std::int32_t> labels;
+    for (const Polyline& mark : view_.marks)
+      for (const Point& p : mark.points) {
+        places.push_back(scaling_(p));
+        labels.push_back(mark.label);
+      }
+    tuples("marks", places);
+    numbers("marks-labels", labels);
   }
 
   void write_points() {
@@ -314,30 +345,42 @@ private:
 network.
 
 Intrinsic faces have colours that differ between neighbours, intrinsic edges are dark, input edges
-light; a field replaces the colours, a texture darkens every other square of a checkerboard. Of a cover, the fronts of the user's faces are shown, or their backs. Curves lie on top. The pointer shows the numbers of the faces under it.
+light. A field replaces the colours; a texture darkens every other square of a checkerboard, and is shown in the plane beside the surface. On
+a cover, the fronts of the user's faces are shown, or their backs. Curves and marked points lie on top. The pointer shows the numbers of the faces
+under it. In the page, users choose the field, its range and map of colours, the number of isolines, and a plane that cuts the surface.
 \param out the stream
 \param s the common subdivision
 \param points the position of each vertex, see `positions()`
-\param view title, scripts, field
-\throws Invalid_input if `points`, the field or the texture do not have one value for each vertex, or scripts are
-  missing
+\param view title, fields, curves
+\throws Invalid_input if `points`, a field or the texture do not have one value for each vertex, or if three.js is not given and
+  not found
 \throws std::runtime_error if the stream fails
 \complexity linear
 */
 inline void write_html_view(std::ostream& out, const Common_subdivision& s,
                             std::span<const std::array<double, 3>> points, const Html_view& view) {
-  internal::check_output({s, points, std::span(&view.field, view.field.values.empty() ? 0 : 1)});
+  internal::check_output({s, points, view.fields});
+  for (const Subdivision_field& field : view.fields)
+    if (!field.is_function())
+      throw Invalid_input(Element_kind::none, 0,
+                          "the field \"" + field.name +
+                              "\" cannot be shown as colours; give a number per vertex");
   if (!view.texture.empty() && view.texture.size() != s.number_of_vertices())
     throw Invalid_input(Element_kind::none, 0,
                         "the texture has " + std::to_string(view.texture.size()) +
                             " places; give one for each of the " +
                             std::to_string(s.number_of_vertices()) +
                             " vertices of the common subdivision");
-  if (view.three.empty() || view.trackball_controls.empty())
+  Html_view complete = view;
+  const bool has_scripts = !view.three.empty() && !view.trackball_controls.empty();
+  const Three_js found = has_scripts ? Three_js() : find_three_js();
+  if (view.three.empty()) complete.three = found.three;
+  if (view.trackball_controls.empty()) complete.trackball_controls = found.trackball_controls;
+  if (complete.three.empty() || complete.trackball_controls.empty())
     throw Invalid_input(Element_kind::none, 0,
-                        "the page needs three.js and its TrackballControls.js; Debian's package "
-                        "libjs-three has them");
-  internal::Html_view_writer(out, s, points, view).write();
+                        "the page needs three.js and its TrackballControls.js; install Debian's "
+                        "package libjs-three, or give their texts, see find_three_js()");
+  internal::Html_view_writer(out, s, points, complete).write();
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -64,21 +64,24 @@ public:
     return at_start(walk, std::abs(z));
   }
 
-  // the vectors at the corners of a face, `at(v)`, in its frame, averaged with the weights of a point
+  // The vectors at the corners of a face, `at(v)`, in its frame, averaged with the weights of a point. Of `degree` vectors that differ
+  // by turns of a full turn by it, one is given: their common powers are averaged, and one root is returned.
   template <class At>
-  Planar_vector<double> in_face(const Surface_point& p, const At& at) const {
+  Planar_vector<double> in_face(const Surface_point& p, const At& at, unsigned degree = 1) const {
     const Geodesic_face face(surface_, p.halfedge);
-    Planar_vector<double> result{0, 0};
+    const double n = degree;
+    std::complex<double> sum = 0;
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t v = surface_.source(face.side[k]);
       const std::complex<double> z = at(v);
-      const double turn =
-          std::remainder(angle(v, z) - angle_[face.side[k]], 2 * std::numbers::pi / scale_[v]);
+      const double turn = std::remainder(angle(v, z) - angle_[face.side[k]],
+                                         2 * std::numbers::pi / (n * scale_[v]));
       const Planar_vector<double> x =
-          face.from_relative_to(k, {std::abs(z) * std::cos(turn), std::abs(z) * std::sin(turn)});
-      for (std::size_t c = 0; c < 2; ++c) result[c] += p.weights[k] * x[c];
+          face.from_relative_to(k, {std::cos(turn), std::sin(turn)});
+      sum += p.weights[k] * std::abs(z) * std::polar(1., n * std::atan2(x[1], x[0]));
     }
-    return result;
+    const std::complex<double> root = std::polar(std::abs(sum), std::arg(sum) / n);
+    return {root.real(), root.imag()};
   }
 
   // the polar angle of a halfedge at its source

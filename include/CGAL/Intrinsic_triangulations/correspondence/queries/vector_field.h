@@ -18,6 +18,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -106,6 +107,39 @@ vertex_vectors_in_space(const Triangulation& t, const Tangent_field& field, cons
   return result;
 }
 
+// The vectors at the centres of the faces of the common subdivision, in space. `named` tells where points of the input are,
+// `points` where the vertices of the subdivision are.
+template <class Triangulation, class Named>
+std::vector<std::array<double, 3>>
+face_vectors_in_space(const Triangulation& t, const Tangent_field& field,
+                      const Common_subdivision& s, const Named& named,
+                      const std::vector<std::array<double, 3>>& points, unsigned degree) {
+  const Intrinsic_view<Triangulation> view(t);
+  const Vertex_frames frames = intrinsic_frames(t, view);
+  const Vertex_copies copies(t);
+  const auto at = [&](std::uint32_t v) { return field[copies(t.numbers().vertex_at(v))]; };
+  std::vector<std::array<double, 3>> result;
+  result.reserve(degree * s.number_of_faces());
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+    Surface_point centre{view.halfedge_of_face(s.intrinsic_face[f]), {0, 0, 0}};
+    const std::size_t begin = s.face_begin[f], end = s.face_begin[f + 1];
+    for (std::size_t c = begin; c < end; ++c) {
+      const std::array<double, 3> w = corner_in_face(view, s, centre.halfedge, c);
+      for (std::size_t k = 0; k < 3; ++k)
+        centre.weights[k] += w[k] / static_cast<double>(end - begin);
+    }
+    const std::uint32_t input_face = t.input().names().faces.here(s.input_face[f]);
+    const Planar_vector<double> first = frames.in_face(centre, at, degree);
+    for (unsigned k = 0; k < degree; ++k) {
+      const std::complex<double> z = std::complex<double>(first[0], first[1]) *
+                                     std::polar(1., 2 * std::numbers::pi * k / degree);
+      result.push_back(face_vector_in_space(view, named, t.input().halfedge_of_face(input_face), s,
+                                            f, points, {z.real(), z.imag()}));
+    }
+  }
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -149,34 +183,33 @@ Between the corners of an intrinsic face the field is interpolated, in the frame
 \param field the vectors
 \param s the common subdivision
 \param mesh the mesh that `t` was built from
-\return the vectors at the centres of the faces
+\param degree how many directions, turned by equal angles, are alike: `field` has one of them at each vertex
+\return the vectors at the centres of the faces: `degree` of them for each face, one after the other, counterclockwise
 \pre the faces of the mesh have an area
 \complexity linear in the size of the subdivision
 */
 template <internal::Queried_triangulation Triangulation, class Mesh>
 std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
                                                     const Tangent_field& field,
-                                                    const Common_subdivision& s, const Mesh& mesh) {
-  const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
-  const Intrinsic_view<Triangulation> view(t);
-  const internal::Vertex_frames frames = internal::intrinsic_frames(t, view);
-  const internal::Vertex_copies copies(t);
-  const auto at = [&](std::uint32_t v) { return field[copies(t.numbers().vertex_at(v))]; };
-  const std::vector<std::array<double, 3>> points = positions(s, mesh);
-  std::vector<std::array<double, 3>> result(s.number_of_faces(), {0, 0, 0});
-  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
-    Surface_point centre{view.halfedge_of_face(s.intrinsic_face[f]), {0, 0, 0}};
-    const std::size_t begin = s.face_begin[f], end = s.face_begin[f + 1];
-    for (std::size_t c = begin; c < end; ++c) {
-      const std::array<double, 3> w = internal::corner_in_face(view, s, centre.halfedge, c);
-      for (std::size_t k = 0; k < 3; ++k)
-        centre.weights[k] += w[k] / static_cast<double>(end - begin);
-    }
-    const std::uint32_t input_face = t.input().names().faces.here(s.input_face[f]);
-    result[f] = internal::face_vector_in_space(view, named, t.input().halfedge_of_face(input_face),
-                                               s, f, points, frames.in_face(centre, at));
-  }
-  return result;
+                                                    const Common_subdivision& s, const Mesh& mesh,
+                                                    unsigned degree = 1) {
+  return internal::face_vectors_in_space(t, field, s,
+                                         internal::Named_mesh_elements<Mesh>(t.input(), mesh),
+                                         positions(s, mesh), degree);
+}
+
+/*!
+\brief takes a tangent vector field to the faces of the common subdivision, for programs with a soup or a gluing instead of a mesh.
+
+See the overload with a mesh.
+\param points where the user's vertices are
+*/
+template <internal::Queried_triangulation Triangulation>
+std::vector<std::array<double, 3>>
+vectors_in_space(const Triangulation& t, const Tangent_field& field, const Common_subdivision& s,
+                 const std::vector<std::array<double, 3>>& points, unsigned degree = 1) {
+  return internal::face_vectors_in_space(t, field, s, internal::Placed_input{t.input(), points},
+                                         positions(s, points, t.input()), degree);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
