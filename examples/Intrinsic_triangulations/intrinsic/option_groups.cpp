@@ -60,8 +60,8 @@ constexpr std::array refinement_options{"min-angle",       "max-circumradius",
 // However they are spelled, and through links.
 bool names_a_file_twice(const Options& o) {
   std::vector<std::filesystem::path> paths;
-  for (const std::string& name :
-       {o.output, o.application.singularities, o.mass, o.laplacian, o.interpolation, o.input_interpolation, o.stats, o.view})
+  for (const std::string& name : {o.output, o.application.singularities, o.mass, o.laplacian,
+                                  o.interpolation, o.input_interpolation, o.stats, o.view})
     if (!name.empty() && name != "-")
       paths.push_back(std::filesystem::weakly_canonical(std::filesystem::absolute(name)));
   std::sort(paths.begin(), paths.end());

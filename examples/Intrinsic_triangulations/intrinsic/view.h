@@ -26,8 +26,8 @@ struct Viewed {
   std::span<const IT::Polyline> curves{}, initial_curves{};
   std::span<const IT::Subdivision_field> fields{}; ///< numbers at vertices, to be shown as colours
   std::size_t shown_field = 0;                     ///< which of them at first; others: none
-  unsigned isolines = 0; ///< steps between lines of equal values of it
-  std::span<const IT::Polyline> marks{}; ///< points that are marked, of one point each
+  unsigned isolines = 0;                           ///< steps between lines of equal values of it
+  std::span<const IT::Polyline> marks{};           ///< points that are marked, of one point each
   std::string marks_name{};
   std::span<const std::array<double, 2>> texture{}; ///< places in the plane, or none
   bool is_plain =

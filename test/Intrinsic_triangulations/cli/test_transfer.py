@@ -44,6 +44,27 @@ class Transfer(Cli_test):
                 for x, y in zip(a.read().split(), b.read().split(), strict=True):
                     self.assertAlmostEqual(float(x), float(y), delta=1e-9)
 
+    def test_a_stored_refinement_needs_no_criteria(self):
+        """The rows are those of the matrices that were written with it."""
+        rows = [[math.sin(3 * p[0]) + p[1] ** 2] for p in self.points]
+        field = self.write_field("f.txt", rows)
+        criteria = ("--min-angle", "28", "--max-edge-length", "0.7")
+        for arithmetic in ("exact", "double"):
+            self.stats("refine", self.mesh, "--arithmetic", arithmetic, *criteria, "-o", "r.idt",
+                       "--laplacian", "l.mtx")
+            self.stats("transfer", self.mesh, field, "--arithmetic", arithmetic, "--refine",
+                       *criteria, "-o", "a.txt")
+            self.stats("transfer", "r.idt", field, "-o", "b.txt")
+            asked, stored = self.read_field("a.txt"), self.read_field("b.txt")
+            self.assertEqual(len(stored), self.read_matrix("l.mtx")[0])
+            self.assertGreater(len(stored), len(rows))
+            for x, y in zip(asked, stored, strict=True):
+                self.assertAlmostEqual(x[0], y[0], delta=1e-9)
+            # and back: what is linear between the vertices of the mesh comes back
+            self.stats("transfer", "r.idt", self.path("b.txt"), "--from", "intrinsic", "-o",
+                       "c.txt", "--method", "pointwise")
+            self.assertEqual(len(self.read_field("c.txt")), len(rows))
+
     def test_linear_functions_are_reproduced_both_ways(self):
         field = self.write_field("f.txt", self.points)
         for options in ((), ("--refine",)):

@@ -133,8 +133,7 @@ std::vector<int> drawn_index(const Triangulation& t, const std::vector<int>& ind
                                      {1. / 3, 1. / 3, 1. / 3}};
       if (index[t.index(f)] == 0) continue;
       if (const auto p = IT::locate_on_input(t, centre))
-        of_triangle[t.input().names().faces.user(t.input().face(p->halfedge))] +=
-            index[t.index(f)];
+        of_triangle[t.input().names().faces.user(t.input().face(p->halfedge))] += index[t.index(f)];
     }
   for (std::size_t f = 0; f < drawn.s.number_of_faces(); ++f)
     result.push_back(is_on_input ? of_triangle[drawn.input_triangle[f]]
@@ -150,13 +149,13 @@ Drawn_directions drawn_directions(const Loaded<Triangulation>& loaded,
   const Direction_field& d = *computed.directions;
   const bool is_on_input = &surface != &loaded;
   Drawn_directions result =
-      is_on_input ? directions_in_space(
-                        surface,
-                        IT::tangent_field_to_intrinsic(
-                            surface.triangulation,
-                            IT::tangent_field_to_input(loaded.triangulation, d.vectors)),
-                        d.degree, drawn)
-                  : directions_in_space(loaded, d.vectors, d.degree, drawn);
+      is_on_input
+          ? directions_in_space(surface,
+                                IT::tangent_field_to_intrinsic(
+                                    surface.triangulation,
+                                    IT::tangent_field_to_input(loaded.triangulation, d.vectors)),
+                                d.degree, drawn)
+          : directions_in_space(loaded, d.vectors, d.degree, drawn);
   if (!d.index.empty())
     result.index = drawn_index(loaded.triangulation, d.index, drawn, is_on_input);
   return result;
@@ -190,8 +189,7 @@ void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangul
   if (is_mesh_output(options))
     files.write(options.output, [&](std::ostream& out) {
       std::vector<IT::Subdivision_field> fields = results.fields;
-      if (computed.directions)
-        append_fields(fields, computed.directions->name, results.directions);
+      if (computed.directions) append_fields(fields, computed.directions->name, results.directions);
       IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
                                    results.drawn.s, results.drawn.points, fields);
     });
@@ -241,8 +239,7 @@ Marks source_marks(const Loaded<Triangulation>& loaded, const Sources& sources,
   for (const auto& list : std::span(sources).first(sources.size() - curves))
     for (const auto v : list)
       if (const auto p = IT::locate_on_input(
-              t, IT::Surface_point{t.numbers().halfedge(
-                                       opposite(halfedge(v, t.mesh()), t.mesh())),
+              t, IT::Surface_point{t.numbers().halfedge(opposite(halfedge(v, t.mesh()), t.mesh())),
                                    {1, 0, 0}}))
         marks.points.push_back({{IT::point_in_space(t, *p, points)}, false, 0});
   return marks;

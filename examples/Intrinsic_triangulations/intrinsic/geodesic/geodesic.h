@@ -29,7 +29,7 @@ void warn_of_cap(const Json& json, const Options& options);
 /// returns for each vertex of a common subdivision the number of a curve that passes it, or -1.
 template <class Triangulation>
 IT::Subdivision_field curve_field(const Triangulation& t, const IT::Common_subdivision& s,
-                             const Curve_labels<Triangulation>& labels) {
+                                  const Curve_labels<Triangulation>& labels) {
   std::vector<double> curve(s.number_of_vertices(), -1);
   std::vector<std::int32_t> label(t.numbers().edge_capacity(t.mesh()), 0);
   for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))

@@ -410,13 +410,14 @@ TEST(Write_common_subdivision, Writes_vectors_and_fields_of_faces_to_PLY_and_VTP
   std::mt19937 random(seed);
   std::normal_distribution<double> number;
   const auto vectors = [&](std::size_t n) {
-    std::vector<Point> result(n);
-    for (Point& p : result)
+    std::vector<std::array<double, 3>> result(n);
+    for (std::array<double, 3>& p : result)
       for (double& x : p) x = number(random);
     return result;
   };
   const std::size_t faces = e.s.number_of_faces();
-  const std::vector<Point> at_vertices = vectors(e.points.size()), at_faces = vectors(faces);
+  const std::vector<std::array<double, 3>> at_vertices = vectors(e.points.size()),
+                                           at_faces = vectors(faces);
   std::vector<double> index;
   for (std::size_t f = 0; f < faces; ++f) index.push_back(number(random));
   // vertices and faces may have fields of the same name
@@ -526,12 +527,12 @@ TEST(Write_common_subdivision, Refuses_fields_that_would_spoil_the_file) {
   refuses({{"a\"b", all}});
   refuses({{"kind", all}});
   refuses({{"u", all}, {"u", all}});
-  const std::vector<Point> vectors(e.points.size());
+  const std::vector<std::array<double, 3>> vectors(e.points.size());
   refuses({{"u", vectors}, {"u", all}});
   refuses({{"u", vectors}, {"u_x", all}}); // a name of PLY
   refuses({{"u", std::span(vectors).first(1)}});
-  refuses({{"sheet", std::vector<double>(e.s.number_of_faces()),
-            IT::Subdivision_field::Place::faces}});
+  refuses(
+      {{"sheet", std::vector<double>(e.s.number_of_faces()), IT::Subdivision_field::Place::faces}});
 }
 
 TEST(Write_common_subdivision, Refuses_coordinates_that_STL_cannot_hold) {

@@ -94,9 +94,9 @@ std::size_t occurrences(const std::string& text, const std::string& word) {
 }
 
 const std::vector<std::string> data_ids{
-    "points",  "triangles",       "colors",      "sources",
-    "kinds",   "labels",          "input-edges", "input-edges-room",
-    "marks",   "intrinsic-edges", "view-axes",   "intrinsic-edges-room"};
+    "points", "triangles",       "colors",      "sources",
+    "kinds",  "labels",          "input-edges", "input-edges-room",
+    "marks",  "intrinsic-edges", "view-axes",   "intrinsic-edges-room"};
 
 } // namespace
 

@@ -130,7 +130,8 @@ TYPED_TEST(Vector_field, Of_several_directions_does_not_depend_on_which_is_given
     ASSERT_EQ(by_points.size(), degree * s.number_of_faces());
     std::size_t inside = 0;
     for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
-      bool is_inside = true; // where a direction on the border is turned, the others leave the surface
+      bool is_inside =
+          true; // where a direction on the border is turned, the others leave the surface
       auto h = halfedge(t.numbers().face_at(s.intrinsic_face[f]), t.mesh());
       for (int k = 0; k < 3; ++k, h = next(h, t.mesh()))
         for (const auto g : halfedges_around_source(source(h, t.mesh()), t.mesh()))

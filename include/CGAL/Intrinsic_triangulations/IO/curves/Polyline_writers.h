@@ -68,8 +68,7 @@ inline void write_polylines_VTP(Output_buffer& out, std::span<const Polyline> po
            "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"",
            p.points.size(), "\" NumberOfVerts=\"", p.verts.size(), "\" NumberOfLines=\"",
-           p.lines.size(),
-           "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<CellData Scalars=\"",
+           p.lines.size(), "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<CellData Scalars=\"",
            label, "\">\n");
   const std::size_t m = p.verts.size();
   data.scalars(label, m + p.lines.size(),
@@ -110,10 +109,9 @@ inline void write_polylines_PLY(Output_buffer& out, std::span<const Polyline> po
   out.text("ply\nformat binary_little_endian 1.0\n"
            "comment polylines and their labels\nelement vertex ",
            p.points.size(),
-           "\nproperty double x\nproperty double y\nproperty double z\nproperty int ",
-           label, "\nelement edge ",
-           edges, "\nproperty int vertex1\nproperty int vertex2\nproperty int ", label,
-           "\nend_header\n");
+           "\nproperty double x\nproperty double y\nproperty double z\nproperty int ", label,
+           "\nelement edge ", edges, "\nproperty int vertex1\nproperty int vertex2\nproperty int ",
+           label, "\nend_header\n");
   for (std::size_t v = 0; v < p.points.size(); ++v) {
     for (const double x : p.points[v]) out.binary(x);
     out.binary(p.point_labels[v]);

@@ -46,8 +46,7 @@ properties; polylines of one point are vertices without edges. Nothing is rounde
 \complexity linear
 */
 inline void write_polylines(std::ostream& out, std::string_view extension,
-                            std::span<const Polyline> polylines,
-                            std::string_view label = "curve") {
+                            std::span<const Polyline> polylines, std::string_view label = "curve") {
   const std::string name = internal::plain_extension(extension);
   internal::Output_buffer buffer(out);
   if (name == "vtp")

@@ -72,7 +72,8 @@ private:
       const std::vector<double>& x = field.values;
       if (field.place != place) continue;
       if (field.components == 1)
-        data_.scalars(field.name, n, [&](std::size_t i) { return i < first ? none : x[i - first]; });
+        data_.scalars(field.name, n,
+                      [&](std::size_t i) { return i < first ? none : x[i - first]; });
       else
         data_.arrays(field.name, n, [&](std::size_t i) {
           const std::size_t k = 3 * (i - first);

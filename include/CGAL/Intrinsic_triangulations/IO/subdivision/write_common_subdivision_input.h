@@ -127,8 +127,7 @@ inline bool is_label_name(std::string_view name, Subdivision_field::Place place)
   constexpr std::array<std::string_view, 8> of_faces{
       "vertex_indices", "input_face", "intrinsic_face", "intrinsic_edge",
       "sheet",          "red",        "green",          "blue"};
-  if (place == Subdivision_field::Place::faces)
-    return std::ranges::count(of_faces, name) != 0;
+  if (place == Subdivision_field::Place::faces) return std::ranges::count(of_faces, name) != 0;
   bool is_taken = name == "x" || name == "y" || name == "z";
   const Common_subdivision none;
   for_each_vertex_label(none, [&](std::string_view label, std::string_view component, auto values) {

@@ -76,8 +76,7 @@ public:
       const std::complex<double> z = at(v);
       const double turn = std::remainder(angle(v, z) - angle_[face.side[k]],
                                          2 * std::numbers::pi / (n * scale_[v]));
-      const Planar_vector<double> x =
-          face.from_relative_to(k, {std::cos(turn), std::sin(turn)});
+      const Planar_vector<double> x = face.from_relative_to(k, {std::cos(turn), std::sin(turn)});
       sum += p.weights[k] * std::abs(z) * std::polar(1., n * std::atan2(x[1], x[0]));
     }
     const std::complex<double> root = std::polar(std::abs(sum), std::arg(sum) / n);

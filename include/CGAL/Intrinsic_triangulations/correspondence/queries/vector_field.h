@@ -189,10 +189,9 @@ Between the corners of an intrinsic face the field is interpolated, in the frame
 \complexity linear in the size of the subdivision
 */
 template <internal::Queried_triangulation Triangulation, class Mesh>
-std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
-                                                    const Tangent_field& field,
-                                                    const Common_subdivision& s, const Mesh& mesh,
-                                                    unsigned degree = 1) {
+std::vector<std::array<double, 3>>
+vectors_in_space(const Triangulation& t, const Tangent_field& field, const Common_subdivision& s,
+                 const Mesh& mesh, unsigned degree = 1) {
   return internal::face_vectors_in_space(t, field, s,
                                          internal::Named_mesh_elements<Mesh>(t.input(), mesh),
                                          positions(s, mesh), degree);
