@@ -392,7 +392,8 @@ TEST(Html_view, Finds_three_js_that_is_not_given) {
   std::filesystem::remove_all(directory);
 
   const auto s = subdivisions::grid(1);
-  const IT::Html_view view{.title = "t", .description = "d"};
+  IT::Html_view view;
+  view.title = "t";
   const IT::Three_js found = IT::find_three_js();
   if (!found.three.empty() && !found.trackball_controls.empty()) {
     EXPECT_NE(page(s, points_of(s, 1), view).find("TrackballControls = function"),

@@ -123,7 +123,7 @@ TYPED_TEST(Vector_field, Of_several_directions_does_not_depend_on_which_is_given
   for (const unsigned degree : {1U, 2U, 3U, 4U, 6U}) {
     IT::Tangent_field field = constant;
     for (std::complex<double>& z : field)
-      z *= std::polar(1., 2 * std::numbers::pi * (random() % degree) / degree);
+      z *= std::polar(1., 2 * std::numbers::pi * static_cast<double>(random() % degree) / degree);
     const auto by_points = IT::vectors_in_space(t, field, s, points, degree);
     const auto by_mesh = IT::vectors_in_space(t, field, s, mesh, degree);
     EXPECT_EQ(by_mesh, by_points);
@@ -134,8 +134,8 @@ TYPED_TEST(Vector_field, Of_several_directions_does_not_depend_on_which_is_given
           true; // where a direction on the border is turned, the others leave the surface
       auto h = halfedge(t.numbers().face_at(s.intrinsic_face[f]), t.mesh());
       for (int k = 0; k < 3; ++k, h = next(h, t.mesh()))
-        for (const auto g : halfedges_around_source(source(h, t.mesh()), t.mesh()))
-          is_inside = is_inside && !is_border(g, t.mesh());
+        for (const auto g : CGAL::halfedges_around_source(source(h, t.mesh()), t.mesh()))
+          is_inside = is_inside && !CGAL::is_border(g, t.mesh());
       if (!is_inside) continue;
       ++inside;
       // the one nearest to (1, 2, 0), then the others counterclockwise; vertices are where exact coordinates
