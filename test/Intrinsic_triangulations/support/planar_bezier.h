@@ -6,13 +6,15 @@
 
 #include "meshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
-// Bezier curves in a plane, what those on a mesh that is flat must be.
+// Bezier curves in a plane, what those on a mesh that is flat must be; and flat meshes.
 namespace planar_bezier {
 
 using meshes::Point;
@@ -33,6 +35,48 @@ inline Point planar(std::vector<Point> b, double t) {
 
 inline double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+inline double doubled_area(const Point& a, const Point& b, const Point& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// Points of a unit square, its corners first: each splits the triangle that it falls into, then edges are flipped at random.
+inline meshes::Mesh random_square(unsigned n, std::mt19937& random) {
+  const auto uniform = [&] { return (static_cast<double>(random()) + 0.5) / 0x1p32; };
+  meshes::Mesh m;
+  m.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  m.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const auto area = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return doubled_area(m.points[a], m.points[b], m.points[c]);
+  };
+  constexpr double least = 1e-6;
+  while (m.points.size() < n) {
+    const auto v = static_cast<std::uint32_t>(m.points.size());
+    m.points.push_back({uniform(), uniform(), 0});
+    for (std::size_t f = 0, all = m.triangles.size(); f < all; ++f) {
+      const auto [a, b, c] = m.triangles[f];
+      if (std::min({area(a, b, v), area(b, c, v), area(c, a, v)}) < least) continue;
+      m.triangles[f] = {a, b, v};
+      m.triangles.push_back({b, c, v});
+      m.triangles.push_back({c, a, v});
+      break;
+    }
+    if (m.triangles.back()[2] != v) m.points.pop_back();
+  }
+  for (unsigned flip = 0; flip < 20 * n; ++flip) {
+    meshes::Triangle& f = m.triangles[random() % m.triangles.size()];
+    std::rotate(f.begin(), f.begin() + random() % 3, f.end());
+    for (meshes::Triangle& g : m.triangles)
+      for (unsigned k = 0; k < 3; ++k) {
+        if (g[k] != f[1] || g[(k + 1) % 3] != f[0]) continue;
+        const std::uint32_t i = f[0], j = f[1], c = f[2], d = g[(k + 2) % 3];
+        if (std::min(area(c, i, d), area(d, j, c)) < least) continue;
+        f = {c, i, d};
+        g = {d, j, c};
+      }
+  }
+  return m;
 }
 
 } // namespace planar_bezier

@@ -18,29 +18,50 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Makes straight lines paths of edges. A line starts at a vertex and leaves the face through the side opposite of it; the
-// vertex that splits this side is joined to the one before by an edge. There the line goes on at the angle that it makes with
-// the side, over what has become of the triangulation: it may come across edges again, and across itself.
+// Every edge that a line crosses is split.
 template <class Triangulation>
+struct Split_crossed_edges {
+  using Halfedges = std::vector<typename Triangulation::halfedge_descriptor>;
+  static constexpr bool may_split = true;
+
+  bool may_flip(std::uint32_t) const { return false; }
+  Halfedges edges_along(const Halfedges& crossed) const { return crossed; } // there are none
+};
+
+// Makes straight lines paths of edges. A line starts at a vertex. Edges that it crosses are flipped away or split: the
+// vertex that splits an edge is joined to the vertex before by an edge. There the line goes on at the angle that it makes with
+// the edge, over what has become of the triangulation: it may come across edges again, and across lines that were inserted before. Edges of
+// these are always split.
+// \tparam Crossed says which edges may be flipped, by `may_flip(e)`, whether others may be split, and makes a line that crosses edges
+// a path of edges, by `edges_along(crossed)`: halfedges in order, each from its end on the right of the line to that on the left
+template <class Triangulation, class Crossed = Split_crossed_edges<Triangulation>>
 class Line_inserter {
   using View = Accurate_view<Triangulation>;
   using Walk = Geodesic_walk<View>;
   using Session = typename Triangulation::Session;
   using Weights = std::array<double, 3>;
+  using Halfedges = std::vector<typename Triangulation::halfedge_descriptor>;
 
 public:
-  explicit Line_inserter(Triangulation& t) : t_(t), view_(t) {}
+  explicit Line_inserter(Triangulation& t, Crossed crossed = {})
+      : t_(t), view_(t), crossed_edges_(std::move(crossed)) {}
 
-  // The halfedges so far.
-  std::vector<typename Triangulation::halfedge_descriptor> path() const {
-    std::vector<typename Triangulation::halfedge_descriptor> result;
-    for (const std::uint32_t h : path_.halfedges()) result.push_back(t_.numbers().halfedge_at(h));
+  // The halfedges of a path so far; paths are numbered from 0.
+  Halfedges path(std::size_t i = 0) const {
+    Halfedges result;
+    for (const std::uint32_t h : paths_[i].halfedges())
+      result.push_back(t_.numbers().halfedge_at(h));
     return result;
   }
+  std::size_t number_of_paths() const { return paths_.size(); }
+  // Lines belong to a new path from now on.
+  void begin_path() { paths_.emplace_back(); }
+  void append(typename Triangulation::halfedge_descriptor h) { append(t_.numbers().halfedge(h)); }
 
   // Inserts a vertex where a line starts, unless there is one; `d` becomes the direction of the line there.
   Move_status start(const Surface_point& p, const Planar_vector<double>& direction,
@@ -58,19 +79,19 @@ public:
   }
 
   // Makes a line of a length, in units of the triangulation, a path. It ends at vertex `target`, if one is given, which must be near
-  // its end.
+  // its end. `not_traceable`, too, if it crosses an edge that may not be split.
   Move_status go(Corner_direction d, double length, std::uint32_t target = Gluing::none) {
     const double total = length;
     const bool has_target = target != Gluing::none;
-    for (std::size_t faces = 0; faces < maximum_faces; ++faces) {
+    for (faces_ = 0; faces_ < maximum_faces; ++faces_) {
       if (!has_target && length <= 0x1p-40 * total) return Move_status::done;
       if (!turn(view_, d, rounding)) return Move_status::border;
       Walk walk(view_, d);
-      if (has_target && reaches(walk, target, length, rounding * total)) return Move_status::done;
-      const typename Walk::Exit e = walk.exit();
+      const typename Walk::Exit e = cross_flippable(walk, target, length, nearness * total);
+      if (is_at_target_) return Move_status::done;
       const bool on_border = view_.is_border(walk.halfedge(e) ^ 1U);
       if (length <= e.distance + (on_border ? rounding * total : tolerance(walk, e)))
-        return has_target ? Move_status::not_traceable
+        return has_target ? reach_beyond(walk, target, length, nearness * total)
                           : finish(walk.point(e, std::min(length, e.distance)));
       length -= e.distance;
       const Move_status s = pass(walk, e, has_target, d);
@@ -85,6 +106,8 @@ private:
   static constexpr std::size_t maximum_faces = std::size_t{1} << 22U;
   // Angles, and parts of a line, that are taken for rounding at its ends.
   static constexpr double rounding = 0x1p-26;
+  // The part of a line by which it may miss the vertex where it is to end.
+  static constexpr double nearness = 0x1p-16;
 
   // A vertex on an edge, and the halfedges from it to the ends of the edge, and to the apex of the face in which it was split.
   struct Split {
@@ -109,10 +132,11 @@ private:
       // h has come in between if the edge has this face on both sides
       if (s.to_apex / 2 == h / 2) s.to_apex = next_around_source(view_, s.to_apex);
     }
-    if (h % 2 == 0)
-      path_.split(h / 2, s.to_source ^ 1U, s.to_target);
-    else
-      path_.split(h / 2, s.to_target ^ 1U, s.to_source);
+    for (Path_record& path : paths_)
+      if (h % 2 == 0)
+        path.split(h / 2, s.to_source ^ 1U, s.to_target);
+      else
+        path.split(h / 2, s.to_target ^ 1U, s.to_source);
     return s;
   }
 
@@ -168,30 +192,102 @@ private:
 
   // ---- on the way
 
+  // Crosses edges that may be flipped, up to one that may not, a vertex, or the end of the line. Returns the way out of the last face.
+  typename Walk::Exit cross_flippable(Walk& walk, std::uint32_t target, double& length,
+                                      double distance) {
+    crossed_.clear();
+    for (;; ++faces_) {
+      const typename Walk::Exit e = walk.exit();
+      is_at_target_ = target != Gluing::none && reaches(walk, target, length, distance);
+      const std::uint32_t h = walk.halfedge(e);
+      if (is_at_target_ || faces_ == maximum_faces || length <= e.distance ||
+          is_at_vertex(walk, e) || view_.is_border(h ^ 1U) || !may_flip(h / 2))
+        return e;
+      length -= e.distance;
+      crossed_.push_back(h);
+      walk.cross(e);
+    }
+  }
+  bool may_flip(std::uint32_t e) const {
+    return crossed_edges_.may_flip(e) &&
+           std::none_of(paths_.begin(), paths_.end(),
+                        [e](const Path_record& path) { return path.has_edge(e); });
+  }
+  static bool is_at_vertex(const Walk& walk, const typename Walk::Exit& e) {
+    const double length = walk.face().length[e.side];
+    return length * std::min(e.source_weight, e.target_weight) <= tolerance(length);
+  }
+
   // Goes to the exit of the face; `d` becomes the direction there. A line that runs along the border may pass vertices on it.
   Move_status pass(Walk& walk, const typename Walk::Exit& e, bool may_follow_border,
                    Corner_direction& d) {
-    const std::array<std::uint32_t, 3> side = walk.face().side;
-    const double length = walk.face().length[e.side];
-    if (length * std::min(e.source_weight, e.target_weight) <= tolerance(length)) {
-      const bool is_at_source = e.target_weight <= e.source_weight;
-      const std::uint32_t h = is_at_source ? side[0] : side[2] ^ 1U;
-      path_.append(h);
-      if (walk.pass_vertex(is_at_source ? 1 : 2)) {
-        d = at_corner(walk);
-        return Move_status::done;
-      }
-      return may_follow_border && is_straight_at(h ^ 1U, d) ? Move_status::done
-                                                            : Move_status::border;
+    const std::uint32_t h = walk.halfedge(e);
+    if (is_at_vertex(walk, e)) {
+      const unsigned corner = e.target_weight <= e.source_weight ? e.side : (e.side + 1) % 3;
+      Walk beyond = walk; // before edges are flipped
+      const bool is_inside = beyond.pass_vertex(corner);
+      append_line_to(walk, corner);
+      if (is_inside) d = at_corner(beyond);
+      const bool goes_on =
+          is_inside || (may_follow_border && is_straight_at(paths_.back().last() ^ 1U, d));
+      return goes_on ? Move_status::done : Move_status::border;
     }
-    if (view_.is_border(side[1] ^ 1U)) return Move_status::border;
+    if (view_.is_border(h ^ 1U)) return Move_status::border;
+    if (!Crossed::may_split) return Move_status::not_traceable;
     walk.cross(e); // into the frame of the other halfedge, whose direction is the opposite one
     const double angle = std::atan2(walk.direction()[1], walk.direction()[0]) - std::numbers::pi;
-    const Split s = split(side[1], e.target_weight);
+    const Split s = split(h, e.target_weight);
     if (s.status != Move_status::done) return s.status;
-    path_.append(s.to_apex ^ 1U);
+    if (crossed_.empty())
+      append(s.to_apex ^ 1U);
+    else
+      append_line();
     d = from_split(s, e.target_weight, angle);
     return Move_status::done;
+  }
+
+  void append(std::uint32_t h) { paths_.back().append(h); }
+  // A line that ends at the vertex opposite of the last edge that it crosses.
+  void append_line() {
+    Halfedges crossed;
+    for (const std::uint32_t h : crossed_) crossed.push_back(t_.numbers().halfedge_at(h));
+    for (const auto h : crossed_edges_.edges_along(crossed))
+      append_edge(t_.numbers().halfedge(h));
+  }
+  // An edge, or the way by vertices beside it which rounding has moved off it: so that lines which touch have these, all of them. Ends
+  // at vertex `target`, if that is one of them, and tells whether it is.
+  bool append_edge(std::uint32_t h, std::uint32_t target = Gluing::none) {
+    for (const std::uint32_t g : {h, h ^ 1U}) {
+      if (!crossed_edges_.may_flip(h / 2) || view_.is_border(g) || !is_at_apex(g)) continue;
+      return append_edge(g == h ? last(g) ^ 1U : view_.next(g), target) ||
+             append_edge(g == h ? view_.next(g) ^ 1U : last(g), target);
+    }
+    append(h);
+    return view_.source(h ^ 1U) == target;
+  }
+  bool is_at_apex(std::uint32_t h) const {
+    const Geodesic_face face(view_, h);
+    const double l = face.length[0], x = -face.edge[2][0], distance = 0x1p-36 * l;
+    return -face.edge[2][1] <= distance && x > distance && l - x > distance;
+  }
+  // A line that ends at a corner of the face where it is.
+  void append_line_to(const Walk& walk, unsigned corner) {
+    const auto& side = walk.face().side;
+    if (crossed_.empty()) return (void)append_edge(corner == 1 ? side[0] : side[2] ^ 1U);
+    if (corner != 2) { // an end of edges that are then not crossed
+      const bool is_left = corner == 0;
+      std::uint32_t h = Gluing::none;
+      do {
+        h = crossed_.back();
+        crossed_.pop_back();
+      } while (!crossed_.empty() && shares_end(crossed_.back(), h, is_left));
+      if (crossed_.empty()) return (void)append_edge(is_left ? view_.next(h) ^ 1U : last(h));
+    }
+    append_line();
+  }
+  // whether two edges that are crossed one after the other have one end on the left, or on the right
+  bool shares_end(std::uint32_t g, std::uint32_t h, bool is_left) const {
+    return (is_left ? last(g ^ 1U) : view_.next(g ^ 1U)) == h;
   }
 
   // Whether a line that has come along halfedge `back` may go on straight at a vertex of the border.
@@ -205,19 +301,40 @@ private:
 
   // ---- the end
 
-  // Whether a line that starts at a corner ends near a vertex of the face, up to a distance; it becomes a side then.
+  // Whether a line ends near a vertex of the face, up to a distance; it is led there then.
   bool reaches(const Walk& walk, std::uint32_t target, double length, double distance) {
-    const Geodesic_face& face = walk.face();
-    const Planar_vector<double> end{length * walk.direction()[0], length * walk.direction()[1]};
-    for (unsigned k = 1; k < 3; ++k) {
-      const Planar_vector<double> corner = face.to_corner({1, 0, 0}, k);
-      if (view_.source(face.side[k]) != target ||
-          !(std::hypot(corner[0] - end[0], corner[1] - end[1]) <= distance))
-        continue;
-      path_.append(k == 1 ? face.side[0] : face.side[2] ^ 1U);
+    for (unsigned k = crossed_.empty() ? 1 : 0; k < 3; ++k) {
+      if (view_.source(walk.face().side[k]) != target) continue;
+      const Planar_vector<double> corner = walk.relative_corner(k);
+      if (!(std::hypot(corner[0] - length, corner[1]) <= distance)) continue;
+      append_line_to(walk, k);
       return true;
     }
     return false;
+  }
+
+  // The same if the line ends within rounding of a side, and the vertex is beyond.
+  Move_status reach_beyond(const Walk& walk, std::uint32_t target, double length,
+                           double distance) {
+    const auto& side = walk.face().side;
+    for (unsigned k = 0; k < 3; ++k) {
+      if (!(distance_from_side(walk, k, length) <= distance)) continue;
+      if (!crossed_.empty() && k != 0 && !view_.is_border(side[k] ^ 1U) && may_flip(side[k] / 2) &&
+          view_.source(last(side[k] ^ 1U)) == target) {
+        crossed_.push_back(side[k]);
+        append_line();
+        return Move_status::done;
+      }
+      if (crossed_.empty() && k != 1 && append_edge(k == 0 ? side[0] : side[2] ^ 1U, target))
+        return Move_status::done;
+    }
+    return Move_status::not_traceable;
+  }
+  // of the end of a line
+  static double distance_from_side(const Walk& walk, unsigned k, double length) {
+    const Planar_vector<double> a = walk.relative_corner(k), b = walk.relative_corner((k + 1) % 3);
+    return std::abs((b[0] - a[0]) * a[1] - (b[1] - a[1]) * (a[0] - length)) /
+           walk.face().length[k];
   }
 
   // Ends in the face of a corner where the line comes from.
@@ -227,19 +344,19 @@ private:
     const auto& side = face.side;
     if (w[1] == 0 && w[2] == 0) return Move_status::done;
     if (w[0] == 0 && (w[1] == 0 || w[2] == 0)) {
-      path_.append(w[2] == 0 ? side[0] : side[2] ^ 1U);
+      append(w[2] == 0 ? side[0] : side[2] ^ 1U);
       return Move_status::done;
     }
     if (w[0] != 0 && w[1] != 0 && w[2] != 0) {
       const Move_status status =
           Session(t_).insert_vertex(t_.numbers().halfedge_at(side[0]), w).status;
-      if (status == Move_status::done) path_.append(last(side[0]) ^ 1U);
+      if (status == Move_status::done) append(last(side[0]) ^ 1U);
       return status;
     }
     const unsigned k = w[0] == 0 ? 1 : w[2] == 0 ? 0 : 2; // the side
     const Split s = split(side[k], w[(k + 1) % 3]);
     if (s.status == Move_status::done)
-      path_.append((k == 0 ? s.to_source : k == 1 ? s.to_apex : s.to_target) ^ 1U);
+      append((k == 0 ? s.to_source : k == 1 ? s.to_apex : s.to_target) ^ 1U);
     return s.status;
   }
 
@@ -257,7 +374,11 @@ private:
 
   Triangulation& t_;
   View view_;
-  Path_record path_;
+  Crossed crossed_edges_;
+  std::vector<Path_record> paths_{1};
+  std::vector<std::uint32_t> crossed_; // by the line since the last vertex
+  bool is_at_target_ = false;
+  std::size_t faces_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

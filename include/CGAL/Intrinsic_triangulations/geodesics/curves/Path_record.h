@@ -22,6 +22,8 @@ public:
   void split(std::uint32_t e, std::uint32_t first, std::uint32_t second);
 
   std::vector<std::uint32_t> halfedges() const;
+  std::uint32_t last() const { return path_.back(); }
+  bool has_edge(std::uint32_t e) const { return at_.count(e) != 0; }
 
 private:
   void insert(Path::iterator before, std::uint32_t h);

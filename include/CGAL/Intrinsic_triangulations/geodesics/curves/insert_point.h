@@ -4,12 +4,15 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POINT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POINT_H
 
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -33,10 +36,21 @@ struct Vertex_at_point {
 
 namespace internal {
 
-// A vertex or an edge within rounding of a point that was located has the point.
-inline std::array<double, 3> without_rounding(std::array<double, 3> weights) {
+// A vertex or an edge within rounding of a point that was located has the point: as a part of the height above the edge, or of
+// the longest side.
+template <class Triangulation>
+std::array<double, 3> without_rounding(const Triangulation& t, const Surface_point& p) {
+  const Intrinsic_view<Triangulation> view(t);
+  const Geodesic_face face(view, p.halfedge);
+  const double longest = *std::max_element(face.length.begin(), face.length.end());
+  std::array<double, 3> weights = p.weights;
   double sum = 0;
-  for (double& w : weights) sum += w = w < 0x1p-38 ? 0 : w;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double base = 2 * face.length[(k + 1) % 3]; // times the height it is the quadruple area
+    const double distance = weights[k] * view.quadruple_area(view.face(p.halfedge));
+    if (weights[k] < 0x1p-38 || distance < 0x1p-44 * longest * base) weights[k] = 0;
+    sum += weights[k];
+  }
   for (double& w : weights) w = w == sum ? 1 : w / sum;
   return weights;
 }
@@ -57,7 +71,7 @@ template <RefinableTriangulation Triangulation>
 Vertex_at_point<Triangulation> insert_point(Triangulation& t, const Surface_point& p) {
   const std::optional<Surface_point> q = locate_on_intrinsic(t, p);
   if (!q) return {Move_status::not_traceable};
-  const std::array<double, 3> weights = internal::without_rounding(q->weights);
+  const std::array<double, 3> weights = internal::without_rounding(t, *q);
   typename Triangulation::halfedge_descriptor h = t.numbers().halfedge_at(q->halfedge);
   for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
     if (weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};

@@ -82,10 +82,12 @@ std::optional<Corner_direction> direction_at_vertex(const Triangulation& t, std:
   const Accurate_view<Triangulation> view(t);
   const Geodesic_face face(view, here->point.halfedge);
   const auto& w = here->point.weights;
-  const auto k = static_cast<unsigned>(std::max_element(w.begin(), w.end()) - w.begin());
-  if (view.source(face.side[k]) != v) return std::nullopt; // rounding, in a face that is tiny
-  const Planar_vector<double> d = face.relative_to(k, here->vector);
-  return Corner_direction{face.side[k], std::atan2(d[1], d[0])};
+  std::optional<unsigned> k;
+  for (unsigned i = 0; i < 3; ++i)
+    if (view.source(face.side[i]) == v && (!k || w[i] > w[*k])) k = i;
+  if (!k) return std::nullopt; // rounding, in a face that is tiny
+  const Planar_vector<double> d = face.relative_to(*k, here->vector);
+  return Corner_direction{face.side[*k], std::atan2(d[1], d[0])};
 }
 
 } // namespace internal

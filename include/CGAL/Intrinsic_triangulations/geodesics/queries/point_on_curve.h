@@ -15,21 +15,18 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/*!
-\brief returns the point that divides a curve by length.
-\tparam Triangulation a model of `NumberedTriangulation` that keeps its input
-\param t the triangulation
-\param curve what `trace_curve()` or a `Geodesic_finder` returned
-\param share the length up to the point as a part of the whole; beyond 0 and 1 it is the start or the end
-\return the point, rounded, in the face where that part of the curve is straight
-\pre the curve has at least two points
-\complexity linear
-*/
-template <NumberedTriangulation Triangulation>
-Surface_point point_on_curve(const Triangulation& t, const Traced_curve& curve, double share) {
-  const Input& input = internal::kept_input(t);
+namespace internal {
+
+// A point of a curve, and which of its pieces it is in.
+struct Place_on_curve {
+  std::size_t piece;
+  Surface_point point;
+};
+
+// The point that divides a curve by length.
+inline Place_on_curve place_on_curve(const Input& input, const Traced_curve& curve, double share) {
   const auto end_of_piece = [&](std::size_t piece, std::size_t end) {
-    return internal::seen_in_face(input, curve.points[piece + end], curve.faces[piece]);
+    return seen_in_face(input, curve.points[piece + end], curve.faces[piece]);
   };
   std::vector<double> lengths;
   double all = 0;
@@ -45,7 +42,24 @@ Surface_point point_on_curve(const Triangulation& t, const Traced_curve& curve, 
   const Surface_point q = end_of_piece(piece, 1);
   const double x = lengths[piece] > 0 ? std::clamp(left / lengths[piece], 0.0, 1.0) : 0.0;
   for (std::size_t k = 0; k < 3; ++k) p.weights[k] = (1 - x) * p.weights[k] + x * q.weights[k];
-  return p;
+  return {piece, p};
+}
+
+} // namespace internal
+
+/*!
+\brief returns the point that divides a curve by length.
+\tparam Triangulation a model of `NumberedTriangulation` that keeps its input
+\param t the triangulation
+\param curve what `trace_curve()` or a `Geodesic_finder` returned
+\param share the length up to the point as a part of the whole; beyond 0 and 1 it is the start or the end
+\return the point, rounded, in the face where that part of the curve is straight
+\pre the curve has at least two points
+\complexity linear
+*/
+template <NumberedTriangulation Triangulation>
+Surface_point point_on_curve(const Triangulation& t, const Traced_curve& curve, double share) {
+  return internal::place_on_curve(internal::kept_input(t), curve, share).point;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

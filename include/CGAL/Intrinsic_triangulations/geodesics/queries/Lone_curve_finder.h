@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_QUERIES_LONE_CURVE_FINDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_QUERIES_LONE_CURVE_FINDER_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/Curve_inserter.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A geodesic over the input, with its ends.
+template <class Triangulation>
+struct Curve_side {
+  typename Triangulation::vertex_descriptor from, to;
+  Traced_curve way;
+};
+
+// Finds geodesics, each alone on the surface, and leaves the triangulation as it was.
+template <class Triangulation>
+class Lone_curve_finder {
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Side = Curve_side<Triangulation>;
+
+public:
+  explicit Lone_curve_finder(Triangulation& t) : t_(t), find_(t), network_(t) {}
+
+  // A shortest path.
+  Status find(Vertex from, Vertex to, Side& side, Shortening_result& counts) {
+    Geodesic_path path = find_(from, to);
+    counts += path.shortening;
+    const Status status = path.status;
+    side = {from, to, std::move(path)};
+    return status;
+  }
+
+  // What a curve of sides, each from the end of the one before, is shortened to while its ends stay; a loop as a whole. The result is
+  // a geodesic in the same class of curves. `stalled` if the curve crosses itself.
+  Status join(const std::vector<Side>& sides, bool is_loop, Side& joined,
+              Shortening_result& counts) {
+    Flip_log<Triangulation> log;
+    Curve_inserter<Triangulation, false> inserter(t_, &log);
+    Status status = Status::stalled;
+    Side result{sides.front().from, sides.back().to, {}};
+    if (insert(sides, inserter)) status = shorten(inserter.path(), is_loop, log, result, counts);
+    joined = std::move(result);
+    network_.clear();
+    typename Triangulation::Session session(t_);
+    log.undo(session);
+    return status;
+  }
+
+private:
+  static bool insert(const std::vector<Side>& sides,
+                     Curve_inserter<Triangulation, false>& inserter) {
+    for (const Side& s : sides)
+      if (inserter.insert(s.way, s.from, s.to) != Move_status::done) return false;
+    return true;
+  }
+
+  Status shorten(const std::vector<typename Triangulation::halfedge_descriptor>& way, bool is_loop,
+                 Flip_log<Triangulation>& log, Side& joined, Shortening_result& counts) {
+    if (way.empty()) return Status::done;
+    try {
+      is_loop ? network_.add_loop(way) : network_.add_path(way);
+    } catch (const Invalid_input&) {
+      return Status::stalled;
+    }
+    const Shortening_result r = shorten_curves(network_, log);
+    counts += r;
+    joined.from = network_.start(0);
+    joined.way = trace_curve(t_, network_.halfedges(0));
+    if (is_loop) joined.to = joined.from;
+    return r.status != Status::done ? r.status : joined.way.status;
+  }
+
+  Triangulation& t_;
+  Geodesic_finder<Triangulation> find_;
+  Curve_network<Triangulation> network_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_QUERIES_LONE_CURVE_FINDER_H
