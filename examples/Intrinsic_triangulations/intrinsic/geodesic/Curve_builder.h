@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/add_marked_edges.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/single_source/flip_to_geodesic_tree.h>
 
 #include <algorithm>
@@ -29,7 +30,8 @@ namespace program {
 
 /*!
 \brief adds the curves that options ask for to a network: vertices at their points first, then marked edges, then paths and
-loops of shortest paths along edges.
+loops. These are geodesics that are found alone; beside marked edges, or if it is asked how curves become shorter, they start as
+shortest paths along edges.
 */
 template <class Triangulation>
 class Curve_builder {
@@ -55,6 +57,7 @@ public:
       named(options_.input,
             [&] { IT::add_marked_edges(network_, marked_edges(t_, loaded_.constraints)); });
     IT::Edge_path_finder<Triangulation> find(t_);
+    if (are_free(curves)) return add_geodesics(curves, vertices);
     for (std::size_t i = 0; i < curves.size(); ++i) {
       if (curves[i].kind == Curve_kind::source) add_tree(vertices[i].front());
       if (curves[i].kind == Curve_kind::control_points) add_bezier_curve(vertices[i], curves[i]);
@@ -69,7 +72,39 @@ public:
                                "smaller --sharp-angle");
   }
 
+  /// returns the lengths of the sides of curves, if each was found alone.
+  const std::vector<double>& initial_lengths() const { return initial_lengths_; }
+  /// returns what was done to find them.
+  const IT::Shortening_result& shortening() const { return shortening_; }
+
 private:
+  // Whether curves are found alone: no marked edge is in their way, and it is not asked how they become shorter.
+  bool are_free(const std::vector<Asked_curve>& curves) const {
+    const Geodesic_options& g = options_.geodesic;
+    return !has_constraints(options_) && g.relative_length == 0 && g.joint_angle == 180 &&
+           std::all_of(curves.begin(), curves.end(),
+                       [](const Asked_curve& c) { return c.kind == Curve_kind::joined; });
+  }
+
+  void add_geodesics(const std::vector<Asked_curve>& asked,
+                     const std::vector<Vertices>& vertices) {
+    std::vector<IT::Curve_through_vertices<Triangulation>> curves;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      expect_different_neighbors(vertices[i], asked[i]);
+      curves.push_back({vertices[i], asked[i].is_loop, options_.geodesic.has_waypoints});
+    }
+    const auto added = IT::add_geodesics(network_, curves);
+    if (added.status != IT::Status::done) {
+      IT::Edge_path_finder<Triangulation> find(t_);
+      way_through(vertices[added.failed], asked[added.failed], find);
+      throw std::runtime_error(asked[added.failed].source +
+                               ": no vertex can be inserted where the curve crosses another or "
+                               "itself; make it in a run of its own");
+    }
+    initial_lengths_ = added.initial_lengths;
+    shortening_ = added.shortening;
+  }
+
   // the last two edges on the way to each vertex, so that all of its joints are there
   void add_tree(Vertex source) {
     const auto tree =
@@ -90,7 +125,8 @@ private:
         throw std::runtime_error(asked.source +
                                  ": no geodesics join the control points, or no vertex can be "
                                  "inserted in the middle of one; choose other points");
-      for (const Vertex v : curve.control_points) network_.fix(v);
+      for (const Vertices& fixed : {curve.control_points, curve.crossings})
+        for (const Vertex v : fixed) network_.fix(v);
       network_.add_path(curve.halfedges);
     });
   }
@@ -123,15 +159,21 @@ private:
     }
   }
 
+  void expect_different_neighbors(const Vertices& vertices, const Asked_curve& curve) const {
+    const std::size_t n = vertices.size();
+    for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < n; ++i)
+      if (vertices[i] == vertices[(i + 1) % n])
+        throw std::runtime_error(curve.source + ": " + points_.name(vertices[i]) +
+                                 " follows itself; give it once");
+  }
+
   std::vector<Halfedge> way_through(const Vertices& vertices, const Asked_curve& curve,
                                     IT::Edge_path_finder<Triangulation>& find) const {
+    expect_different_neighbors(vertices, curve);
     std::vector<Halfedge> way;
     const std::size_t n = vertices.size();
     for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < n; ++i) {
       const Vertex from = vertices[i], to = vertices[(i + 1) % n];
-      if (from == to)
-        throw std::runtime_error(curve.source + ": " + points_.name(from) +
-                                 " follows itself; give it once");
       const std::vector<Halfedge> piece = find(from, to);
       if (piece.empty())
         throw std::runtime_error(curve.source + ": no path leads from " + points_.name(from) +
@@ -147,6 +189,8 @@ private:
   const Options& options_;
   IT::Curve_network<Triangulation>& network_;
   Asked_vertices<Triangulation> points_;
+  std::vector<double> initial_lengths_;
+  IT::Shortening_result shortening_;
 };
 
 } // namespace program

@@ -67,18 +67,22 @@ public:
   void run(Json& json, Progress& progress) {
     Stopwatch watch;
     progress.show("finding paths");
-    Curve_builder<Triangulation>(loaded_, options_, network_).run();
+    Curve_builder<Triangulation> builder(loaded_, options_, network_);
+    builder.run();
     if (!options_.view.empty()) initial_ = polylines();
-    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c)
+    initial_length_ = builder.initial_lengths();
+    for (auto c = static_cast<std::uint32_t>(initial_length_.size());
+         c < network_.number_of_curves(); ++c)
       initial_length_.push_back(network_.length(c));
     json["seconds"]["paths"] = watch.lap();
     progress.show("shortening");
     Shortening_progress visitor;
     visitor.line = &progress;
-    result_ = IT::shorten_curves(network_,
-                                 IT::parameters::relative_length(options_.geodesic.relative_length)
-                                     .joint_angle(options_.geodesic.joint_angle)
-                                     .visitor(std::ref(visitor)));
+    result_ = builder.shortening();
+    result_ += IT::shorten_curves(network_,
+                                  IT::parameters::relative_length(options_.geodesic.relative_length)
+                                      .joint_angle(options_.geodesic.joint_angle)
+                                      .visitor(std::ref(visitor)));
     json["seconds"]["shorten"] = watch.lap();
     progress.show("verifying");
     json["geodesic"] = facts();

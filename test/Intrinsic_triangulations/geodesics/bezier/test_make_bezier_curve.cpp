@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -115,12 +116,12 @@ TEST(Make_bezier_curve, is_the_planar_curve_on_every_triangulation_of_a_square) 
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const meshes::Mesh m = planar_bezier::random_square(10 + seed, random);
-    std::vector<std::uint32_t> control;
+    std::vector<std::uint32_t> control(m.points.size());
+    std::iota(control.begin(), control.end(), 0U);
+    std::shuffle(control.begin(), control.end(), random);
+    control.resize(3 + seed % 4);
     std::vector<Point> points;
-    for (unsigned i = 0; i < 3 + seed % 4; ++i) {
-      control.push_back((i + seed) % 3 == 0 ? i : static_cast<std::uint32_t>(6 + random() % (m.points.size() - 6)));
-      points.push_back(m.points[control.back()]);
-    }
+    for (const std::uint32_t i : control) points.push_back(m.points[i]);
     Exact t(m.input());
     const Curve c = curve_of(t, control, seed % 5);
     expect_certified(t, c);

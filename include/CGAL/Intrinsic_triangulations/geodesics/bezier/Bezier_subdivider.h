@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Lone_curve_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/point_on_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <cstddef>
@@ -40,6 +41,7 @@ public:
 
   // The sides of the control polygon are shortest paths.
   Status start(const std::vector<Vertex>& control_points, Shortening_result& counts) {
+    flip_to_delaunay(t_);
     for (std::size_t i = 0; i + 1 < control_points.size(); ++i) {
       Side side;
       const Status s = finder_.find(control_points[i], control_points[i + 1], side, counts);
@@ -99,6 +101,7 @@ private:
       if (used.count(t_.index(v)) != 0 || t_.remove_vertex(v) != Move_status::done)
         kept.push_back(v);
     midpoints_ = std::move(kept);
+    flip_to_delaunay(t_); // points are located less accurately in thin faces
   }
 
   // One polygon becomes two, with de Casteljau's triangle between them.

@@ -29,7 +29,7 @@ halves cross, a shortest path takes their place.
 Each geodesic is found alone on the surface: no other line is in its way. So in a convex part of a plane all control points lie where
 they do in a plane. In the end the sides of the last polygon are made edges. Where the polygon crosses itself, a vertex is inserted.
 
-Midpoints are inserted as vertices, where half of the length is as a double; with exact traits they are rounded as in
+All edges are flipped to Delaunay before and between rounds. Midpoints are inserted as vertices, where half of the length is as a double; with exact traits they are rounded as in
 `Intrinsic_triangulation::insert_vertex()`. Between them the sides are geodesics that `is_geodesic()` and
 `certify_geodesic()` decide on exactly, once the control points and `Bezier_curve::crossings` are fixed in a network.
 
@@ -42,7 +42,8 @@ Midpoints are inserted as vertices, where half of the length is as a double; wit
   - `tolerance(x)`: stops when a round makes the control polygon shorter by at most this, in the units of the input. Default: 0.
 \return the curve
 \throws std::invalid_argument if there are less than two control points
-\complexity d shortest paths; d (d - 1) / 2 times 2^r - 1 for r rounds that of `shorten_curves()`
+\complexity that of d shortest paths, of `flip_to_delaunay()` r + 1 times for r rounds, and d (d - 1) / 2 times 2^r - 1 that of
+  `shorten_curves()`
 */
 template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
   requires RefinableTriangulation<Triangulation> Bezier_curve<Triangulation>

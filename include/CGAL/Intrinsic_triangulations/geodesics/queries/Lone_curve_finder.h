@@ -37,11 +37,11 @@ class Lone_curve_finder {
 public:
   explicit Lone_curve_finder(Triangulation& t) : t_(t), find_(t), network_(t) {}
 
-  // A shortest path.
+  // A shortest path; where the search for that gives up, another geodesic.
   Status find(Vertex from, Vertex to, Side& side, Shortening_result& counts) {
     Geodesic_path path = find_(from, to);
     counts += path.shortening;
-    const Status status = path.status;
+    const Status status = path.status == Status::inaccurate ? Status::done : path.status;
     side = {from, to, std::move(path)};
     return status;
   }
