@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -136,6 +137,44 @@ TEST(Make_bezier_curve, is_the_planar_curve_on_every_triangulation_of_a_square) 
     }
   }
   EXPECT_GT(crossings, 0U);
+}
+
+// de Casteljau's algorithm on great circles of the unit sphere
+Point spherical(std::vector<Point> b, double t) {
+  for (; b.size() > 1; b.pop_back())
+    for (std::size_t i = 0; i + 1 < b.size(); ++i) {
+      const double angle = 2 * std::asin(distance(b[i], b[i + 1]) / 2);
+      if (angle == 0) continue;
+      const double x = std::sin((1 - t) * angle) / std::sin(angle),
+                   y = std::sin(t * angle) / std::sin(angle);
+      for (std::size_t c = 0; c < 3; ++c) b[i][c] = x * b[i][c] + y * b[i + 1][c];
+    }
+  return b.front();
+}
+
+// So the curve depends continuously on its control points, as far as the mesh is round: angles at its vertices lack 0.02.
+TEST(Make_bezier_curve, is_near_the_curve_of_great_circles_on_half_a_sphere) {
+  const meshes::Mesh m = meshes::sphere(4);
+  std::vector<std::uint32_t> upper;
+  for (std::uint32_t i = 0; i < m.points.size(); ++i)
+    if (m.points[i][2] > 0.1) upper.push_back(i);
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::shuffle(upper.begin(), upper.end(), random);
+    const std::vector<std::uint32_t> control(upper.begin(), upper.begin() + 3 + seed % 3);
+    std::vector<Point> points;
+    for (const std::uint32_t i : control) points.push_back(m.points[i]);
+    Exact t(m.input());
+    const Curve c = curve_of(t, control, 3);
+    expect_certified(t, c);
+    const std::vector<Point> at = places(t, m, c);
+    ASSERT_EQ(at.size(), c.control_points.size());
+    for (std::size_t k = 0; k < at.size(); k += c.degree) {
+      const double x = static_cast<double>(k) / static_cast<double>(at.size() - 1);
+      EXPECT_LT(distance(at[k], spherical(points, x)), 0.06) << "point " << k;
+    }
+  }
 }
 
 TEST(Make_bezier_curve, converges_with_the_square_of_the_step) {

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/Path_record.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Growing_paths.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
@@ -43,6 +43,7 @@ template <class Triangulation, class Crossed = Split_crossed_edges<Triangulation
 class Line_inserter {
   using View = Accurate_view<Triangulation>;
   using Walk = Geodesic_walk<View>;
+  using Split = typename Growing_paths<Triangulation>::Split;
   using Session = typename Triangulation::Session;
   using Weights = std::array<double, 3>;
   using Halfedges = std::vector<typename Triangulation::halfedge_descriptor>;
@@ -51,17 +52,9 @@ public:
   explicit Line_inserter(Triangulation& t, Crossed crossed = {})
       : t_(t), view_(t), crossed_edges_(std::move(crossed)) {}
 
-  // The halfedges of a path so far; paths are numbered from 0.
-  Halfedges path(std::size_t i = 0) const {
-    Halfedges result;
-    for (const std::uint32_t h : paths_[i].halfedges())
-      result.push_back(t_.numbers().halfedge_at(h));
-    return result;
-  }
-  std::size_t number_of_paths() const { return paths_.size(); }
-  // Lines belong to a new path from now on.
-  void begin_path() { paths_.emplace_back(); }
-  void append(typename Triangulation::halfedge_descriptor h) { append(t_.numbers().halfedge(h)); }
+  // The paths so far.
+  const Growing_paths<Triangulation>& paths() const { return paths_; }
+  Growing_paths<Triangulation>& paths() { return paths_; }
 
   // Inserts a vertex where a line starts, unless there is one; `d` becomes the direction of the line there.
   Move_status start(const Surface_point& p, const Planar_vector<double>& direction,
@@ -109,37 +102,6 @@ private:
   // The part of a line by which it may miss the vertex where it is to end.
   static constexpr double nearness = 0x1p-16;
 
-  // A vertex on an edge, and the halfedges from it to the ends of the edge, and to the apex of the face in which it was split.
-  struct Split {
-    Move_status status;
-    std::uint32_t to_source, to_target, to_apex;
-  };
-
-  // splits the edge of a halfedge that has a face
-  Split split(std::uint32_t h, double parameter) {
-    const bool on_border = view_.is_border(h ^ 1U);
-    const Move_status status =
-        Session(t_).split_edge(t_.numbers().halfedge_at(h), parameter).status;
-    if (status != Move_status::done) return {status, h, h, h};
-    Split s{status, h ^ 1U, 0, 0};
-    if (on_border) { // h is the first half
-      s.to_apex = view_.next(h);
-      s.to_target = view_.next(s.to_apex ^ 1U);
-    } else { // h was flipped, and runs from the vertex to the apex of the other face
-      s.to_source = view_.next(h ^ 1U);
-      s.to_target = last(h) ^ 1U;
-      s.to_apex = next_around_source(view_, s.to_target);
-      // h has come in between if the edge has this face on both sides
-      if (s.to_apex / 2 == h / 2) s.to_apex = next_around_source(view_, s.to_apex);
-    }
-    for (Path_record& path : paths_)
-      if (h % 2 == 0)
-        path.split(h / 2, s.to_source ^ 1U, s.to_target);
-      else
-        path.split(h / 2, s.to_target ^ 1U, s.to_source);
-    return s;
-  }
-
   // the halfedge before h in its face
   std::uint32_t last(std::uint32_t h) const { return view_.next(view_.next(h)); }
 
@@ -167,7 +129,7 @@ private:
 
   Move_status start_on_edge(const Surface_point& p, const Planar_vector<double>& v,
                             Corner_direction& d) {
-    const Split s = split(p.halfedge, p.weights[1]);
+    const Split s = paths_.split(t_, p.halfedge, p.weights[1]);
     d = from_split(s, p.weights[1], std::atan2(v[1], v[0]));
     return s.status;
   }
@@ -210,8 +172,7 @@ private:
   }
   bool may_flip(std::uint32_t e) const {
     return crossed_edges_.may_flip(e) &&
-           std::none_of(paths_.begin(), paths_.end(),
-                        [e](const Path_record& path) { return path.has_edge(e); });
+   !paths_.has_edge(e);
   }
   static bool is_at_vertex(const Walk& walk, const typename Walk::Exit& e) {
     const double length = walk.face().length[e.side];
@@ -229,14 +190,14 @@ private:
       append_line_to(walk, corner);
       if (is_inside) d = at_corner(beyond);
       const bool goes_on =
-          is_inside || (may_follow_border && is_straight_at(paths_.back().last() ^ 1U, d));
+          is_inside || (may_follow_border && is_straight_at(paths_.last() ^ 1U, d));
       return goes_on ? Move_status::done : Move_status::border;
     }
     if (view_.is_border(h ^ 1U)) return Move_status::border;
     if (!Crossed::may_split) return Move_status::not_traceable;
     walk.cross(e); // into the frame of the other halfedge, whose direction is the opposite one
     const double angle = std::atan2(walk.direction()[1], walk.direction()[0]) - std::numbers::pi;
-    const Split s = split(h, e.target_weight);
+    const Split s = paths_.split(t_, h, e.target_weight);
     if (s.status != Move_status::done) return s.status;
     if (crossed_.empty())
       append(s.to_apex ^ 1U);
@@ -246,7 +207,7 @@ private:
     return Move_status::done;
   }
 
-  void append(std::uint32_t h) { paths_.back().append(h); }
+  void append(std::uint32_t h) { paths_.append(h); }
   // A line that ends at the vertex opposite of the last edge that it crosses.
   void append_line() {
     Halfedges crossed;
@@ -354,7 +315,7 @@ private:
       return status;
     }
     const unsigned k = w[0] == 0 ? 1 : w[2] == 0 ? 0 : 2; // the side
-    const Split s = split(side[k], w[(k + 1) % 3]);
+    const Split s = paths_.split(t_, side[k], w[(k + 1) % 3]);
     if (s.status == Move_status::done)
       append((k == 0 ? s.to_source : k == 1 ? s.to_apex : s.to_target) ^ 1U);
     return s.status;
@@ -375,7 +336,7 @@ private:
   Triangulation& t_;
   View view_;
   Crossed crossed_edges_;
-  std::vector<Path_record> paths_{1};
+  Growing_paths<Triangulation> paths_;
   std::vector<std::uint32_t> crossed_; // by the line since the last vertex
   bool is_at_target_ = false;
   std::size_t faces_ = 0;

@@ -129,7 +129,7 @@ Inserted_polyline<Triangulation> insert_polyline(Triangulation& t,
         d ? inserter.go(*d, std::hypot(vector[0], vector[1]), t.index(result.vertices[i + 1]))
           : Move_status::not_traceable;
   }
-  result.halfedges = inserter.path();
+  result.halfedges = inserter.paths().halfedges(t);
   return result;
 }
 

@@ -49,7 +49,7 @@ Inserted_path<Triangulation> insert_traced_path(Triangulation& t, const Geodesic
   Move_status status = inserter.start(geodesic.points.front(), geodesic.start_direction, d);
   if (status == Move_status::done)
     status = inserter.go(d, std::ldexp(geodesic.length, t.metric().scale_exponent()));
-  return {status, inserter.path()};
+  return {status, inserter.paths().halfedges(t)};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

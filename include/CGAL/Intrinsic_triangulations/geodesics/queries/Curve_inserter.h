@@ -147,12 +147,8 @@ public:
       : t_(t), lines_(t, Flip_crossed_edges<Triangulation, splits>(t, log)) {}
 
   // The halfedges of a path, which is one or several geodesics; paths are numbered from 0.
-  std::vector<Halfedge> path(std::size_t i = 0) const { return lines_.path(i); }
-  std::size_t number_of_paths() const { return lines_.number_of_paths(); }
-  void begin_path() { lines_.begin_path(); }
-  void append(const std::vector<Halfedge>& edges) {
-    for (const Halfedge h : edges) lines_.append(h);
-  }
+  std::vector<Halfedge> path(std::size_t i = 0) const { return lines_.paths().halfedges(t_, i); }
+  void begin_path() { lines_.paths().begin(); }
 
   // Inserts a geodesic from one vertex to another, at the end of the last path.
   Move_status insert(const Traced_curve& curve, Vertex from, Vertex to) {

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_QUERIES_ADD_GEODESICS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Curve_inserter.h>
@@ -59,6 +60,7 @@ namespace internal {
 template <class Triangulation>
 class Geodesics_adder {
   using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
   using Curve = Curve_through_vertices<Triangulation>;
   using Sides = std::vector<Curve_side<Triangulation>>;
 
@@ -127,12 +129,18 @@ private:
     if (c.stays_at_vertices)
       for (const Vertex v : c.vertices) network_.fix(v);
     auto way = inserter_.path(i);
-    if (way.empty()) { // there and back: it has contracted to a vertex
-      const auto out = opposite(halfedge(found_[i].front().from, t_.mesh()), t_.mesh());
-      way = {out, opposite(out, t_.mesh())};
-    }
+    if (way.empty()) way = there_and_back(found_[i].front().from);
     const auto crossings = add_crossing_curve(network_, way, c.is_loop);
     result_.crossings.insert(result_.crossings.end(), crossings.begin(), crossings.end());
+  }
+
+  // a way that has contracted to a vertex
+  std::vector<Halfedge> there_and_back(Vertex v) const {
+    Halfedge out = opposite(halfedge(v, t_.mesh()), t_.mesh());
+    for_each_outgoing(v, t_.mesh(), [&](Halfedge h) {
+      if (!network_.is_fixed(target(h, t_.mesh()))) out = h;
+    });
+    return {out, opposite(out, t_.mesh())};
   }
 
   Triangulation& t_;
