@@ -153,6 +153,25 @@ class Curves(Geodesic_test):
         self.assert_close(fixed["length"],
                           distance(points[a], points[b]) + distance(points[b], points[c]), 1e-12)
 
+    def test_curves_cross_and_touch(self):
+        points, faces = jittered_grid(8)
+        mesh = self.write_off("g.off", points, faces)
+
+        def length(*way):
+            return sum(distance(points[a], points[b]) for a, b in zip(way, way[1:]))
+
+        with open(self.path("n.txt"), "w", encoding="ascii") as file:
+            file.write("0 40 8 72\nloop 3 77 30\n20 60\n20 60\n")
+        g = self.geodesic(mesh, "--network", self.path("n.txt"), "--waypoints")
+        self.assert_geodesic(g)
+        expected = [length(0, 40, 8, 72), length(3, 77, 30, 3), length(20, 60), length(20, 60)]
+        for curve, exact in zip(g["curves"], expected):
+            self.assert_close(curve["length"], exact, 1e-9)
+        through = self.geodesic(mesh, "--path", "0,40,8,72", "--path", "8,72")
+        self.assert_close(through["curves"][0]["length"], length(0, 72), 1e-9)
+        self.assert_close(through["curves"][0]["initial_length"], length(0, 40, 8, 72), 1e-9)
+        self.assert_close(through["curves"][1]["length"], length(8, 72), 1e-9)
+
     def test_loops_around_a_cylinder_and_loops_that_contract(self):
         mesh = self.write_off("p.off", *prism(7, 6))
         g = self.geodesic(mesh, "--loop", "14,30,18,26", "-o", "c.obj")
@@ -366,8 +385,10 @@ class Errors(Geodesic_test):
     def test_points_in_different_components(self):
         self.assert_refused(("--path", "3,30"), "vertex 3", "vertex 30", "components")
 
-    def test_curves_that_cross(self):
-        self.assert_refused(("--path", "10,14", "--path", "2,22"), "--path 2,22", "crosses",
+    def test_marked_edges_that_a_curve_crosses(self):
+        with open(self.path("e.txt"), "w", encoding="ascii") as file:
+            file.write("10 11\n11 12\n12 13\n13 14\n")
+        self.assert_refused(("--marked", self.path("e.txt"), "--path", "2,22"), "--path 2,22", "crosses",
                             "vertex 12", "--waypoints")
 
     def test_points_twice(self):

@@ -72,8 +72,8 @@ public:
                                "smaller --sharp-angle");
   }
 
-  /// returns the lengths of the sides of curves, if each was found alone.
-  const std::vector<double>& initial_lengths() const { return initial_lengths_; }
+  /// returns the shortest paths that curves were made of, if each was found alone.
+  const std::vector<IT::Traced_curve>& initial() const { return initial_; }
   /// returns what was done to find them.
   const IT::Shortening_result& shortening() const { return shortening_; }
 
@@ -101,7 +101,7 @@ private:
                                ": no vertex can be inserted where the curve crosses another or "
                                "itself; make it in a run of its own");
     }
-    initial_lengths_ = added.initial_lengths;
+    initial_ = added.initial;
     shortening_ = added.shortening;
   }
 
@@ -189,7 +189,7 @@ private:
   const Options& options_;
   IT::Curve_network<Triangulation>& network_;
   Asked_vertices<Triangulation> points_;
-  std::vector<double> initial_lengths_;
+  std::vector<IT::Traced_curve> initial_;
   IT::Shortening_result shortening_;
 };
 

@@ -70,10 +70,11 @@ public:
     Curve_builder<Triangulation> builder(loaded_, options_, network_);
     builder.run();
     if (!options_.view.empty()) initial_ = polylines();
-    initial_length_ = builder.initial_lengths();
-    for (auto c = static_cast<std::uint32_t>(initial_length_.size());
-         c < network_.number_of_curves(); ++c)
-      initial_length_.push_back(network_.length(c));
+    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) {
+      const bool is_lone = c < builder.initial().size();
+      initial_length_.push_back(is_lone ? builder.initial()[c].length : network_.length(c));
+      if (is_lone && !options_.view.empty()) initial_[c] = polyline(c, builder.initial()[c]);
+    }
     json["seconds"]["paths"] = watch.lap();
     progress.show("shortening");
     Shortening_progress visitor;
@@ -151,22 +152,27 @@ private:
   std::vector<IT::Polyline> polylines() const {
     std::vector<IT::Polyline> result;
     for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) {
-      IT::Polyline line{{}, network_.is_loop(c), static_cast<std::int32_t>(c)};
       if (network_.is_point(c)) {
-        line.points = points_at(network_.start(c));
-      } else {
-        const IT::Traced_curve curve = IT::trace_curve(t_, network_.halfedges(c));
-        if (curve.status == IT::Status::not_traceable)
-          throw std::runtime_error(options_.input + ": curve " + std::to_string(c) +
-                                   " cannot be found on the mesh, as rounding has spoilt the "
-                                   "signposts; use --correspondence integer");
-        for (const IT::Surface_point& p : curve.points)
-          line.points.push_back(IT::point_in_space(t_, p, points_));
-        if (line.is_closed) line.points.pop_back(); // the start again
+        result.push_back({points_at(network_.start(c)), network_.is_loop(c),
+                          static_cast<std::int32_t>(c)});
+        continue;
       }
-      result.push_back(std::move(line));
+      const IT::Traced_curve curve = IT::trace_curve(t_, network_.halfedges(c));
+      if (curve.status == IT::Status::not_traceable)
+        throw std::runtime_error(options_.input + ": curve " + std::to_string(c) +
+                                 " cannot be found on the mesh, as rounding has spoilt the "
+                                 "signposts; use --correspondence integer");
+      result.push_back(polyline(c, curve));
     }
     return result;
+  }
+
+  IT::Polyline polyline(std::uint32_t c, const IT::Traced_curve& curve) const {
+    IT::Polyline line{{}, network_.is_loop(c), static_cast<std::int32_t>(c)};
+    for (const IT::Surface_point& p : curve.points)
+      line.points.push_back(IT::point_in_space(t_, p, points_));
+    if (line.is_closed) line.points.pop_back(); // the start again
+    return line;
   }
 
   // where a curve is that has contracted

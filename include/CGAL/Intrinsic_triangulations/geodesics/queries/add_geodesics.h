@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Curve_inserter.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Lone_curve_finder.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
@@ -46,8 +47,8 @@ struct Added_geodesics {
   Status status = Status::done;
   /// The curve where it failed.
   std::size_t failed = 0;
-  /// For each curve the length of the shortest paths that it was made of, in the units of the input.
-  std::vector<double> initial_lengths;
+  /// For each curve the shortest paths that it was made of.
+  std::vector<Traced_curve> initial;
   /// Vertices where curves cross. They are fixed.
   std::vector<typename Triangulation::vertex_descriptor> crossings;
   /// What was done.
@@ -95,20 +96,28 @@ private:
 
   bool find(const Curve& c) {
     Sides sides;
-    double length = 0;
+    Traced_curve initial;
     const std::size_t n = c.vertices.size();
     for (std::size_t i = 0; i + (c.is_loop ? 0 : 1) < n; ++i) {
       Curve_side<Triangulation> side;
       result_.status =
           finder_.find(c.vertices[i], c.vertices[(i + 1) % n], side, result_.shortening);
       if (result_.status != Status::done) return false;
-      length += side.way.length;
+      append(side.way, initial);
       sides.push_back(std::move(side));
     }
-    result_.initial_lengths.push_back(length);
+    result_.initial.push_back(std::move(initial));
     if (!c.stays_at_vertices && (c.is_loop || n > 2)) straighten(c, sides);
     found_.push_back(std::move(sides));
     return true;
+  }
+
+  static void append(const Traced_curve& way, Traced_curve& all) {
+    all.points.insert(all.points.end(), way.points.begin() + (all.points.empty() ? 0 : 1),
+                      way.points.end());
+    all.faces.insert(all.faces.end(), way.faces.begin(), way.faces.end());
+    all.length += way.length;
+    all.length_enclosure += way.length_enclosure;
   }
 
   // One side after the other: two geodesics that meet cross less often than all sides. If they do, the sides stay as they are for
