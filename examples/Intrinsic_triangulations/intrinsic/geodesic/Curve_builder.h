@@ -57,7 +57,7 @@ public:
       named(options_.input,
             [&] { IT::add_marked_edges(network_, marked_edges(t_, loaded_.constraints)); });
     IT::Edge_path_finder<Triangulation> find(t_);
-    if (are_free(curves)) return add_geodesics(curves, vertices);
+    if (are_free(curves) && add_geodesics(curves, vertices)) return;
     for (std::size_t i = 0; i < curves.size(); ++i) {
       if (curves[i].kind == Curve_kind::source) add_tree(vertices[i].front());
       if (curves[i].kind == Curve_kind::control_points) add_bezier_curve(vertices[i], curves[i]);
@@ -86,8 +86,8 @@ private:
                        [](const Asked_curve& c) { return c.kind == Curve_kind::joined; });
   }
 
-  void add_geodesics(const std::vector<Asked_curve>& asked,
-                     const std::vector<Vertices>& vertices) {
+  // False if vertices are not connected, or rounding has led astray.
+  bool add_geodesics(const std::vector<Asked_curve>& asked, const std::vector<Vertices>& vertices) {
     std::vector<IT::Curve_through_vertices<Triangulation>> curves;
     for (std::size_t i = 0; i < asked.size(); ++i) {
       expect_different_neighbors(vertices[i], asked[i]);
@@ -95,14 +95,12 @@ private:
     }
     const auto added = IT::add_geodesics(network_, curves);
     if (added.status != IT::Status::done) {
-      IT::Edge_path_finder<Triangulation> find(t_);
-      way_through(vertices[added.failed], asked[added.failed], find);
-      throw std::runtime_error(asked[added.failed].source +
-                               ": no vertex can be inserted where the curve crosses another or "
-                               "itself; make it in a run of its own");
+      network_.clear();
+      return false;
     }
     initial_ = added.initial;
     shortening_ = added.shortening;
+    return true;
   }
 
   // the last two edges on the way to each vertex, so that all of its joints are there
