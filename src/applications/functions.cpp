@@ -11,3 +11,4 @@
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/certify_map_impl.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/conformal_map_impl.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/disk_border_impl.h>
+#include <CGAL/Intrinsic_triangulations/applications/parametrization/point_cloud_map_impl.h>

@@ -5,3 +5,4 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Direction_problem_impl.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport_impl.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/Point_cloud_vectors_impl.h>

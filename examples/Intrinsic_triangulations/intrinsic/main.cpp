@@ -123,7 +123,7 @@ void add_parametrize(CLI::App& app, Options& options, Command& chosen) {
   program::add_application_options(command, options);
   command
       .add_option("--method", options.application.map,
-                  "harmonic (to a circle, default), spectral (conformal) or lscm")
+                  "harmonic (to a circle, default), spectral (conformal, also of points) or lscm")
       ->check(CLI::IsMember({"harmonic", "spectral", "lscm"}));
   command.callback([&chosen] { chosen = program::run_parametrize; });
 }
@@ -146,8 +146,10 @@ void add_logmap(CLI::App& app, Options& options, Command& chosen) {
       "logmap", "unroll the surface about a point: directions and distances from there");
   program::add_application_options(command, options, true);
   program::add_time_option(command, options);
-  command.add_option("--method", options.method, "how: affine (default) or polar")
-      ->check(CLI::IsMember({"affine", "polar"}));
+  command
+      .add_option("--method", options.application.logarithm,
+                  "how: exact (default): by shortest paths; affine (of points) or polar: by heat")
+      ->check(CLI::IsMember({"exact", "affine", "polar"}));
   command.callback([&chosen] { chosen = program::run_logmap; });
 }
 

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -177,10 +178,22 @@ TEST(PolyhedralDistance, cones_of_any_angle_obey_the_law_of_cosines) {
         const double expected =
             turn < pi ? std::sqrt((r - s) * (r - s) + 4 * r * s * std::pow(std::sin(turn / 2), 2))
                       : r + s;
-        const Distance d(t, polar(t, n, total, r, a));
-        const Surface_point q = polar(t, n, total, s, b);
+        const Surface_point p = polar(t, n, total, r, a), q = polar(t, n, total, s, b);
+        const Distance d(t, p);
         EXPECT_NEAR(d.distance(q), expected, 1e-14);
         expect_path(t, d, q, 1e-13);
+        // the frame of p begins with the side that leaves the apex; no path is clearly the shortest opposite
+        const std::complex<double> frame = std::polar(1., std::floor(a / (total / n)) * total / n);
+        const double around = std::remainder(b - a, total);
+        if (std::abs(turn - std::min(pi, total / 2)) < 1e-6) continue;
+        const std::complex<double> log =
+            turn < pi ? s * std::polar(1., a + around) - r * std::polar(1., a)
+                      : -(r + s) * std::polar(1., a);
+        const IT::Tangent_vector found = d.logarithm(q);
+        EXPECT_EQ(found.point.halfedge, p.halfedge);
+        EXPECT_EQ(found.point.weights, p.weights);
+        // lengths and directions that are turned over some faces
+        EXPECT_LE(std::abs(std::complex(found.vector[0], found.vector[1]) * frame - log), 1e-12);
       }
     }
 }

@@ -50,6 +50,7 @@ struct Computed {
   unsigned isolines = 0; ///< number of steps between lines of equal values of it
   /// Whether the first two functions are places in the plane, shown by a checkerboard.
   bool is_map = false;
+  std::vector<char> is_torn{}; ///< per vertex: where a page shows no checkerboard; empty: nowhere
   std::optional<Direction_field> directions{};
   Marks marks{};
   /// Displacement of each vertex, a row each; empty: the surface stays as it is.

@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <ostream>
 #include <span>
 #include <stdexcept>
@@ -41,6 +42,7 @@ struct Drawn_results {
   Drawn_subdivision drawn;
   std::vector<IT::Subdivision_field> fields; ///< first the functions
   Drawn_directions directions{};
+  std::vector<std::array<double, 2>> texture{}; ///< where a checkerboard is shown; not numbers: none
 };
 
 void expect_writable_results(const Options& options) {
@@ -72,9 +74,26 @@ void write_functions(std::ostream& out, const Computed& computed, const std::vec
   }
 }
 
+// The first two functions, without vertices at which the map is torn.
+std::vector<std::array<double, 2>> drawn_texture(const Computed& computed,
+                                                 const Eigen::SparseMatrix<double>& interpolation) {
+  std::vector<std::array<double, 2>> texture(static_cast<std::size_t>(interpolation.rows()));
+  for (std::size_t c = 0; c < 2; ++c) {
+    Eigen::VectorXd values = computed.functions[c].values.head(interpolation.cols());
+    for (Eigen::Index i = 0; i < values.size() && !computed.is_torn.empty(); ++i)
+      if (computed.is_torn[static_cast<std::size_t>(i)] != 0)
+        values[i] = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::VectorXd places = interpolation * values;
+    for (std::size_t v = 0; v < texture.size(); ++v)
+      texture[v][c] = places[static_cast<Eigen::Index>(v)];
+  }
+  return texture;
+}
+
 Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
                    const Eigen::SparseMatrix<double>& interpolation) {
-  Drawn_results results{std::move(drawn), {}, {}};
+  Drawn_results results{std::move(drawn), {}};
+  if (computed.is_map) results.texture = drawn_texture(computed, interpolation);
   for (const Function& f : computed.functions)
     results.fields.push_back(
         {f.name, Eigen::VectorXd(interpolation * f.values.head(interpolation.cols()))});
@@ -96,13 +115,9 @@ void write_results_view(std::ostream& out, const Drawn_results& results, const C
   viewed.isolines = computed.isolines;
   viewed.is_plain = computed.isolines > 0 || computed.is_map || computed.directions;
   if (computed.directions) viewed.curve_width = 1.5;
-  std::vector<std::array<double, 2>> texture;
-  if (computed.is_map)
-    for (std::size_t v = 0; v < results.drawn.points.size(); ++v)
-      texture.push_back({results.fields[0].values[v], results.fields[1].values[v]});
   viewed.fields = results.fields;
   viewed.shown_field = computed.is_map ? results.fields.size() : computed.shown;
-  viewed.texture = texture;
+  viewed.texture = results.texture;
   write_view(out, results.drawn.s, results.drawn.points, options, json, viewed);
 }
 
@@ -141,6 +156,13 @@ std::vector<int> drawn_index(const Triangulation& t, const std::vector<int>& ind
   return result;
 }
 
+// The vectors that are known, and zero elsewhere.
+IT::Tangent_field known_vectors(IT::Tangent_field vectors) {
+  for (std::complex<double>& z : vectors)
+    if (!std::isfinite(z.real()) || !std::isfinite(z.imag())) z = 0;
+  return vectors;
+}
+
 template <class Triangulation>
 Drawn_directions drawn_directions(const Loaded<Triangulation>& loaded,
                                   const Loaded<Triangulation>& surface, const Computed& computed,
@@ -148,14 +170,15 @@ Drawn_directions drawn_directions(const Loaded<Triangulation>& loaded,
   if (!computed.directions) return {};
   const Direction_field& d = *computed.directions;
   const bool is_on_input = &surface != &loaded;
+  const IT::Tangent_field vectors = known_vectors(d.vectors);
   Drawn_directions result =
       is_on_input
           ? directions_in_space(surface,
                                 IT::tangent_field_to_intrinsic(
                                     surface.triangulation,
-                                    IT::tangent_field_to_input(loaded.triangulation, d.vectors)),
+                                    IT::tangent_field_to_input(loaded.triangulation, vectors)),
                                 d.degree, drawn)
-          : directions_in_space(loaded, d.vectors, d.degree, drawn);
+          : directions_in_space(loaded, vectors, d.degree, drawn);
   if (!d.index.empty())
     result.index = drawn_index(loaded.triangulation, d.index, drawn, is_on_input);
   return result;

@@ -10,10 +10,15 @@
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/harmonic_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/injective_harmonic_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/measure_distortion.h>
+#include <CGAL/Intrinsic_triangulations/applications/parametrization/point_cloud_map.h>
+
+#include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,8 +82,32 @@ Json json_of(const IT::Injective_map& map, const IT::Map_distortion& distortion,
 
 } // namespace
 
+namespace {
+
+// The conformal map of a cloud of points, which has no faces that could be certified.
+template <class Triangulation>
+Computed map_of_points(const Triangulation& t, const Options& options, const Points& points) {
+  if (options.application.map != "spectral")
+    throw std::runtime_error("a cloud of points has conformal maps alone; ask for --method "
+                             "spectral");
+  const Eigen::MatrixX2d uv = IT::conformal_map_of_points(points, options.neighbors.value_or(30));
+  Computed computed{"parametrize", {}, {}};
+  for (const auto& [name, c] : {std::pair("u", 0), std::pair("v", 1)}) {
+    Eigen::VectorXd values = Eigen::VectorXd::Constant(
+        static_cast<Eigen::Index>(t.number_of_vertices()), std::numeric_limits<double>::quiet_NaN());
+    values.head(uv.rows()) = uv.col(c);
+    computed.functions.push_back({name, values});
+  }
+  computed.is_map = true;
+  computed.json = {{"method", "spectral"}};
+  return computed;
+}
+
+} // namespace
+
 void run_parametrize(const Options& options) {
-  run_application(options, [&](auto& t, const Sources&, const Points&) {
+  run_application(options, [&](auto& t, const Sources&, const Points& points) {
+    if (t.input().names().sheets > 2) return map_of_points(t, options, points);
     const IT::Injective_map map = map_of(t, options);
     Computed computed{"parametrize", {}, {}};
     computed.functions = {{"u", map.uv.col(0)}, {"v", map.uv.col(1)}};

@@ -5,9 +5,11 @@
 #include "../support/text_lines.h"
 #include "application.h"
 
+#include <CGAL/Intrinsic_triangulations/applications/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/direction_field.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/field_singularities.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/principal_directions.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -17,8 +19,11 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -57,13 +62,42 @@ std::vector<std::uint32_t> first_copies(const Triangulation& t) {
   return first;
 }
 
-// a value per row, that of the first copy of a vertex
+// a value per row, that of one copy of a vertex; no number where there is none
 template <class Values, class Part>
 Eigen::VectorXd by_rows(const std::vector<std::uint32_t>& first, const Values& values,
                         const Part& part) {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(first.size()));
+  Eigen::VectorXd result = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(first.size()),
+                                                     std::numeric_limits<double>::quiet_NaN());
   for (std::size_t r = 0; r < first.size(); ++r)
     if (first[r] != IT::Gluing::none) result[static_cast<Eigen::Index>(r)] = part(values[first[r]]);
+  return result;
+}
+
+// Whether the surface is that of a cloud of points, whose rows have tangent planes that copies do not have.
+template <class Triangulation>
+bool is_cloud(const Triangulation& t) {
+  return t.input().names().sheets > 2;
+}
+
+template <class Triangulation>
+std::vector<std::uint32_t> all_rows(const Triangulation& t) {
+  std::vector<std::uint32_t> rows(t.number_of_vertices());
+  std::iota(rows.begin(), rows.end(), 0U);
+  return rows;
+}
+
+IT::Point_cloud_vectors cloud_vectors(const Options& options, const Points& points) {
+  return IT::Point_cloud_vectors(points, options.neighbors.value_or(30),
+                                 options.application.time_factor);
+}
+
+// The greatest value, and the number of vertices where none is known.
+std::pair<double, std::size_t> greatest_known(const Eigen::VectorXd& values) {
+  std::pair<double, std::size_t> result{0, 0};
+  for (const double x : values) {
+    if (std::isfinite(x)) result.first = std::max(result.first, x);
+    if (!std::isfinite(x)) ++result.second;
+  }
   return result;
 }
 
@@ -83,28 +117,113 @@ Computed transport(const Triangulation& t, const Options& options, const Points&
                          [](const std::complex<double>& z) { return std::abs(z); })});
   computed.shown = computed.functions.size(); // none: arrows
   computed.marks = std::move(marks);
-  computed.json = {{"sources", sources.size()},
-                   {"longest", computed.functions[0].values.maxCoeff()}};
+  const auto [longest, unknown] = greatest_known(computed.functions[0].values);
+  computed.json = {
+      {"sources", sources.size()}, {"longest", longest}, {"unknown_vertices", unknown}};
   return computed;
 }
 
+using Complex = std::complex<double>;
+
+// The number of the copy of the vertex of each row with the shortest vector.
 template <class Triangulation>
-Computed logarithmic_map(const Triangulation& t, const Sources& sources, const Options& options) {
+std::vector<std::uint32_t> nearest_copies(const Triangulation& t, const std::vector<Complex>& log) {
+  const IT::internal::Vertex_copies copies(t);
+  std::vector<std::uint32_t> nearest(t.number_of_vertices(), IT::Gluing::none);
+  for (const auto v : vertices(t.mesh())) {
+    std::uint32_t& best = nearest[t.input_vertex(v)];
+    if (best == IT::Gluing::none || !std::isfinite(std::abs(log[best])) ||
+        std::abs(log[copies(v)]) < std::abs(log[best]))
+      best = copies(v);
+  }
+  return nearest;
+}
+
+// Where a map is torn, or stretched more than this many times.
+constexpr double greatest_stretch = 3;
+
+struct Torn_map {
+  std::size_t edges = 0;
+  double radius = std::numeric_limits<double>::infinity(); // of a disk without them
+  std::vector<char> vertices;                              // per row: whether an edge ends there
+};
+
+// The cut locus crosses edges that are much longer in the map than on the surface.
+template <class Triangulation>
+Torn_map torn_map(const Triangulation& t, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
+  Torn_map torn;
+  torn.vertices.assign(static_cast<std::size_t>(u.size()), 0);
+  const double unit = std::ldexp(1., -t.metric().scale_exponent());
+  for (const auto e : edges(t.mesh())) {
+    const auto h = halfedge(e, t.mesh());
+    const std::uint32_t i = t.input_vertex(source(h, t.mesh())),
+                        j = t.input_vertex(target(h, t.mesh()));
+    const double length = unit * std::sqrt(t.metric().approximate_squared_length(t.index(e)));
+    if (!(std::hypot(u[i] - u[j], v[i] - v[j]) > greatest_stretch * length)) continue;
+    ++torn.edges;
+    torn.vertices[i] = torn.vertices[j] = 1;
+    torn.radius = std::min({torn.radius, std::hypot(u[i], v[i]), std::hypot(u[j], v[j])});
+  }
+  return torn;
+}
+
+template <class Triangulation>
+std::string logarithm_method(const Triangulation& t, const std::string& asked) {
+  if (!is_cloud(t)) return asked.empty() ? "exact" : asked;
+  if (!asked.empty() && asked != "affine")
+    throw std::runtime_error("logarithmic maps of points are found by affine heat; leave out "
+                             "--method " +
+                             asked);
+  return "affine";
+}
+
+// A vector for each row of a cloud; none at points that were inserted.
+template <class Triangulation>
+std::vector<Complex> cloud_logarithms(const Triangulation& t, std::uint32_t row,
+                                      const Options& options, const Points& points) {
+  if (row >= points.size())
+    throw std::runtime_error("logarithmic maps of points start at one of them; give its number "
+                             "with --source");
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Complex> log = cloud_vectors(options, points).logarithmic_map(row);
+  log.resize(t.number_of_vertices(), Complex(unknown, unknown));
+  return log;
+}
+
+template <class Triangulation>
+std::vector<Complex> logarithms(const Triangulation& t, IT::Gluing_map::Vertex source,
+                                const Options& options, const std::string& method) {
+  if (method == "exact") return IT::logarithmic_map(t, source);
+  return IT::Vector_heat_method<Triangulation>(t, options.application.time_factor)
+      .logarithmic_map(source, method == "polar" ? IT::Logarithm_method::polar
+                                                 : IT::Logarithm_method::affine);
+}
+
+template <class Triangulation>
+Computed logarithmic_map(const Triangulation& t, const Sources& sources, const Options& options,
+                         const Points& points) {
   if (sources.size() != 1 || sources[0].size() != 1)
     throw std::runtime_error("logarithmic maps have one source; give one point with --source");
-  const IT::Vector_heat_method<Triangulation> heat(t, options.application.time_factor);
-  const auto log =
-      heat.logarithmic_map(sources[0][0], options.method == "polar" ? IT::Logarithm_method::polar
-                                                                    : IT::Logarithm_method::affine);
-  using Complex = std::complex<double>;
-  const std::vector<std::uint32_t> first = first_copies(t);
+  const std::string method = logarithm_method(t, options.application.logarithm);
+  const std::vector<Complex> log =
+      is_cloud(t) ? cloud_logarithms(t, t.input_vertex(sources[0][0]), options, points)
+                  : logarithms(t, sources[0][0], options, method);
+  const std::vector<std::uint32_t> nearest =
+      is_cloud(t) ? all_rows(t) : nearest_copies(t, log);
   Computed computed{"logmap", {}, {}};
-  computed.functions = {{"u", by_rows(first, log, [](const Complex& z) { return z.real(); })},
-                        {"v", by_rows(first, log, [](const Complex& z) { return z.imag(); })}};
+  computed.functions = {{"u", by_rows(nearest, log, [](const Complex& z) { return z.real(); })},
+                        {"v", by_rows(nearest, log, [](const Complex& z) { return z.imag(); })}};
   computed.is_map = true;
-  const double radius =
-      by_rows(first, log, [](const Complex& z) { return std::abs(z); }).maxCoeff();
-  computed.json = {{"method", options.method == "polar" ? "polar" : "affine"}, {"radius", radius}};
+  Torn_map torn = torn_map(t, computed.functions[0].values, computed.functions[1].values);
+  computed.is_torn = std::move(torn.vertices);
+  const auto [radius, unknown] =
+      greatest_known(by_rows(nearest, log, [](const Complex& z) { return std::abs(z); }));
+  computed.json = {
+      {"method", method},
+      {"radius", radius},
+      {"injectivity_radius", std::isfinite(torn.radius) ? Json(torn.radius) : Json(nullptr)},
+      {"torn_edges", torn.edges},
+      {"unknown_vertices", unknown}};
   return computed;
 }
 
@@ -172,8 +291,8 @@ void run_transport(const Options& options) {
   });
 }
 void run_logmap(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources& sources, const Points&) {
-    return logarithmic_map(t, sources, options);
+  run_application(options, [&](const auto& t, const Sources& sources, const Points& points) {
+    return logarithmic_map(t, sources, options, points);
   });
 }
 void run_field(const Options& options) {

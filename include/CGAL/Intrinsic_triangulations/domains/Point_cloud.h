@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -28,6 +29,16 @@ struct Point_cloud_report {
   /// For each point whether it is on the border: its cell among those of its neighbours is not bounded.
   std::vector<char> is_on_border;
 };
+
+namespace internal {
+
+// The triangles at each point among its neighbours: the point first, then counterclockwise, seen from either side of the
+// surface. What was found is written to the report.
+std::vector<std::array<std::uint32_t, 3>>
+triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
+                    Point_cloud_report& report);
+
+} // namespace internal
 
 /*!
 \brief holds what a triangulation of a point cloud can be built from.

@@ -170,33 +170,41 @@ points_to_triangulate(const std::vector<std::array<double, 3>>& points,
                           "neighbours");
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::array<std::uint32_t, 3>>
+triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
+                    Point_cloud_report& report) {
+  check_coordinates(points);
+  const std::vector<std::uint32_t> members = distinct_points(points);
+  report.duplicated_points = points.size() - members.size();
+  report.neighbours = members.empty() ? 0 : std::min(neighbours, members.size() - 1);
+  report.is_on_border.assign(points.size(), 0);
+  if (members.size() < 3) fail_without_triangles(points.size());
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(6 * points.size() + 6); // so many there are as a rule
+  const std::vector<Local_triangulator::Point> ordered = points_to_triangulate(points, members);
+  Local_triangulator triangulator(ordered, report.neighbours);
+  for (std::uint32_t i = 0; i < members.size(); ++i) {
+    const std::size_t before = triangles.size();
+    report.is_on_border[members[i]] = triangulator.add(i, triangles) ? 0 : 1;
+    if (triangles.size() == before) ++report.points_without_triangles;
+  }
+  for (std::array<std::uint32_t, 3>& t : triangles)
+    for (std::uint32_t& v : t) v = members[v];
+  report.triangles = triangles.size();
+  if (triangles.empty()) fail_without_triangles(points.size());
+  return triangles;
+}
+
 } // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Point_cloud
 make_point_cloud(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
                  Mollification mollification) {
-  internal::check_coordinates(points);
-  const std::vector<std::uint32_t> members = internal::distinct_points(points);
   Point_cloud_report report;
-  report.duplicated_points = points.size() - members.size();
-  report.neighbours = members.empty() ? 0 : std::min(neighbours, members.size() - 1);
-  report.is_on_border.assign(points.size(), 0);
-  if (members.size() < 3) internal::fail_without_triangles(points.size());
   Triangle_soup soup;
+  soup.triangles = internal::triangles_at_points(points, neighbours, report);
   soup.points = points;
-  soup.triangles.reserve(6 * points.size() + 6); // so many there are as a rule
-  const std::vector<internal::Local_triangulator::Point> ordered =
-      internal::points_to_triangulate(points, members);
-  internal::Local_triangulator triangulator(ordered, report.neighbours);
-  for (std::uint32_t i = 0; i < members.size(); ++i) {
-    const std::size_t before = soup.triangles.size();
-    report.is_on_border[members[i]] = triangulator.add(i, soup.triangles) ? 0 : 1;
-    if (soup.triangles.size() == before) ++report.points_without_triangles;
-  }
-  for (std::array<std::uint32_t, 3>& t : soup.triangles)
-    for (std::uint32_t& v : t) v = members[v];
-  report.triangles = soup.input_faces = soup.triangles.size();
-  if (soup.triangles.empty()) internal::fail_without_triangles(points.size());
+  soup.input_faces = soup.triangles.size();
   Point_cloud cloud;
   static_cast<Domain&>(cloud) =
       make_domain(std::move(soup), Domain_kind::tufted_cover, mollification);

@@ -19,6 +19,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -27,6 +29,17 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <class Triangulation>
 concept Connected_triangulation =
     MeasuredTriangulation<Triangulation> && NumberedTriangulation<Triangulation>;
+
+// Refuses the surface of a cloud of points: vectors on the sheets at a point have nothing in common.
+template <class Triangulation>
+void expect_tangent_planes(const Triangulation& t) {
+  const std::uint32_t sheets = t.input().names().sheets;
+  if (sheets > 2)
+    throw std::invalid_argument("this surface, of a cloud of points, has " +
+                                std::to_string(sheets) +
+                                " sheets at a point and no tangent plane that is the point's own; "
+                                "for vectors use Point_cloud_vectors");
+}
 
 // What border vertices do to angles.
 enum class Border_angles {
@@ -124,6 +137,7 @@ void add_areas(const Triangulation& t, const Vertex_copies<Triangulation>& copie
 
 template <Connected_triangulation Triangulation>
 Connection_graph connection_graph(const Triangulation& t, const Halfedge_angles& angles) {
+  expect_tangent_planes(t);
   const auto& mesh = t.mesh();
   const Vertex_copies<Triangulation> copies(t);
   Connection_graph graph;

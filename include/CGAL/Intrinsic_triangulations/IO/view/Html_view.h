@@ -32,7 +32,7 @@ struct Html_view {
   std::size_t shown_field = 0;
   /// How many steps of the field lines of equal value show at first; 0: none.
   unsigned isolines = 0;
-  /// A place in the plane for each vertex, to be shown by a checkerboard; or none.
+  /// A place in the plane for each vertex, to be shown by a checkerboard, not numbers where there is none; or nothing.
   std::span<const std::array<double, 2>> texture{};
   bool has_edges = true;       ///< whether edges show at first
   bool has_face_colors = true; ///< whether faces without a field have colours at first

@@ -233,18 +233,23 @@ private:
 
   // Places in the plane, of which the longer side of the bounding box becomes 1.
   void write_texture() {
-    std::array<double, 2> least{0, 0};
-    double size = 0;
-    for (std::size_t c = 0; c < 2 && !view_.texture.empty(); ++c) {
-      const auto [low, high] = std::ranges::minmax_element(
-          view_.texture, {}, [c](const std::array<double, 2>& p) { return p[c]; });
-      least[c] = (*low)[c];
-      size = std::max(size, (*high)[c] - least[c]);
-    }
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto is_place = [](const std::array<double, 2>& p) {
+      return std::isfinite(p[0]) && std::isfinite(p[1]);
+    };
+    std::array<double, 2> least{infinity, infinity}, greatest{-infinity, -infinity};
+    for (const std::array<double, 2>& p : view_.texture)
+      for (std::size_t c = 0; c < 2 && is_place(p); ++c) {
+        least[c] = std::min(least[c], p[c]);
+        greatest[c] = std::max(greatest[c], p[c]);
+      }
+    const double size = std::max(greatest[0] - least[0], greatest[1] - least[1]);
     data("texture", [&](Base64_writer& out) {
       for (const std::array<double, 2>& p : view_.texture)
         for (std::size_t c = 0; c < 2; ++c)
-          out.put(size > 0 ? static_cast<float>((p[c] - least[c]) / size) : 0.f);
+          out.put(!is_place(p) ? std::numeric_limits<float>::quiet_NaN()
+                  : size > 0   ? static_cast<float>((p[c] - least[c]) / size)
+                               : 0.f);
     });
   }
 

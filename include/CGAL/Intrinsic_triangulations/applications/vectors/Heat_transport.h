@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -46,6 +47,12 @@ struct Source_corner {
   std::complex<double> frame;  // what vectors there are multiplied by in the frame here
 };
 
+// Makes logarithms at least as long as chords in space from the source; those without a direction are not known.
+// \param at where vertices are, which may be unknown \param unit what the logarithms are multiples of
+void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
+                        const std::vector<Source_corner>& source, double unit,
+                        std::vector<std::complex<double>>& log);
+
 // Functions and tangent vectors that are diffused for a short time, by the numbers of a graph and in scaled units. Matrices are
 // factored when they are first needed, and once.
 class Heat_transport {
@@ -79,8 +86,9 @@ private:
   Eigen::VectorXd weights(const std::vector<Source_corner>& source) const;
   Eigen::VectorXcd parallel_frames(const std::vector<Source_corner>& source) const;
   Eigen::VectorXcd outward_vectors(const std::vector<Source_corner>& source) const;
-  Heat<std::complex<double>> positions_at_neighbours(const std::vector<Source_corner>& source,
-                                                     const Heat<double>& heat) const;
+  std::vector<Heat<double>> positions_at_neighbours(const std::vector<Source_corner>& source,
+                                                    const Heat<double>& heat,
+                                                    const Eigen::VectorXcd& frames) const;
   Eigen::VectorXd distances(const std::vector<Source_corner>& source,
                             const Eigen::VectorXcd& radial) const;
   Eigen::VectorXd pins() const;

@@ -13,10 +13,12 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -84,7 +86,8 @@ Eigen::VectorXd Heat_transport::extended(const Vector_sources& sources) const {
   const std::vector<Heat<double>> heat = functions().all(
       {Heat<double>(sources.lengths), Heat<double>(sources.weights)}, reached(sources.weights));
   Eigen::VectorXd result(sources.weights.size());
-  for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = heat_ratio(heat[0], heat[1], i);
+  for (Eigen::Index i = 0; i < result.size(); ++i)
+    result[i] = heat[1].value[i] > 0 ? heat_ratio(heat[0], heat[1], i) : unknown_vector.real();
   return result;
 }
 
@@ -92,7 +95,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::transported(const Vector_sources& sources) const {
   const Eigen::VectorXd lengths = extended(sources);
   const auto z = vectors()(sources.vectors, reached(sources.weights));
-  return z.value.unaryExpr(&unit_vector).cwiseProduct(lengths.cast<std::complex<double>>());
+  Eigen::VectorXcd result = z.value.unaryExpr(&unit_vector);
+  for (Eigen::Index i = 0; i < result.size(); ++i)
+    result[i] = lengths[i] == 0 ? 0 : result[i] == 0. ? unknown_vector : lengths[i] * result[i];
+  return result;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -102,46 +108,60 @@ Eigen::VectorXcd Heat_transport::parallel_frames(const std::vector<Source_corner
   return b;
 }
 
-// What edges add to positions that cross them, and positions at the corners of the source: with the exponents of the heat, as much as
-// comes from a neighbour.
+// What edges add to positions that cross them, and positions at the corners of the source, times the heat: with its exponents, as much as
+// comes from a neighbour. \param frames the frame of the source, transported to all vertices
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Heat<std::complex<double>>
+std::vector<Heat<double>>
 Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source,
-                                        const Heat<double>& heat) const {
-  Heat<std::complex<double>> b(Eigen::VectorXcd::Zero(heat.value.size()));
-  b.level = heat.level;
-  b.exponent = heat.exponent;
+                                        const Heat<double>& heat,
+                                        const Eigen::VectorXcd& frames) const {
+  std::vector<Heat<double>> b(2, Heat<double>(Eigen::VectorXd::Zero(heat.value.size())));
+  std::vector<int> level = heat.level;
   const auto number = [](int i) { return static_cast<std::size_t>(i); };
   for (const Connection_edge& e : graph_.edges) {
     if (e.weight == 0) continue;
-    int &s = b.level[number(e.source)], &t = b.level[number(e.target)];
+    int &s = level[number(e.source)], &t = level[number(e.target)];
     s = std::min(s, heat.level[number(e.target)]);
     t = std::min(t, heat.level[number(e.source)]);
   }
+  const auto add = [&b](int i, const std::complex<double>& z) {
+    b[0].value[i] += z.real();
+    b[1].value[i] += z.imag();
+  };
   const double unit = std::ldexp(1., -heat.exponent);
-  for (const Source_corner& c : source) b.value[c.vertex] -= unit * c.weight * c.frame * c.offset;
+  for (const Source_corner& c : source) add(c.vertex, unit * c.weight * c.offset);
   for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
     const Connection_edge& e = graph_.edges[i];
     if (e.weight == 0) continue;
-    const double w = time_ * e.weight * e.length;
-    b.value[e.source] += w * heat.at(e.target, b.level[number(e.source)]) * at_source_[i];
-    b.value[e.target] += w * heat.at(e.source, b.level[number(e.target)]) * at_target_[i];
+    const double w = -time_ * e.weight * e.length;
+    add(e.source, w * heat.at(e.target, level[number(e.source)]) * at_source_[i] *
+                      std::conj(frames[e.source]));
+    add(e.target, w * heat.at(e.source, level[number(e.target)]) * at_target_[i] *
+                      std::conj(frames[e.target]));
+  }
+  for (Heat<double>& h : b) {
+    h.level = level;
+    h.exponent = heat.exponent;
   }
   return b;
 }
 
-// In the plane, positions of the source relative to the vertices, times the heat of functions there, are in the kernel of heat
-// whose vectors are moved by the edge that they cross: exactly, on any triangulation.
+// In the plane, positions times the heat of functions are heat that is moved by the edges that it crosses: exactly, on any triangulation. On curved
+// surfaces edges have their directions in the frame of the source, as it is transported to them: heat that turned with each edge
+// would forget where the source is after some edges.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corner>& source) const {
-  using Vectors = Heat<std::complex<double>>;
+  const std::vector<char> is_reached = reached(weights(source));
   const Heat<double> heat = this->heat(source);
-  const std::vector<Vectors> z =
-      vectors().all({positions_at_neighbours(source, heat), Vectors(parallel_frames(source))},
-                    reached(weights(source)));
+  const Eigen::VectorXcd frames =
+      vectors()(parallel_frames(source), is_reached).value.unaryExpr(&unit_vector);
+  const std::vector<Heat<double>> z =
+      functions().all(positions_at_neighbours(source, heat, frames), is_reached);
   Eigen::VectorXcd result(heat.value.size());
   for (Eigen::Index i = 0; i < result.size(); ++i)
-    result[i] = -heat_ratio(z[0], heat, i) * std::conj(unit_vector(z[1].value[i]));
+    result[i] = heat.value[i] > 0 && frames[i] != 0.
+                    ? std::complex(heat_ratio(z[0], heat, i), heat_ratio(z[1], heat, i))
+                    : unknown_vector;
   for (const Source_corner& c : source) result[c.vertex] = c.offset;
   return result;
 }
@@ -205,10 +225,28 @@ Eigen::VectorXcd Heat_transport::polar_logarithm(const std::vector<Source_corner
   for (const Source_corner& c : source) radial[c.vertex] = unit_vector(c.frame * c.offset);
   const Eigen::VectorXd r = distances(source, radial);
   Eigen::VectorXcd result(radial.size());
-  for (Eigen::Index i = 0; i < result.size(); ++i)
-    result[i] = std::max(0., r[i]) * radial[i] * std::conj(unit_vector(z[1].value[i]));
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    const std::complex<double> direction = radial[i] * std::conj(unit_vector(z[1].value[i]));
+    // no length is known, but that it is positive
+    constexpr double least = std::numeric_limits<double>::min();
+    result[i] = direction == 0. ? unknown_vector : std::max(least, r[i]) * direction;
+  }
   for (const Source_corner& c : source) result[c.vertex] = c.offset;
   return result;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
+                        const std::vector<Source_corner>& source, double unit,
+                        std::vector<std::complex<double>>& log) {
+  for (std::size_t i = 0; i < log.size(); ++i)
+    for (const Source_corner& c : source) {
+      const auto &p = at[i], &q = at[static_cast<std::size_t>(c.vertex)];
+      const double chord =
+          unit * (std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) - std::abs(c.offset));
+      if (std::abs(log[i]) < chord) log[i] = chord * unit_vector(log[i]);
+      if (log[i] == 0. && chord > 0) log[i] = unknown_vector;
+    }
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -49,6 +49,7 @@ public:
 
   const Triangulation& triangulation() const { return *t_; }
   const Halfedge_angles& angles() const { return angles_; }
+  std::size_t size() const { return copies_.size(); }
   std::uint32_t number(Vertex v) const { return copies_(v); }
   bool is_isolated(Vertex v) const {
     return halfedge(v, t_->mesh()) ==

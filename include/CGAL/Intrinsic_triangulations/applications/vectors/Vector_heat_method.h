@@ -4,8 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_VECTOR_HEAT_METHOD_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_VECTOR_HEAT_METHOD_H
 
+#include <CGAL/Intrinsic_triangulations/applications/distance/Chord_bound.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Point_frames.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/logarithmic_map.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
@@ -14,6 +17,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -27,7 +31,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// How a logarithmic map is found.
 enum class Logarithm_method {
-  affine, ///< by heat whose vectors know where the source is: exact on flat surfaces (Soliman and Sharp 2025)
+  exact,  ///< by exact distances and the shortest paths: `logarithmic_map()`, without heat
+  affine, ///< by heat that knows where it comes from: exact on flat surfaces, smooth, fast for many sources (Soliman and Sharp 2025)
   polar ///< by the angle between a radial and a parallel field, and the distance of which that is the gradient (Sharp et al. 2019)
 };
 
@@ -44,7 +49,8 @@ triangulations, which other ones should be made first.
 
 Vectors at vertices are those of a `Tangent_field`; at border vertices, whose angles are not scaled inside, a vector that points
 out of the surface is kept in the half of the circle beyond the border. Points are places on the triangulation with vectors in the
-frame of their halfedge, as `Tangent_vector`; `surface_point(t, face_location)` makes one. Components without a source have zeros. Heat falls with distance, below what doubles hold after some
+frame of their halfedge, as `Tangent_vector`; `surface_point(t, face_location)` makes one. Vectors that are not known are not numbers: those on
+components without a source, and those without direction. Heat falls with distance, below what doubles hold after some
 hundred edges; values have exponents of their own, so that any distance and lengths of any size will do.
 
 Functions that are const factor matrices at first: threads must not call them at once before.
@@ -63,7 +69,7 @@ public:
   \param t the triangulation, which must outlive this and not change
   \param time_scale the time of diffusion, in squares of the mean length of the edges of `t`
   \throws Invalid_input if a face has no area
-  \throws std::invalid_argument if the time is not positive
+  \throws std::invalid_argument if the time is not positive, or the surface is that of a cloud of points, see `Point_cloud_vectors`
   \complexity linear; the first question factors matrices
   */
   explicit Vector_heat_method(const Triangulation_& t, double time_scale = 1)
@@ -112,7 +118,7 @@ public:
   /*!
   \brief extends values at vertices to all: each takes that of the nearest source, smoothly.
   \param sources vertices and their values
-  \return values by the numbers of a `Tangent_field`, between the least and the greatest value of sources
+  \return values by the numbers of a `Tangent_field`, between the least and the greatest value of sources; not numbers on components without a source
   \throws std::invalid_argument if there is no source, one is an isolated vertex, or a value is not finite
   \complexity that of solving with one factored real matrix
   */
@@ -181,15 +187,18 @@ public:
 
   /*!
   \brief finds the logarithmic map of a vertex: for each vertex, the vector at `v` of which the exponential map is there, along
-  the shortest path (see `exponential_map()`). Where several paths are shortest, affine heat averages their vectors, which makes them too short.
+  the shortest path (see `exponential_map()`). By heat, vectors are no shorter than chords in space, and near the cut locus, where several paths are
+  shortest, not more than that can be said of them.
   \param v the vertex, not an isolated one
   \param method how to find it
-  \return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; zero where nothing arrives
+  \return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; not numbers where nothing arrives
   \throws std::invalid_argument if the vertex is isolated
-  \complexity that of solving with one factored real and twice with one factored complex matrix
+  \complexity exact: that of `logarithmic_map()`; else that of solving twice with one factored real and once with one factored complex matrix
   */
   std::vector<Complex> logarithmic_map(vertex_descriptor v,
-                                       Logarithm_method method = Logarithm_method::affine) const {
+                                       Logarithm_method method = Logarithm_method::exact) const {
+    if (method == Logarithm_method::exact)
+      return Intrinsic_triangulations::logarithmic_map(triangulation(), v);
     const std::uint32_t i = number(v);
     std::vector<Complex> result = logarithm({{static_cast<int>(i), 1, 0, 1}}, method);
     for (Complex& z : result) z = frames_.to_field(i, z);
@@ -201,7 +210,9 @@ public:
   \return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are those on the surface
   */
   std::vector<Complex> logarithmic_map(const Surface_point& p,
-                                       Logarithm_method method = Logarithm_method::affine) const {
+                                       Logarithm_method method = Logarithm_method::exact) const {
+    if (method == Logarithm_method::exact)
+      return Intrinsic_triangulations::logarithmic_map(triangulation(), p);
     std::vector<internal::Source_corner> corners = frames_.corners(p);
     if (corners.size() > 1) return logarithm(corners, method);
     corners[0].frame = 1;
@@ -274,7 +285,19 @@ private:
     std::vector<Complex> result(heat_.graph().size);
     for (std::size_t i = 0; i < result.size(); ++i)
       result[i] = unit * z[static_cast<Eigen::Index>(i)];
+    lengthen_to_chords(source, unit, result);
     return result;
+  }
+
+  // Where positions are known, no path is shorter than the way in space.
+  void lengthen_to_chords(const std::vector<internal::Source_corner>& source, double unit,
+                          std::vector<Complex>& log) const {
+    const auto rows = internal::positions_of_rows(triangulation());
+    if (rows.empty()) return;
+    std::vector<std::array<double, 3>> at(log.size());
+    for (const vertex_descriptor v : vertices(triangulation().mesh()))
+      at[frames_.number(v)] = rows[triangulation().input_vertex(v)];
+    internal::lengthen_to_chords(at, source, unit, log);
   }
 
   internal::Point_frames<Triangulation> frames_;

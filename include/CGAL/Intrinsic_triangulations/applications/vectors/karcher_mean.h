@@ -63,7 +63,7 @@ public:
 
   // the mean of the vectors from a point, and of their squared lengths
   std::complex<double> mean(const Surface_point& from, double& energy) const {
-    const std::vector<std::complex<double>> log = heat_.logarithmic_map(from);
+    const std::vector<std::complex<double>> log = heat_.logarithmic_map(from, Logarithm_method::affine);
     std::complex<double> sum = 0;
     energy = 0;
     for (const auto& [q, w] : points_) {

@@ -7,8 +7,17 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// Where a vector is not known.
+inline constexpr std::complex<double> unknown_vector{std::numeric_limits<double>::quiet_NaN(),
+                                                     std::numeric_limits<double>::quiet_NaN()};
+
+inline bool is_known(const std::complex<double>& z) {
+  return std::isfinite(z.real()) && std::isfinite(z.imag());
+}
 
 // A vector of length 1, or zero.
 inline std::complex<double> unit_vector(const std::complex<double>& z) {

@@ -94,7 +94,7 @@ Voronoi_centres voronoi_centres(const Vector_heat_method<Triangulation>& heat,
     }
     result.largest_move = 0;
     for (std::uint32_t s = 0; s < result.sites.size(); ++s) {
-      const std::vector<std::complex<double>> log = heat.logarithmic_map(result.sites[s]);
+      const std::vector<std::complex<double>> log = heat.logarithmic_map(result.sites[s], Logarithm_method::affine);
       std::complex<double> sum = 0;
       double area = 0;
       for (std::size_t i = 0; i < log.size(); ++i) {

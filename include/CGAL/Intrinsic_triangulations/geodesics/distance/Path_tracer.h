@@ -41,12 +41,16 @@ public:
   Status trace(const Point_in_face& p);
   /// returns the path from the point to the source: every piece lies in the face of the place where it ends.
   const std::vector<Path_place>& places() const { return places_; }
+  /// returns a direction in which the path leaves the last of its places, in the frame of the side there: far along the first piece of
+  /// the path.
+  Planar_point departure() const { return departure_; }
 
 private:
-  // A place of a straight line to the image of a source: both in the frame of a side.
+  // A place of a straight line to the image of a source: both in the frame of a side, as the far end of the line.
   struct Ray {
     std::uint32_t side;
     Planar_point from;
+    Planar_point end;
     Planar_point image;
     std::uint32_t source;
     double tolerance;
@@ -60,7 +64,8 @@ private:
   bool arrive_at_corner(const Ray& ray);
   void turn_to(Ray& ray, std::uint32_t side) const;
   bool passes(const Ray& ray, Planar_point p) const;
-  Arrival move_to(std::uint32_t corner);
+  Arrival move_to(std::uint32_t corner, Planar_point departure = {0, 0});
+  void end_at(const Ray& ray, const Path_place& place);
   std::uint32_t vertex() const { return table_.corners[places_.back().side].origin; }
 
   static constexpr std::size_t most_places = std::size_t{1} << 22U;
@@ -68,6 +73,7 @@ private:
   const Distance_field& field_;
   const Corner_table& table_;
   std::vector<Path_place> places_;
+  Planar_point departure_{0, 0};
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -16,13 +16,25 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The path comes to the vertex at a corner. Returns how it goes on.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Arrival Path_tracer::move_to(std::uint32_t corner) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Arrival Path_tracer::move_to(std::uint32_t corner,
+                                                                  Planar_point departure) {
   places_.push_back({corner, {1, 0, 0}});
+  departure_ = departure;
   return field_.vertices[vertex()].arrival;
+}
+
+// A straight piece, followed backwards, ends in the face of its ray: at a corner, or at a source.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Path_tracer::end_at(const Ray& ray,
+                                                              const Path_place& place) {
+  places_.push_back(place);
+  const Planar_point end = field_.turned_to(place.side, ray.end, ray.side),
+                     begin = field_.point(place.side, place.weights).point;
+  departure_ = {end.x - begin.x, end.y - begin.y};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::trace(std::uint32_t v) {
   places_.clear();
+  departure_ = {0, 0};
   const Arrival a = field_.vertices[v].arrival;
   std::uint32_t corner = table_.first_corner[v];
   if (a.kind == Arrival::Kind::straight) corner = Corner_table::previous(a.side);
@@ -34,6 +46,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::trace(std::uint32_t v) 
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::trace(const Point_in_face& p) {
   places_ = {{p.side, p.weights}};
+  departure_ = {0, 0};
   const Arrival a = field_.at(p).arrival;
   if (a.kind == Arrival::Kind::none) return Status::stalled;
   return follow(a, field_.turned_to(a.side, p.point, p.side));
@@ -46,12 +59,15 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::follow(Arrival a, Plana
     if (a.kind == Arrival::Kind::at_source) return Status::done;
     if (a.kind == Arrival::Kind::none) return Status::stalled;
     if (a.kind == Arrival::Kind::following || a.kind == Arrival::Kind::leaving) {
-      a = move_to(a.kind == Arrival::Kind::following ? a.side : Corner_table::next(a.side));
+      const Face_corner& back = table_.corners[Corner_table::next(a.side)];
+      a = a.kind == Arrival::Kind::following
+              ? move_to(a.side, {1, 0})
+              : move_to(Corner_table::next(a.side), {back.cosine, back.sine});
       is_at_vertex = true;
       continue;
     }
     if (is_at_vertex) from = Window_face(table_, a.side).apex;
-    Ray ray{a.side, from, a.image, a.source, 1e-12 * planar_distance(from, a.image)};
+    Ray ray{a.side, from, from, a.image, a.source, 1e-12 * planar_distance(from, a.image)};
     Step step = start(ray);
     while (step == Step::crossed && places_.size() < most_places) step = cross(ray);
     if (step == Step::at_source) return Status::done;
@@ -75,7 +91,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Path_tracer::arrive(const Ray& ray, St
   const Planar_point place = field_.turned_to(ray.side, source.point, source.side);
   if (!(planar_distance(place, ray.image) <= near)) return false;
   step = Step::at_source;
-  places_.push_back({source.side, source.weights});
+  end_at(ray, {source.side, source.weights});
   return true;
 }
 
@@ -91,7 +107,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Path_tracer::arrive_at_corner(const Ra
     }
   }
   if (corner == Gluing::none) return false;
-  places_.push_back({corner, {1, 0, 0}});
+  end_at(ray, {corner, {1, 0, 0}});
   return true;
 }
 
@@ -105,6 +121,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Path_tracer::passes(const Ray& ray,
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Path_tracer::turn_to(Ray& ray, std::uint32_t side) const {
   ray.from = field_.turned_to(side, ray.from, ray.side);
+  ray.end = field_.turned_to(side, ray.end, ray.side);
   ray.image = field_.turned_to(side, ray.image, ray.side);
   ray.side = side;
 }
@@ -117,7 +134,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Path_tracer::Step Path_tracer::start(const 
   for (const bool at_target : {false, true}) {
     const Planar_point end{at_target ? length : 0, 0};
     if (!passes(ray, end) || planar_distance(end, ray.from) == 0) continue;
-    places_.push_back({at_target ? Corner_table::next(ray.side) : ray.side, {1, 0, 0}});
+    end_at(ray, {at_target ? Corner_table::next(ray.side) : ray.side, {1, 0, 0}});
     return Step::at_vertex;
   }
   return Step::crossed;
@@ -134,6 +151,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Path_tracer::Step Path_tracer::cross(Ray& r
   places_.push_back({ray.side, {1 - x / side.length, x / side.length, 0}});
   ray = {side.opposite,
          {side.length - x, 0},
+         {side.length - ray.end.x, -ray.end.y},
          {side.length - ray.image.x, -ray.image.y},
          ray.source,
          ray.tolerance};
@@ -142,7 +160,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Path_tracer::Step Path_tracer::cross(Ray& r
   const Planar_point apex = Window_face(table_, ray.side).apex;
   const std::uint32_t left = Corner_table::previous(ray.side);
   if (passes(ray, apex)) {
-    places_.push_back({left, {1, 0, 0}});
+    end_at(ray, {left, {1, 0, 0}});
     return Step::at_vertex;
   }
   const double turn = (ray.image.x - ray.from.x) * apex.y - ray.image.y * (apex.x - ray.from.x);

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Corner_table.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Distance_field.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Path_tracer.h>
@@ -160,6 +161,22 @@ public:
     return path(tracer.trace(point_in_face(p)), tracer, length);
   }
 
+  /// returns the vector at the nearest source along the shortest path to a vertex, as long as the path: at a source that is a vertex, in a face into
+  /// which it points. Its coordinates are not numbers where the distance is infinite, or rounding has led the path astray. \complexity that of `shortest_path()`
+  Tangent_vector logarithm(vertex_descriptor v) const {
+    internal::Path_tracer tracer(field_);
+    const double length = distance(v);
+    const bool is_known = std::isfinite(length) && tracer.trace(t_->index(v)) == Status::done;
+    return departure(tracer, is_known && !tracer.places().empty(), length);
+  }
+  /// returns the vector at the nearest source along the shortest path to a point; see above.
+  Tangent_vector logarithm(const Surface_point& p) const {
+    internal::Path_tracer tracer(field_);
+    const double length = distance(p);
+    const bool is_known = std::isfinite(length) && tracer.trace(point_in_face(p)) == Status::done;
+    return departure(tracer, is_known, length);
+  }
+
 private:
   using Halfedge = typename Triangulation::halfedge_descriptor;
 
@@ -213,6 +230,16 @@ private:
       result.points.push_back({halfedge_of(p.side), p.weights});
     std::reverse(result.points.begin(), result.points.end());
     return result;
+  }
+
+  Tangent_vector departure(const internal::Path_tracer& tracer, bool is_known,
+                           double length) const {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    if (!is_known) return {{Gluing::none, {unknown, unknown, unknown}}, {unknown, unknown}};
+    const internal::Path_place& place = tracer.places().back();
+    const internal::Planar_point d = tracer.departure();
+    const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
+    return {{halfedge_of(place.side), place.weights}, {scale * d.x, scale * d.y}};
   }
 
   const Triangulation* t_;
