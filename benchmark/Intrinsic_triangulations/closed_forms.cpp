@@ -15,6 +15,7 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
@@ -322,7 +323,9 @@ nlohmann::json errors(const Shape& shape, const Triangulation& t, const Surface_
   const IT::Vector_heat_method<Triangulation> heat(t, time);
   const auto v = IT::vertex_on_intrinsic(t, Surface_mesh::Vertex_index(source), mesh);
   result["transport"] = transport_error(shape, t, mesh, heat.transport(v, 1));
-  result["affine_logarithm"] = logarithm_error(shape, heat.logarithmic_map(v));
+  result["exact_logarithm"] = logarithm_error(shape, IT::logarithmic_map(t, v));
+  result["affine_logarithm"] =
+      logarithm_error(shape, heat.logarithmic_map(v, IT::Logarithm_method::affine));
   result["polar_logarithm"] =
       logarithm_error(shape, heat.logarithmic_map(v, IT::Logarithm_method::polar));
   return result;

@@ -94,15 +94,16 @@ nlohmann::json measure(const std::string& name, const Triangulation& t, const Me
   const IT::Vector_heat_method<Triangulation> heat(t);
   const auto v = IT::vertex_on_intrinsic(t, Mesh::Vertex_index(source), mesh);
   const auto transported = IT::vectors_in_space(t, heat.transport(v, 1), mesh);
-  const auto affine = heat.logarithmic_map(v),
-             polar = heat.logarithmic_map(v, IT::Logarithm_method::polar);
+  const auto affine = heat.logarithmic_map(v, IT::Logarithm_method::affine),
+             polar = heat.logarithmic_map(v, IT::Logarithm_method::polar),
+             exact = heat.logarithmic_map(v);
   const auto place = [&](std::uint32_t i) {
     const auto& p = mesh.point(Mesh::Vertex_index(i));
     return Vector(p.x(), p.y(), p.z());
   };
   const auto vector = [&](std::uint32_t i) { return Vector(transported[i].data()); };
   const Vector x = place(source), e = vector(source);
-  Errors directions, affine_lengths, polar_lengths;
+  Errors directions, affine_lengths, polar_lengths, exact_lengths;
   for (std::uint32_t i = 0; i < mesh.number_of_vertices(); ++i) {
     const Vector y = place(i);
     if (i == source || x.dot(y) < 0) continue;
@@ -110,10 +111,12 @@ nlohmann::json measure(const std::string& name, const Triangulation& t, const Me
     const double r = std::atan2(x.cross(y).norm(), x.dot(y));
     affine_lengths.add(std::abs(std::abs(affine[i]) - r));
     polar_lengths.add(std::abs(std::abs(polar[i]) - r));
+    exact_lengths.add(std::abs(std::abs(exact[i]) - r));
   }
   return {{"triangulation", name},
           {"vertices", t.number_of_vertices()},
           {"transport", directions.json()},
+          {"exact_logarithm", exact_lengths.json()},
           {"affine_logarithm", affine_lengths.json()},
           {"polar_logarithm", polar_lengths.json()}};
 }

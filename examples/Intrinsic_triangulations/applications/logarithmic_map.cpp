@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/karcher_mean.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/logarithmic_map.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -33,17 +34,16 @@ int main() {
   CGAL::make_grid(8, 8, mesh, corner, true);
   //! [log]
   const Triangulation t(mesh);
-  const IT::Vector_heat_method<Triangulation> heat(t);
-
   const Mesh::Vertex_index from(40), to(70); // (4, 4) and (7, 7)
   const auto v = IT::vertex_on_intrinsic(t, from, mesh);
-  const std::vector<std::complex<double>> log = heat.logarithmic_map(v);
+  const std::vector<std::complex<double>> log = IT::logarithmic_map(t, v);
   const std::complex<double> z = log[t.input_vertex(IT::vertex_on_intrinsic(t, to, mesh))];
   const IT::Geodesic back = IT::exponential_map(t, v, z);
   //! [log]
   const Point p = IT::point_in_space(t, *IT::locate_on_input(t, back.points.back()), mesh);
   std::cout << "distance " << std::abs(z) << ", and back to (" << p << ")\n";
   //! [mean]
+  const IT::Vector_heat_method<Triangulation> heat(t);
   std::vector<std::pair<IT::Surface_point, double>> points; // in faces, with weights
   for (const std::uint32_t f : {3U, 60U, 101U})
     points.push_back({IT::surface_point(t, {t.numbers().face_at(f), {0.4, 0.3, 0.3}}), 1.});

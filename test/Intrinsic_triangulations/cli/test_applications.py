@@ -4,6 +4,7 @@
 
 import math
 import os
+import random
 import shutil
 import struct
 import subprocess
@@ -219,13 +220,63 @@ class Vectors(Applications):
             self.assertLess(abs(math.hypot(*axis) - 1), 1e-9)
 
     def test_logarithms_are_as_long_as_geodesics(self):
-        for method in ("affine", "polar"):
+        for method in ("exact", "affine", "polar"):
             self.stats("logmap", self.sphere, "--source", "0", "--method", method, "-o", "l.txt")
             for p, (x, y) in zip(self.points, self.values("l.txt")):
                 angle = 2 * math.asin(min(1, math.dist(p, self.points[0]) / 2))
                 if angle < 1.5:
                     self.assertLess(abs(math.hypot(x, y) - angle), 0.1)
         self.assertEqual(self.run_program("logmap", self.sphere, "--source", "0,1").code, 1)
+
+    def test_logarithms_tell_what_is_torn_and_unknown(self):
+        """The antipode of a sphere is torn; another component is unknown, and so is what is transported there."""
+        n = len(self.points)
+        two = self.write_off("two.off", self.points + [(x + 9, y, z) for x, y, z in self.points],
+                             self.faces + [[v + n for v in face] for face in self.faces])
+        vectors = self.write("v.txt", "0 90 2\n")
+        for method in ("exact", "affine", "polar"):
+            stats = self.stats("logmap", two, "--source", "0", "--method", method, "-o",
+                               "l.txt")["logmap"]
+            self.assertEqual((stats["method"], stats["unknown_vertices"]), (method, n))
+            for i, (x, y) in enumerate(self.values("l.txt")):
+                self.assertEqual((math.isnan(x), math.isnan(y)), (i >= n, i >= n))
+        stats = self.stats("logmap", self.sphere, "--source", "0")["logmap"]
+        self.assertEqual((stats["method"], stats["unknown_vertices"]), ("exact", 0))
+        self.assertGreater(stats["torn_edges"], 0)
+        self.assertGreater(stats["injectivity_radius"], 2)
+        self.assertLess(stats["injectivity_radius"], math.pi)
+        stats = self.stats("transport", two, "--vectors", vectors, "-o", "t.txt")["transport"]
+        self.assertEqual(stats["unknown_vertices"], n)
+        self.assertLess(abs(stats["longest"] - 2), 1e-9)
+
+    def test_points_have_logarithms_and_conformal_maps(self):
+        generator = random.Random(5)
+        points = []
+        while len(points) < 800:
+            p = [generator.gauss(0, 1) for _ in range(3)]
+            points.append([x / math.hypot(*p) for x in p])
+        cloud = self.write("p.xyz", "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in points))
+        stats = self.stats("logmap", cloud, "--source", "7", "-o", "l.txt")["logmap"]
+        self.assertEqual((stats["method"], stats["unknown_vertices"]), ("affine", 0))
+        errors = []
+        for p, (x, y) in zip(points, self.values("l.txt"), strict=True):
+            angle = 2 * math.asin(min(1, math.dist(p, points[7]) / 2))
+            if 0 < angle < 1.2:
+                errors.append(abs(math.hypot(x, y) - angle) / angle)
+        self.assertLess(sum(errors) / len(errors), 0.03)
+        for method in ("exact", "polar"):
+            run = self.run_program("logmap", cloud, "--source", "7", "--method", method)
+            self.assertEqual(run.code, 1)
+            self.assertIn("leave out --method", run.err)
+        disk = self.write("d.xyz", "".join(f"{x!r} {y!r} 3\n" for x, y, _ in points))
+        self.stats("parametrize", disk, "--method", "spectral", "-o", "u.txt")
+        uv = self.values("u.txt")
+        for i, j in ((0, 1), (4, 700), (30, 71)):
+            self.assertLess(abs(math.dist(uv[i], uv[j]) - math.dist(points[i][:2], points[j][:2])),
+                            1e-6)
+        run = self.run_program("parametrize", disk)
+        self.assertEqual(run.code, 1)
+        self.assertIn("--method spectral", run.err)
 
     def test_indices_of_fields_sum_to_the_euler_characteristic(self):
         for degree in (1, 2, 4, 6):

@@ -121,14 +121,14 @@ TEST(Point_cloud_vectors, does_not_depend_on_the_order_of_points) {
               1e-9);
 }
 
-/// A sphere has singularities whose indices sum to 2 in a field of any degree; here it is smooth away from them.
+/// In the plane the smoothest field is constant.
 TEST(Point_cloud_vectors, direction_fields_keep_what_is_fixed) {
   const std::vector<Point> points = random_square(300, 3, 1);
   const Cloud cloud(points);
   for (const int degree : {1, 4}) {
     const IT::Direction_field field = cloud.smoothest_direction_field(degree, {{7, {0, 2}}});
     const Vector start = vector(cloud.in_space(7, {0, 1}));
-    for (std::size_t i = 0; i < points.size(); ++i) { // constant in the plane
+    for (std::size_t i = 0; i < points.size(); ++i) {
       double best = 2;
       for (int k = 0; k < degree; ++k)
         best = std::min(best,
