@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/logarithmic_map.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
