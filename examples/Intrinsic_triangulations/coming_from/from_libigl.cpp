@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/harmonic_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs.h>
@@ -58,7 +59,7 @@ int main() {
 
   //! [vertex]
   const auto vertex = [&](std::uint32_t i) {
-    return t.numbers().vertex_at(t.input().names().vertex(i));
+    return IT::vertex_of_row(t, i);
   };
   //! [vertex]
   //! [heat]

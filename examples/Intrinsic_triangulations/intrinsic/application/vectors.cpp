@@ -106,7 +106,7 @@ Computed transport(const Triangulation& t, const Options& options, const Points&
   std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> sources;
   Marks marks{"sources"};
   for (const Asked_vector& v : read_vectors(options, t.input().number_of_rows())) {
-    sources.push_back({t.numbers().vertex_at(t.input().names().vertex(v.row)), v.z});
+    sources.push_back({IT::vertex_of_row(t, v.row), v.z});
     marks.points.push_back({{points[v.row]}, false, 0});
   }
   const IT::Vector_heat_method<Triangulation> heat(t, options.application.time_factor);
@@ -260,7 +260,7 @@ Computed direction_field(const Triangulation& t, const Options& options, const P
   std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> fixed;
   if (!options.application.vectors.empty())
     for (const Asked_vector& v : read_vectors(options, t.input().number_of_rows()))
-      fixed.push_back({t.numbers().vertex_at(t.input().names().vertex(v.row)), v.z});
+      fixed.push_back({IT::vertex_of_row(t, v.row), v.z});
   const int degree = static_cast<int>(options.application.degree);
   const IT::Direction_field field = field_of(t, options, points, fixed);
   const auto singular = IT::singularities(t, field);

@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
@@ -24,6 +25,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -122,6 +124,56 @@ TYPED_TEST(Queries, Places_on_my_mesh_go_there_and_back_at_every_scale) {
         EXPECT_LT(distance(in_space(place), in_space(*back)), 1e-9 * scale) << name;
       }
     }
+}
+
+/// Of a mesh and of the soup with the same triangles in random order, each beginning at a random corner: the weights that belong to the corners as
+/// listed name the same point, which is their combination.
+TYPED_TEST(Queries, Weights_are_in_the_order_in_which_faces_list_their_vertices) {
+  const unsigned seed = 23;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  for (auto [name, shape] : shapes()) {
+    std::shuffle(shape.triangles.begin(), shape.triangles.end(), random);
+    for (auto& corners : shape.triangles)
+      std::rotate(corners.begin(), corners.begin() + static_cast<int>(random() % 3), corners.end());
+    const auto mesh = user_mesh<Surface_mesh>(shape);
+    const Triangulation<TypeParam> t(mesh);
+    IT::Triangle_soup triangles;
+    triangles.points = shape.points;
+    triangles.triangles = shape.triangles;
+    const Triangulation<TypeParam> soup{IT::Intrinsic_input(std::move(triangles))};
+    std::exponential_distribution<double> number;
+    for (const auto f : faces(mesh)) {
+      const auto& corners = shape.triangles[f];
+      std::array<double, 3> weights{number(random), number(random), number(random)};
+      const double sum = weights[0] + weights[1] + weights[2];
+      std::array<double, 3> wanted{0, 0, 0};
+      for (std::size_t k = 0; k < 3; ++k) {
+        weights[k] /= sum;
+        for (std::size_t c = 0; c < 3; ++c)
+          wanted[c] += weights[k] * shape.points[corners[k]][c];
+      }
+      const auto place = IT::place_in_face(f, weights, mesh);
+      EXPECT_EQ(IT::weights_in_face(place), weights);
+      // sums of three products of numbers below 10
+      const auto on_mesh = IT::point_in_space(t, IT::surface_point(t, place, mesh), mesh);
+      const auto in_soup =
+          IT::point_in_space(soup, IT::point_in_triangle(soup, f, weights), shape.points);
+      for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(on_mesh[static_cast<int>(c)], wanted[c], 1e-14) << name << ' ' << f;
+        EXPECT_NEAR(in_soup[c], wanted[c], 1e-14) << name << ' ' << f;
+      }
+    }
+    for (std::uint32_t row = 0; row < shape.points.size(); ++row) {
+      EXPECT_EQ(t.input_vertex(IT::vertex_of_row(t, row)), row);
+      EXPECT_EQ(soup.input_vertex(IT::vertex_of_row(soup, row)), row);
+    }
+    const auto none = static_cast<std::uint32_t>(shape.points.size());
+    EXPECT_THROW(IT::vertex_of_row(soup, none), IT::Invalid_input);
+    EXPECT_THROW(
+        IT::point_in_triangle(soup, static_cast<std::uint32_t>(shape.triangles.size()), {1, 0, 0}),
+        IT::Invalid_input);
+  }
 }
 
 TYPED_TEST(Queries, Intrinsic_edges_are_polylines_of_their_length_at_every_scale) {

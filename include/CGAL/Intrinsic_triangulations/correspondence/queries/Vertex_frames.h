@@ -22,9 +22,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief holds a tangent vector per vertex `v`, at index `t.input_vertex(v)` as in all operators.
+\brief holds a tangent vector per vertex `v`, at its row `t.input_vertex(v)` as in all operators; `vertex_of_row()` is its inverse.
 
-Of a cover, each copy of a vertex has a tangent plane and a vector of its own: at the number of the copy,
+On a cover these are no rows: each copy of a vertex has a tangent plane and a vector of its own: at the number of the copy,
 `t.input().names().vertices.user(t.index(v))`; those of inserted vertices follow.
 
 It is a complex number in the polar coordinates of the vertex (§2.4 of the course): the real axis runs along the first
