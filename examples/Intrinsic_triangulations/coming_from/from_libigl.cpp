@@ -58,9 +58,7 @@ int main() {
   //! [lengths]
 
   //! [vertex]
-  const auto vertex = [&](std::uint32_t i) {
-    return IT::vertex_of_row(t, i);
-  };
+  const auto vertex = [&](std::uint32_t i) { return IT::vertex_of_row(t, i); };
   //! [vertex]
   //! [heat]
   IT::Heat_distance heat(t); // factors once

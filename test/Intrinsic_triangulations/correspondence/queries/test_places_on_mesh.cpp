@@ -6,8 +6,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
@@ -150,8 +150,7 @@ TYPED_TEST(Queries, Weights_are_in_the_order_in_which_faces_list_their_vertices)
       std::array<double, 3> wanted{0, 0, 0};
       for (std::size_t k = 0; k < 3; ++k) {
         weights[k] /= sum;
-        for (std::size_t c = 0; c < 3; ++c)
-          wanted[c] += weights[k] * shape.points[corners[k]][c];
+        for (std::size_t c = 0; c < 3; ++c) wanted[c] += weights[k] * shape.points[corners[k]][c];
       }
       const auto place = IT::place_in_face(f, weights, mesh);
       EXPECT_EQ(IT::weights_in_face(place), weights);

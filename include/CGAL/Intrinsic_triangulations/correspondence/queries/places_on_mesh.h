@@ -207,8 +207,8 @@ Surface_point point_in_triangle(const Triangulation& t, std::uint32_t triangle,
       triangle < input.number_of_faces() ? input.names().faces.here(triangle) : Gluing::none;
   if (f == Gluing::none)
     throw Invalid_input(Element_kind::face, triangle,
-                        "there is no triangle " + std::to_string(triangle) + "; numbers are below " +
-                            std::to_string(input.number_of_faces()));
+                        "there is no triangle " + std::to_string(triangle) +
+                            "; numbers are below " + std::to_string(input.number_of_faces()));
   return {input.halfedge_of_face(f), weights};
 }
 
@@ -228,8 +228,8 @@ typename Triangulation::vertex_descriptor vertex_of_row(const Triangulation& t, 
   const std::uint32_t rows = t.input().number_of_rows();
   if (row >= rows)
     throw Invalid_input(Element_kind::vertex, row,
-                        "there is no vertex " + std::to_string(row) + " of the input; numbers are below " +
-                            std::to_string(rows));
+                        "there is no vertex " + std::to_string(row) +
+                            " of the input; numbers are below " + std::to_string(rows));
   return t.numbers().vertex_at(t.input().names().vertex(row));
 }
 
