@@ -233,8 +233,8 @@ void add_refinement_options(CLI::App& command, Options& options) {
   command
       .add_option(
           "--odt", options.odt_length,
-          "then move inserted vertices to an optimal Delaunay triangulation, and split edges "
-          "longer than this")
+          "then move inserted vertices to an optimal Delaunay triangulation, split edges longer than "
+          "this, and refine to the least angle again")
       ->check(positive());
 }
 

@@ -67,9 +67,11 @@ void optimize(Triangulation& t, const Constrained& constrained, const Options& o
   Stopwatch watch;
   Odt_progress visitor{&progress};
   progress.show("moving vertices");
-  const auto result = IT::odt_optimize(t, IT::parameters::maximum_edge_length(options.odt_length)
-                                              .edge_is_constrained_map(constrained)
-                                              .visitor(std::ref(visitor)));
+  const auto result =
+      IT::odt_optimize(t, IT::parameters::maximum_edge_length(options.odt_length)
+                              .minimum_angle(options.refinement.minimum_angle)
+                              .edge_is_constrained_map(constrained)
+                              .visitor(std::ref(visitor)));
   expect_accurate(result.inaccuracy, options);
   json["seconds"]["odt"] = watch.lap();
   json["odt"] = {{"status", result.status == IT::Status::done ? "converged" : "cap"},
@@ -79,7 +81,10 @@ void optimize(Triangulation& t, const Constrained& constrained, const Options& o
                  {"moves", result.moves},
                  {"refused", result.refused},
                  {"energy_before", result.energy_before},
-                 {"energy_after", result.energy_after}};
+                 {"energy_after", result.energy_after},
+                 {"insertions", result.insertions},
+                 {"min_angle_deg", result.minimum_angle},
+                 {"unsatisfied_faces", result.unsatisfied_faces}};
 }
 
 /// returns the least angle of the faces that are not in a list, in degrees.

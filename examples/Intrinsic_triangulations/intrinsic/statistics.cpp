@@ -251,7 +251,8 @@ void print_summary(std::ostream& stream, const Json& json) {
   if (json.contains("odt"))
     row("optimal Delaunay") << json["odt"]["splits"] << " splits, " << json["odt"]["moves"]
                             << " moves, energy from " << json["odt"]["energy_before"] << " to "
-                            << json["odt"]["energy_after"] << "; "
+                            << json["odt"]["energy_after"] << ", least angle "
+                            << json["odt"]["min_angle_deg"] << " degrees; "
                             << json["odt"]["status"].get<std::string>() << '\n';
   if (json.contains("constraints")) row("kept edges") << json["constraints"]["input_edges"] << '\n';
   const Json& quality = json["quality"];

@@ -16,6 +16,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -249,6 +252,53 @@ std::size_t number_of_vertices(const T& t) { // removed ones are counted by num_
   std::size_t n = 0;
   for ([[maybe_unused]] const auto v : vertices(t.mesh())) ++n;
   return n;
+}
+
+/// The least angle of each face, in degrees, by the law of cosines; rounded where it is near zero.
+template <class T>
+std::vector<double> least_angles(const T& t) {
+  std::vector<double> result;
+  for (const auto f : faces(t.mesh())) {
+    const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
+    std::array<double, 3> l{t.length(edge(h, t.mesh())), t.length(edge(n, t.mesh())),
+                            t.length(edge(next(n, t.mesh()), t.mesh()))};
+    std::ranges::sort(l);
+    const double cosine = (l[1] * l[1] + l[2] * l[2] - l[0] * l[0]) / (2 * l[1] * l[2]);
+    result.push_back(std::acos(cosine) * 180 / std::numbers::pi);
+  }
+  return result;
+}
+
+// The moves alone leave angles of a few degrees. What the result tells is what there is, with the bound and without.
+TYPED_TEST(Odt_optimize, Keeps_the_least_angle_that_is_asked_for) {
+  for (const unsigned seed : {1U, 2U, 3U})
+    for (const meshes::Mesh& m :
+         {meshes::rough_grid(4, seed), meshes::potato(1, seed), meshes::sheared_grid(3, 3, 2)})
+      for (const double angle : {0., 25.}) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << angle << " degrees");
+        TypeParam t(input(m));
+        Edge_map marks;
+        Constraints<TypeParam> constrained{&t, &marks};
+        std::mt19937 random(seed);
+        for (const auto e : edges(t.mesh())) put(constrained, e, random() % 9 == 0);
+        const double length = total_length(t, constrained);
+        double mean = 0;
+        for (const auto e : edges(t.mesh())) mean += t.length(e);
+        mean /= static_cast<double>(num_edges(t.mesh()));
+        IT::delaunay_refine(t, IT::parameters::edge_is_constrained_map(constrained));
+        const auto result = IT::odt_optimize(t, IT::parameters::maximum_edge_length(0.6 * mean)
+                                                    .minimum_angle(angle)
+                                                    .edge_is_constrained_map(constrained));
+        EXPECT_EQ(result.status, Status::done);
+        const std::vector<double> angles = least_angles(t);
+        const auto small = std::ranges::count_if(angles, [&](double a) { return a < angle - 1e-6; });
+        EXPECT_EQ(result.unsatisfied_faces, static_cast<std::size_t>(small));
+        // an arc cosine near 1 loses half of the digits
+        EXPECT_NEAR(*std::ranges::min_element(angles), result.minimum_angle, 1e-6);
+        EXPECT_TRUE(angle > 0 || result.insertions == 0);
+        EXPECT_NEAR(result.energy_after, IT::odt_energy(t), 1e-12 * result.energy_after);
+        EXPECT_NEAR(total_length(t, constrained), length, 1e-12 * length);
+      }
 }
 
 TEST(Odt, Makes_areas_more_even_than_refinement_and_uses_its_vertices_better) {

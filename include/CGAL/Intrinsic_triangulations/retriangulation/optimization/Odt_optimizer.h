@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -52,6 +53,12 @@ struct Odt_result {
   double energy_before = 0;
   /// The energy after.
   double energy_after = 0;
+  /// Vertices inserted in the end, for the least angle that was asked for.
+  std::uint64_t insertions = 0;
+  /// The least angle of all faces in the end, in degrees, rounded.
+  double minimum_angle = 0;
+  /// Number of faces that have a smaller angle than asked for: `delaunay_refine()` would list them.
+  std::size_t unsatisfied_faces = 0;
   /// What rounding has spoilt, if it is `inaccurate`.
   std::optional<Inaccuracy> inaccuracy = std::nullopt;
 };

@@ -4,17 +4,44 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_OPTIMIZATION_ODT_OPTIMIZE_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_optimizer.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_parts.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Refines faces that moves have left with smaller angles than asked for, with the parts of constrained edges kept.
+template <class Triangulation, class Optimizer>
+Constrained_segments restore_angles(Triangulation& t, const Refinement_settings& asked,
+                                    const Optimizer& optimizer, Odt_result& result) {
+  std::vector<char> is_kept(t.numbers().edge_capacity(t.mesh()), 0);
+  for (const auto e : edges(t.mesh()))
+    is_kept[t.index(e)] = optimizer.whole(t.index(e)) != Gluing::none ? 1 : 0;
+  Refinement_visitor visitor;
+  auto refined = refine(t, asked, is_kept, visitor);
+  result.insertions = refined.result.counts.inserted_vertices();
+  result.unsatisfied_faces = refined.result.unsatisfied.size();
+  if (refined.result.status != Status::done) result.status = refined.result.status;
+  result.energy_after = odt_energy(t);
+  return std::move(refined.segments);
+}
+
+} // namespace internal
 
 /*!
 \brief improves a triangulation by moving the vertices that were inserted, towards an optimal Delaunay
@@ -24,7 +51,8 @@ Delaunay triangulations, 2011).
 Each iteration splits the edges that are too long at their midpoints, then moves every
 inserted vertex to the mean of the circumcenters of the faces about it, weighted by their areas, or part of
 the way where that is outside of its star, and flips edges to Delaunay. Areas become even, at the cost of
-some smaller angles than `delaunay_refine()` leaves. The vertices of the input stay, and the surface is
+some smaller angles than `delaunay_refine()` leaves: unless a least angle is asked for, then `delaunay_refine()` follows, which
+also splits edges that are still too long. The vertices of the input stay, and the surface is
 what it was; so do vertices inserted on the border and on constrained edges. Moved vertices get new
 descriptors. With inexact traits the result is checked, see `delaunay_refine()`.
 
@@ -33,13 +61,14 @@ descriptors. With inexact traits the result is checked, see `delaunay_refine()`.
 \param t the triangulation; it may have been refined before
 \param np optional named parameters:
   - `maximum_edge_length(x)`: edges that are longer are split, in the units of the input. Default: none is.
+  - `minimum_angle(x)`: least angle of faces in the end, in degrees, kept by inserting vertices. Default: 0, any.
   - `number_of_iterations(n)`: cap on the number of iterations. Default: 100.
   - `maximum_insertions(n)`: cap on the number of vertices inserted. Default: a million and ten per face.
   - `convergence(x)`: it is done when an iteration without splits lowers the energy by less than this
     fraction. Default: 1e-3.
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
   - `visitor(v)`: see `Odt_visitor`
-\return status, counts, energies
+\return status, counts, energies, the least angle that there is
 \throws std::invalid_argument if the largest length is not positive
 \complexity linear in the number of vertices for each iteration, as a rule
 */
@@ -47,8 +76,8 @@ template <RefinableTriangulation Triangulation, NamedParameters NP = parameters:
 Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_values()) {
   using namespace internal::tags;
   using Edge = typename Triangulation::edge_descriptor;
-  internal::expect_names<maximum_edge_length, number_of_iterations, maximum_insertions, convergence,
-                         edge_is_constrained_map, visitor>(np);
+  internal::expect_names<maximum_edge_length, minimum_angle, number_of_iterations,
+                         maximum_insertions, convergence, edge_is_constrained_map, visitor>(np);
   const auto constrained = internal::constrained_map<Edge>(np);
   auto stored_visitor = internal::object_or<visitor>(np, Odt_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
@@ -57,8 +86,20 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
       t, np, observed);
   const internal::Constrained_parts parts(t, constrained);
   Odt_result result = optimizer.run(constrained);
+  internal::Refinement_settings asked(np);
+  asked.minimum_angle = internal::value_or<minimum_angle>(np, 0.);
+  if (asked.maximum_insertions)
+    *asked.maximum_insertions -= std::min(*asked.maximum_insertions, result.splits);
+  Constrained_segments segments;
+  if (asked.minimum_angle > 0 && result.status != Status::cancelled)
+    segments = internal::restore_angles(t, asked, optimizer, result);
   check.conclude(result);
-  parts.write(t, [&](std::uint32_t e) { return optimizer.whole(e); });
+  Quality quality;
+  internal::measure_faces(t, quality);
+  result.minimum_angle = quality.minimum_angle;
+  parts.write(t, [&](std::uint32_t e) {
+    return optimizer.whole(segments.is_constrained(e) ? segments.whole(e) : e);
+  });
   return result;
 }
 
