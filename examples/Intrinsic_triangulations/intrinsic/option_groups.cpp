@@ -231,10 +231,10 @@ void add_refinement_options(CLI::App& command, Options& options) {
   command.add_flag("--conforming", r.is_conforming,
                    "split edges that are kept until all edges are Delaunay");
   command
-      .add_option(
-          "--odt", options.odt_length,
-          "then move inserted vertices to an optimal Delaunay triangulation, split edges longer than "
-          "this, and refine to the least angle again")
+      .add_option("--odt", options.odt_length,
+                  "then move inserted vertices to an optimal Delaunay triangulation, split edges "
+                  "longer than "
+                  "this, and refine to the least angle again")
       ->check(positive());
 }
 

@@ -67,11 +67,10 @@ void optimize(Triangulation& t, const Constrained& constrained, const Options& o
   Stopwatch watch;
   Odt_progress visitor{&progress};
   progress.show("moving vertices");
-  const auto result =
-      IT::odt_optimize(t, IT::parameters::maximum_edge_length(options.odt_length)
-                              .minimum_angle(options.refinement.minimum_angle)
-                              .edge_is_constrained_map(constrained)
-                              .visitor(std::ref(visitor)));
+  const auto result = IT::odt_optimize(t, IT::parameters::maximum_edge_length(options.odt_length)
+                                              .minimum_angle(options.refinement.minimum_angle)
+                                              .edge_is_constrained_map(constrained)
+                                              .visitor(std::ref(visitor)));
   expect_accurate(result.inaccuracy, options);
   json["seconds"]["odt"] = watch.lap();
   json["odt"] = {{"status", result.status == IT::Status::done ? "converged" : "cap"},

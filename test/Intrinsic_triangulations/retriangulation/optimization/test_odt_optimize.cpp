@@ -15,10 +15,10 @@
 #include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <array>
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -291,7 +291,8 @@ TYPED_TEST(Odt_optimize, Keeps_the_least_angle_that_is_asked_for) {
                                                     .edge_is_constrained_map(constrained));
         EXPECT_EQ(result.status, Status::done);
         const std::vector<double> angles = least_angles(t);
-        const auto small = std::ranges::count_if(angles, [&](double a) { return a < angle - 1e-6; });
+        const auto small =
+            std::ranges::count_if(angles, [&](double a) { return a < angle - 1e-6; });
         EXPECT_EQ(result.unsatisfied_faces, static_cast<std::size_t>(small));
         // an arc cosine near 1 loses half of the digits
         EXPECT_NEAR(*std::ranges::min_element(angles), result.minimum_angle, 1e-6);

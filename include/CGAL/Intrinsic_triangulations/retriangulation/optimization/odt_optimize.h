@@ -91,14 +91,15 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
   if (asked.maximum_insertions)
     *asked.maximum_insertions -= std::min(*asked.maximum_insertions, result.splits);
   Constrained_segments segments;
-  if (asked.minimum_angle > 0 && result.status != Status::cancelled)
-    segments = internal::restore_angles(t, asked, optimizer, result);
+  const bool is_refined = asked.minimum_angle > 0 && result.status != Status::cancelled;
+  if (is_refined) segments = internal::restore_angles(t, asked, optimizer, result);
   check.conclude(result);
   Quality quality;
   internal::measure_faces(t, quality);
   result.minimum_angle = quality.minimum_angle;
   parts.write(t, [&](std::uint32_t e) {
-    return optimizer.whole(segments.is_constrained(e) ? segments.whole(e) : e);
+    if (!is_refined) return optimizer.whole(e);
+    return segments.is_constrained(e) ? optimizer.whole(segments.whole(e)) : Gluing::none;
   });
   return result;
 }
