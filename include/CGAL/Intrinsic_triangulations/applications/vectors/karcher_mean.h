@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/exponential_map.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -63,11 +64,13 @@ public:
 
   // the mean of the vectors from a point, and of their squared lengths
   std::complex<double> mean(const Surface_point& from, double& energy) const {
-    const std::vector<std::complex<double>> log = heat_.logarithmic_map(from, Logarithm_method::affine);
+    const std::vector<std::complex<double>> log =
+        heat_.logarithmic_map(from, Logarithm_method::affine);
     std::complex<double> sum = 0;
     energy = 0;
     for (const auto& [q, w] : points_) {
       const std::complex<double> z = heat_.logarithm_at(log, from, q);
+      if (w == 0 || !is_known(z)) continue; // on another component, or beyond all directions
       sum += w / all_ * z;
       energy += w / all_ * std::norm(z);
     }

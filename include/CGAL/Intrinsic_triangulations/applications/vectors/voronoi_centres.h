@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/exponential_map.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -94,11 +95,12 @@ Voronoi_centres voronoi_centres(const Vector_heat_method<Triangulation>& heat,
     }
     result.largest_move = 0;
     for (std::uint32_t s = 0; s < result.sites.size(); ++s) {
-      const std::vector<std::complex<double>> log = heat.logarithmic_map(result.sites[s], Logarithm_method::affine);
+      const std::vector<std::complex<double>> log =
+          heat.logarithmic_map(result.sites[s], Logarithm_method::affine);
       std::complex<double> sum = 0;
       double area = 0;
       for (std::size_t i = 0; i < log.size(); ++i) {
-        if (result.cell[i] != s) continue;
+        if (result.cell[i] != s || !internal::is_known(log[i])) continue;
         sum += areas[i] * log[i];
         area += areas[i];
       }
