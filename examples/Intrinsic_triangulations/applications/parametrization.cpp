@@ -51,8 +51,9 @@ int main(int argc, char* argv[]) {
   //! [file]
   // fields with the names u and v are texture coordinates in OBJ
   const Eigen::VectorXd u = of_subdivision.col(0), v = of_subdivision.col(1);
-  IT::write_common_subdivision(file, s, IT::positions(s, mesh),
-                               std::array{IT::Vertex_field("u", u), IT::Vertex_field("v", v)});
+  IT::write_common_subdivision(
+      file, s, IT::positions(s, mesh),
+      std::array{IT::Subdivision_field("u", u), IT::Subdivision_field("v", v)});
   //! [file]
   //! [conformal]
   const IT::Map_distortion harmonic = IT::measure_distortion(t, uv),
@@ -68,7 +69,8 @@ int main(int argc, char* argv[]) {
             << spectral.mean_quasi_conformal << '\n';
   const bool is_written = std::filesystem::file_size(file) > 0;
   if (argc <= 1) std::filesystem::remove(file); // the test leaves nothing behind
-  return is_written && certificate.is_injective() && spectral.mean_quasi_conformal < harmonic.mean_quasi_conformal
+  return is_written && certificate.is_injective() &&
+                 spectral.mean_quasi_conformal < harmonic.mean_quasi_conformal
              ? 0
              : 1;
 }
