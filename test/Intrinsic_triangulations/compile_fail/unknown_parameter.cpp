@@ -1,8 +1,8 @@
-// expect at once of templates: a named parameter is given that this function does not have
+// expect at once of templates: (Unknown_parameter = [^;]*maximum_rounds|expect_name<[^,]*maximum_rounds)
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Rounds are a matter of adaptive refinement.
+// Rounds are a matter of adaptive refinement. The compiler names the parameter.
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>

@@ -82,7 +82,7 @@ public:
     result_ = builder.shortening();
     result_ += IT::shorten_curves(network_,
                                   IT::parameters::relative_length(options_.geodesic.relative_length)
-                                      .joint_angle(options_.geodesic.joint_angle)
+                                      .minimum_joint_angle(options_.geodesic.joint_angle)
                                       .visitor(std::ref(visitor)));
     json["seconds"]["shorten"] = watch.lap();
     progress.show("verifying");

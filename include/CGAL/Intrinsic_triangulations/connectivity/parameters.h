@@ -31,8 +31,9 @@ package, but all of the names are here, those of CGAL among them.
           name(conforming) name(number_of_iterations) name(convergence) name(tolerance) name(bulk) \
               name(maximum_vertices) name(maximum_rounds) name(triangle_inequality) name(margin)   \
                   name(maximum_faces) name(snaps_to_vertices) name(border_condition)               \
-                      name(use_binary_mode) name(lines) name(relative_length) name(joint_angle)    \
-                          name(maximum_distance) name(targets) name(shortest) name(time_factor)
+                      name(use_binary_mode) name(lines) name(relative_length)                      \
+                          name(minimum_joint_angle) name(maximum_distance) name(targets)           \
+                              name(shortest) name(time_factor)
 /// \endcond
 
 namespace CGAL::Intrinsic_triangulations {
@@ -184,11 +185,18 @@ T& unwrapped(std::reference_wrapper<T>& reference) {
 template <class Tag, class... Tags>
 inline constexpr bool is_one_of = (std::is_same_v<Tag, Tags> || ...);
 
+// Refuses a name that a function does not have: compilers print `Unknown_parameter`.
+template <class Unknown_parameter, class... Tags>
+constexpr void expect_name() {
+  static_assert(is_one_of<Unknown_parameter, Tags...>,
+                "a named parameter is given that this function does not have: the one that the "
+                "compiler names as `Unknown_parameter`; see the page of the function");
+}
+
 // Refuses names that a function does not have.
 template <class... Tags, class... P>
 constexpr void expect_names(const parameters::Parameters<P...>&) {
-  static_assert((is_one_of<typename P::tag, Tags...> && ...),
-                "a named parameter is given that this function does not have; see its page");
+  (expect_name<typename P::tag, Tags...>(), ...);
 }
 template <class... Tags, class T, class Tag, class Base>
 constexpr void expect_names(const Named_function_parameters<T, Tag, Base>&) {}

@@ -44,7 +44,9 @@ The network refers to the triangulation. Edges that carry curves must not be fli
 */
 template <class Triangulation>
 class Curve_network {
-  static_assert(GeodesicTriangulation<Triangulation>);
+  static_assert(GeodesicTriangulation<Triangulation>,
+                "curves are on an intrinsic triangulation, not on a mesh: build one of the mesh, "
+                "such as Corresponding_triangulation");
   using Mesh = typename Triangulation::Mesh;
   using Segments = internal::Curve_segments;
 

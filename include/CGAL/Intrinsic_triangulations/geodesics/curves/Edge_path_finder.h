@@ -33,7 +33,9 @@ another fan are not found.
 */
 template <class Triangulation>
 class Edge_path_finder {
-  static_assert(GeodesicTriangulation<Triangulation>);
+  static_assert(GeodesicTriangulation<Triangulation>,
+                "curves are on an intrinsic triangulation, not on a mesh: build one of the mesh, "
+                "such as Corresponding_triangulation");
 
 public:
   /// Vertex of the triangulation.

@@ -49,7 +49,9 @@ are found faster.
 */
 template <class Triangulation>
 class Geodesic_finder {
-  static_assert(GeodesicTriangulation<Triangulation>);
+  static_assert(GeodesicTriangulation<Triangulation>,
+                "curves are on an intrinsic triangulation, not on a mesh: build one of the mesh, "
+                "such as Corresponding_triangulation");
 
 public:
   /// Vertex of the triangulation.
@@ -67,7 +69,7 @@ public:
   mesh
   \param np named parameters of `shorten_curves()`, and:
     - `shortest(b)`: whether to look for the shortest path, or to start from one along edges.
-      Default: true, but false with `relative_length` or `joint_angle`, which stop on the way from a
+      Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the way from a
       path along edges
   \return its way over the input. The status is that of `shorten_curves()`, `stalled` if no path
   leads from one to the other, `inaccurate` if it is geodesic but the search for the shortest one

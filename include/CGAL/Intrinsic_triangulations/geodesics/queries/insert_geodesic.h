@@ -43,7 +43,7 @@ flipped, constrain its edges.
 \param from, to vertices of it; see `vertex_on_intrinsic()` and `insert_point()`
 \param np named parameters of `shorten_curves()`, and:
   - `shortest(b)`: if false, the path is made of a shortest one along edges, see `Geodesic_finder`.
-    Default: true, but false with `relative_length` or `joint_angle`, which stop on the way from
+    Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the way from
     that path
 \complexity that of the search by `Polyhedral_distance`, or along edges; of `shorten_curves()`, and
 linear in the number of edges

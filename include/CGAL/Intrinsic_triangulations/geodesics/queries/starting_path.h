@@ -133,7 +133,7 @@ starting_path(Triangulation& t, typename Triangulation::vertex_descriptor from,
               typename Triangulation::vertex_descriptor to, Edge_path_finder<Triangulation>& find,
               Flip_log<Triangulation>* log, Shortening_result& result, const NamedParameters& np) {
   constexpr bool is_flow = Has_parameter<tags::relative_length, NamedParameters> ||
-                           Has_parameter<tags::joint_angle, NamedParameters>;
+                           Has_parameter<tags::minimum_joint_angle, NamedParameters>;
   Edge_way<Triangulation> way;
   if (value_or<tags::shortest>(np, !is_flow))
     way = flip_to_shortest_path(t, from, to, log, maximum_flips(t, np), result);

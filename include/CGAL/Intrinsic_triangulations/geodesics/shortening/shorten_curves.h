@@ -51,9 +51,9 @@ Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
   Shortening_limits limits;
   const double part = value_or<tags::relative_length>(np, 0.);
   if (!(part >= 0 && part <= 1)) throw std::invalid_argument("relative_length must be in [0, 1]");
-  const double angle = value_or<tags::joint_angle>(np, 180.);
+  const double angle = value_or<tags::minimum_joint_angle>(np, 180.);
   if (!(angle >= 0 && angle <= 180))
-    throw std::invalid_argument("joint_angle must be in [0, 180] degrees");
+    throw std::invalid_argument("minimum_joint_angle must be in [0, 180] degrees");
   if (part > 0) limits.length = std::ldexp(part * network.length(), t.metric().scale_exponent());
   const double radians = angle * std::numbers::pi / 180;
   if (angle < 180) limits.rank = Angle_sum::rank(std::cos(radians), std::sin(radians));
@@ -66,8 +66,8 @@ Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
 template <class Triangulation, class NamedParameters>
 Shortening_result shorten_curves(Curve_network<Triangulation>& network,
                                  Flip_log<Triangulation>* log, const NamedParameters& np) {
-  expect_names<tags::relative_length, tags::joint_angle, tags::maximum_number, tags::visitor,
-               tags::shortest>(np);
+  expect_names<tags::relative_length, tags::minimum_joint_angle, tags::maximum_number,
+               tags::visitor, tags::shortest>(np);
   auto stored_visitor = object_or<tags::visitor>(np, Shortening_visitor());
   auto& observed = unwrapped(stored_visitor);
   const Shortening_limits limits = shortening_limits(network, np);
@@ -95,7 +95,7 @@ finitely many geodesic edges below a length. With inexact ones caps on the numbe
 \param np optional named parameters:
   - `relative_length(x)`: stops when the length of all curves is at most this part of what it was; the angles
     so far are those of a flow that shortens curves (Fig. 37 of the course). Default: 0.
-  - `joint_angle(x)`: stops when all joints that can be straightened have at least this angle, in degrees. Default: 180.
+  - `minimum_joint_angle(x)`: stops when all joints that can be straightened have at least this angle, in degrees. Default: 180.
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100 per edge and a million.
   - `visitor(v)`: see `Shortening_visitor`
 \return status and counts; lengths are told by the network. `done`, `stopped`, `cancelled`, `cap`; `stalled` if there are faces without

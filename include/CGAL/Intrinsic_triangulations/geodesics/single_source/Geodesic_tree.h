@@ -59,7 +59,9 @@ It refers to the triangulation, whose edges in the tree must not be flipped.
 */
 template <class Triangulation>
 class Geodesic_tree {
-  static_assert(GeodesicTriangulation<Triangulation>);
+  static_assert(GeodesicTriangulation<Triangulation>,
+                "curves are on an intrinsic triangulation, not on a mesh: build one of the mesh, "
+                "such as Corresponding_triangulation");
 
 public:
   /// Vertex of the triangulation.

@@ -13,6 +13,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <type_traits>
 
@@ -124,7 +125,8 @@ flips makes it end.
 */
 template <IntrinsicTriangulation Triangulation, class EdgeRange,
           NamedParameters NP = parameters::Parameters<>>
-  requires(!NamedParameters<EdgeRange>)
+  requires(!NamedParameters<EdgeRange> &&
+           requires(const EdgeRange& r) { std::begin(r), std::end(r); })
 Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edges,
                                          const NP& np = parameters::default_values()) {
   using namespace internal::tags;
@@ -133,6 +135,10 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
   const auto constrained = internal::constrained_map<Edge>(np);
   auto stored_visitor = internal::object_or<visitor>(np, Flip_to_delaunay_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
+  static_assert(
+      requires(const Flip_to_delaunay_result& r) { bool(observed.progress(r)); },
+      "a visitor of flip_to_delaunay() derives from Flip_to_delaunay_visitor, or has its "
+      "function progress()");
   const std::uint64_t cap = internal::value_or<maximum_number>(
       np, Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
                                           : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
