@@ -322,10 +322,7 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric
                                                           std::shared_ptr<const Input> input)
     : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
       metric_(std::move(metric)), rows_(*this) {
-  static_assert(IntrinsicCorrespondence<Correspondence, Intrinsic_triangulation>,
-                "the third argument of Intrinsic_triangulation is a model of "
-                "IntrinsicCorrespondence: it has start(), and before() and after() each of the "
-                "five moves; derive it from No_correspondence, which does nothing");
+  internal::expect_correspondence<Correspondence, Intrinsic_triangulation>();
   correspondence_.start(*this);
   places_.attach(*this, metric_);
 }

@@ -248,6 +248,14 @@ concept IntrinsicCorrespondence = std::default_initializable<Correspondence> &&
 
 namespace internal {
 
+template <class Correspondence, class Triangulation>
+constexpr void expect_correspondence() {
+  static_assert(IntrinsicCorrespondence<Correspondence, Triangulation>,
+                "the third argument of Intrinsic_triangulation is a model of "
+                "IntrinsicCorrespondence: it has start(), and before() and after() each of the "
+                "five moves; derive it from No_correspondence, which does nothing");
+}
+
 // Has a mesh, and numbers for its edges.
 template <class Triangulation>
 concept Has_triangulated_mesh = requires(const Triangulation& t,
