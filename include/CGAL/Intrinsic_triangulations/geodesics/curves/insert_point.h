@@ -75,7 +75,12 @@ Vertex_at_point<Triangulation> insert_point(Triangulation& t, const Surface_poin
   typename Triangulation::halfedge_descriptor h = t.numbers().halfedge_at(q->halfedge);
   for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
     if (weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};
-  const auto inserted = t.insert_vertex(h, weights);
+  auto inserted = t.insert_vertex(h, weights);
+  // a point that is rounded off its edge may be beyond a vertex close by
+  for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
+    if (inserted.status != Move_status::done && weights[(k + 2) % 3] == 0)
+      inserted = t.split_edge(opposite(h, t.mesh()), weights[k]);
+  if (inserted.status != Move_status::done) inserted = t.insert_vertex(h, q->weights);
   return {inserted.status, inserted.vertex, inserted.status == Move_status::done};
 }
 

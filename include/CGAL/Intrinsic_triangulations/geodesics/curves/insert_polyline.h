@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -87,7 +88,10 @@ std::optional<Corner_direction> direction_at_vertex(const Triangulation& t, std:
     if (view.source(face.side[i]) == v && (!k || w[i] > w[*k])) k = i;
   if (!k) return std::nullopt; // rounding, in a face that is tiny
   const Planar_vector<double> d = face.relative_to(*k, here->vector);
-  return Corner_direction{face.side[*k], std::atan2(d[1], d[0])};
+  double angle = std::atan2(d[1], d[0]); // from the side of the corner that is nearer
+  const double full = 2 * std::numbers::pi, corner = angle_at_source(view, face.side[*k]);
+  if (angle < 0 && angle + full - corner < -angle) angle += full;
+  return Corner_direction{face.side[*k], angle};
 }
 
 } // namespace internal

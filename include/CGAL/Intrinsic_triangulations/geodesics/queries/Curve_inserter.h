@@ -157,7 +157,7 @@ public:
     for (std::size_t first = 0, last = 1; first + 1 < n; first = last++) {
       while (last + 1 < n && !is_vertex(curve.points[last])) ++last;
       Vertex end = to;
-      if (last + 1 < n) end = insert_point(t_, curve.points[last]).vertex;
+      if (last + 1 < n) end = vertex_at(curve.points[last]);
       const Move_status s = insert(curve, first, last, from, end);
       if (s != Move_status::done) return s;
       from = end;
@@ -168,6 +168,13 @@ public:
 private:
   static bool is_vertex(const Surface_point& p) {
     return std::count(p.weights.begin(), p.weights.end(), 0.0) == 2;
+  }
+
+  // the vertices of the input have the same numbers
+  Vertex vertex_at(const Surface_point& p) const {
+    std::uint32_t h = p.halfedge;
+    for (std::size_t k = 0; p.weights[k] == 0; ++k) h = t_.correspondence().input().next(h);
+    return t_.numbers().vertex_at(t_.correspondence().input().source(h));
   }
 
   // a straight part
