@@ -39,7 +39,8 @@ int main(int argc, char* argv[]) {
   //! [curve]
   //! [certificate]
   IT::Curve_network<Triangulation> network(t);
-  for (const auto v : curve.control_points) network.fix(v);
+  for (const auto& vertices : {curve.control_points, curve.crossings})
+    for (const auto v : vertices) network.fix(v);
   network.add_path(curve.halfedges);
   const bool is_certified = IT::certify_geodesic(network).is_geodesic();
   //! [certificate]

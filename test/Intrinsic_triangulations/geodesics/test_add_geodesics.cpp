@@ -43,7 +43,8 @@ std::vector<typename T::vertex_descriptor> vertices_in_order(const T& t) {
   return result;
 }
 
-// A random curve through points of a square, and how long it is: all geodesics there are unique, loops that do not stay contract.
+// A random curve through points of a square, and how long it is: all geodesics there are unique,
+// loops that do not stay contract.
 template <class T, class Random>
 double random_curve(const T& t, const meshes::Mesh& m, Random& random,
                     IT::Curve_through_vertices<T>& curve) {
@@ -77,7 +78,8 @@ TYPED_TEST(AddGeodesics, AreStraightOnEveryTriangulationOfASquare) {
     const auto added = IT::add_geodesics(network, curves);
     ASSERT_EQ(added.status, IT::Status::done);
     ASSERT_EQ(network.number_of_curves(), curves.size());
-    // vertices at crossings are rounded to 2^-52, and moved off edges by 2^-40 of a height: bends add the square of that
+    // vertices at crossings are rounded to 2^-52, and moved off edges by 2^-40 of a height: bends
+    // add the square of that
     for (std::uint32_t c = 0; c < curves.size(); ++c)
       EXPECT_NEAR(network.length(c), lengths[c], 1e-12);
     EXPECT_TRUE(IT::is_geodesic(network).is_geodesic());

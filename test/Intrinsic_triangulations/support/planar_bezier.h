@@ -41,7 +41,8 @@ inline double doubled_area(const Point& a, const Point& b, const Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Points of a unit square, its corners first: each splits the triangle that it falls into, then edges are flipped at random.
+/// Points of a unit square, its corners first: each splits the triangle that it falls into, then
+/// edges are flipped at random.
 inline meshes::Mesh random_square(unsigned n, std::mt19937& random) {
   const auto uniform = [&] { return (static_cast<double>(random()) + 0.5) / 0x1p32; };
   meshes::Mesh m;

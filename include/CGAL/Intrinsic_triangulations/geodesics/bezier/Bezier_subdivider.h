@@ -24,12 +24,16 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Subdivides the control polygon of a curve by geodesics (§5.3 of the course; Morera et al. 2008): a round makes two polygons of
-// each, which share its point at 1/2, by de Casteljau's triangle of midpoints. The next line from a midpoint to the one after
-// it is not sought anew: it is the way along the two halves, through the control point between them, made geodesic. So
+// Subdivides the control polygon of a curve by geodesics (§5.3 of the course; Morera et al.
+// 2008): a round makes two polygons of
+// each, which share its point at 1/2, by de Casteljau's triangle of midpoints. The next line from
+// a midpoint to the one after
+// it is not sought anew: it is the way along the two halves, through the control point between
+// them, made geodesic. So
 // it changes continuously with the control points, which a shortest path does not.
 //
-// Each line is found alone, and kept as what it is over the input. Only in the end all are made edges of one triangulation.
+// Each line is found alone, and kept as what it is over the input. Only in the end all are made
+// edges of one triangulation.
 template <class Triangulation>
 class Bezier_subdivider {
   using Vertex = typename Triangulation::vertex_descriptor;
@@ -56,8 +60,8 @@ public:
     Sides all;
     for (std::size_t i = 0; i < sides_.size(); i += degree) {
       const auto first = sides_.begin() + static_cast<std::ptrdiff_t>(i);
-      const Status s = subdivide(
-          Sides(first, first + static_cast<std::ptrdiff_t>(degree)), all, counts);
+      const Status s =
+          subdivide(Sides(first, first + static_cast<std::ptrdiff_t>(degree)), all, counts);
       if (s != Status::done) return s;
     }
     sides_ = std::move(all);

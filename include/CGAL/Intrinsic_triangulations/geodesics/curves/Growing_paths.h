@@ -16,11 +16,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Paths of edges, one after the other, whose edges are split where later ones cross them. The last one grows.
+// Paths of edges, one after the other, whose edges are split where later ones cross them. The
+// last one grows.
 template <class Triangulation>
 class Growing_paths {
 public:
-  // A vertex on an edge, and the halfedges from it to the ends of the edge, and to the apex of the face in which it was split.
+  // A vertex on an edge, and the halfedges from it to the ends of the edge, and to the apex of
+  // the face in which it was split.
   struct Split {
     Move_status status;
     std::uint32_t to_source, to_target, to_apex;
@@ -30,7 +32,8 @@ public:
   std::vector<typename Triangulation::halfedge_descriptor> halfedges(const Triangulation& t,
                                                                      std::size_t i = 0) const {
     std::vector<typename Triangulation::halfedge_descriptor> result;
-    for (const std::uint32_t h : paths_[i].halfedges()) result.push_back(t.numbers().halfedge_at(h));
+    for (const std::uint32_t h : paths_[i].halfedges())
+      result.push_back(t.numbers().halfedge_at(h));
     return result;
   }
   std::uint32_t last() const { return paths_.back().last(); }

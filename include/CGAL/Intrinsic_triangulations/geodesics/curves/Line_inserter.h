@@ -170,10 +170,7 @@ private:
       walk.cross(e);
     }
   }
-  bool may_flip(std::uint32_t e) const {
-    return crossed_edges_.may_flip(e) &&
-   !paths_.has_edge(e);
-  }
+  bool may_flip(std::uint32_t e) const { return crossed_edges_.may_flip(e) && !paths_.has_edge(e); }
   static bool is_at_vertex(const Walk& walk, const typename Walk::Exit& e) {
     const double length = walk.face().length[e.side];
     return length * std::min(e.source_weight, e.target_weight) <= tolerance(length);
@@ -212,8 +209,7 @@ private:
   void append_line() {
     Halfedges crossed;
     for (const std::uint32_t h : crossed_) crossed.push_back(t_.numbers().halfedge_at(h));
-    for (const auto h : crossed_edges_.edges_along(crossed))
-      append_edge(t_.numbers().halfedge(h));
+    for (const auto h : crossed_edges_.edges_along(crossed)) append_edge(t_.numbers().halfedge(h));
   }
   // An edge, or the way by vertices beside it which rounding has moved off it: so that lines which touch have these, all of them. Ends
   // at vertex `target`, if that is one of them, and tells whether it is.
@@ -275,8 +271,7 @@ private:
   }
 
   // The same if the line ends within rounding of a side, and the vertex is beyond.
-  Move_status reach_beyond(const Walk& walk, std::uint32_t target, double length,
-                           double distance) {
+  Move_status reach_beyond(const Walk& walk, std::uint32_t target, double length, double distance) {
     const auto& side = walk.face().side;
     for (unsigned k = 0; k < 3; ++k) {
       if (!(distance_from_side(walk, k, length) <= distance)) continue;
@@ -294,8 +289,7 @@ private:
   // of the end of a line
   static double distance_from_side(const Walk& walk, unsigned k, double length) {
     const Planar_vector<double> a = walk.relative_corner(k), b = walk.relative_corner((k + 1) % 3);
-    return std::abs((b[0] - a[0]) * a[1] - (b[1] - a[1]) * (a[0] - length)) /
-           walk.face().length[k];
+    return std::abs((b[0] - a[0]) * a[1] - (b[1] - a[1]) * (a[0] - length)) / walk.face().length[k];
   }
 
   // Ends in the face of a corner where the line comes from.

@@ -70,8 +70,7 @@ private:
 // Lays out a straight line over the input.
 class Laid_out_line {
 public:
-  Laid_out_line(const Input& input, const Traced_curve& curve)
-      : input_(input), curve_(curve) {}
+  Laid_out_line(const Input& input, const Traced_curve& curve) : input_(input), curve_(curve) {}
 
   // The line from point `first` to point `last` of the curve, in the frame of its first face.
   Planar_vector<double> vector(std::size_t first, std::size_t last) const {
@@ -102,7 +101,8 @@ private:
     return vector_between(input_, point(i, i), point(i + 1, i));
   }
 
-  // From the frame of the face before point i to that of the face after it. False if they are not beside each other there.
+  // From the frame of the face before point i to that of the face after it. False if they are not
+  // beside each other there.
   bool turn(std::size_t i, Planar_vector<double>& x) const {
     if (curve_.faces[i - 1] == curve_.faces[i]) return true;
     const Surface_point p = point(i, i - 1);
@@ -114,7 +114,8 @@ private:
       const Planar_vector<double> a = edge_in_frame(h, curve_.faces[i - 1]),
                                   b = edge_in_frame(h ^ 1U, curve_.faces[i]);
       // the turn from -b to a
-      const double c = -planar_dot(a, b), s = Intrinsic_triangulations::planar_cross(a, b), l = std::hypot(c, s);
+      const double c = -planar_dot(a, b), s = Intrinsic_triangulations::planar_cross(a, b),
+                   l = std::hypot(c, s);
       x = {(x[0] * c - x[1] * s) / l, (x[0] * s + x[1] * c) / l};
       return true;
     }
@@ -130,11 +131,15 @@ private:
 };
 
 /*
-Makes geodesics over the input paths of edges of the triangulation. Edges that a geodesic crosses are flipped away; only where it crosses one that was
-inserted before, a vertex is inserted. Each geodesic may have been found alone: none is in the way of others.
+Makes geodesics over the input paths of edges of the triangulation. Edges that a geodesic crosses
+are flipped away; only where it crosses one that was
+inserted before, a vertex is inserted. Each geodesic may have been found alone: none is in the way
+of others.
 
-Where a vertex is near a geodesic by rounding, the path may lead to the wrong side of it: `shorten_curves()` mends it.
-\tparam splits whether edges of geodesics that were inserted before may be split; else `insert()` returns `not_traceable`
+Where a vertex is near a geodesic by rounding, the path may lead to the wrong side of it:
+`shorten_curves()` mends it.
+\tparam splits whether edges of geodesics that were inserted before may be split; else `insert()`
+  returns `not_traceable`
 */
 template <class Triangulation, bool splits = true>
 class Curve_inserter {
@@ -183,8 +188,8 @@ private:
     const Laid_out_line line(t_.correspondence().input(), curve);
     const double length = line.length(first, last);
     if (!(length > 0)) return from == to ? Move_status::done : Move_status::not_traceable;
-    const auto d = direction_at_vertex(
-        t_, t_.index(from), {line.point(first, first), line.vector(first, last)});
+    const auto d = direction_at_vertex(t_, t_.index(from),
+                                       {line.point(first, first), line.vector(first, last)});
     if (!d) return Move_status::not_traceable;
     return go(*d, length, t_.index(to));
   }
@@ -203,7 +208,8 @@ private:
   Line_inserter<Triangulation, Flip_crossed_edges<Triangulation, splits>> lines_;
 };
 
-// Adds a curve to a network. Where it crosses another or itself, the vertex is fixed, so that it may.
+// Adds a curve to a network. Where it crosses another or itself, the vertex is fixed, so that it
+// may.
 // \return the vertices
 template <class Triangulation>
 std::vector<typename Triangulation::vertex_descriptor>

@@ -46,7 +46,8 @@ public:
     return status;
   }
 
-  // What a curve of sides, each from the end of the one before, is shortened to while its ends stay; a loop as a whole. The result is
+  // What a curve of sides, each from the end of the one before, is shortened to while its ends
+  // stay; a loop as a whole. The result is
   // a geodesic in the same class of curves. `stalled` if the curve crosses itself.
   Status join(const std::vector<Side>& sides, bool is_loop, Side& joined,
               Shortening_result& counts) {

@@ -42,7 +42,8 @@ struct Curve_through_vertices {
 */
 template <class Triangulation>
 struct Added_geodesics {
-  /// `done`; `stalled` if vertices are not connected, or a vertex cannot be inserted at a crossing; or that of `shorten_curves()`. If it is
+  /// `done`; `stalled` if vertices are not connected, or a vertex cannot be inserted at a
+  /// crossing; or that of `shorten_curves()`. If it is
   /// not `done` there are no curves.
   Status status = Status::done;
   /// The curve where it failed.
@@ -120,7 +121,8 @@ private:
     all.length_enclosure += way.length_enclosure;
   }
 
-  // One side after the other: two geodesics that meet cross less often than all sides. If they do, the sides stay as they are for
+  // One side after the other: two geodesics that meet cross less often than all sides. If they
+  // do, the sides stay as they are for
   // now: they are shortened with their crossings fixed.
   void straighten(const Curve& c, Sides& sides) {
     Sides joined{sides.front()};
@@ -163,14 +165,19 @@ private:
 } // namespace internal
 
 /*!
-\brief finds geodesics through vertices, each alone on the surface, and makes all of them curves of a network.
+\brief finds geodesics through vertices, each alone on the surface, and makes all of them curves
+  of a network.
 
-The *sides* of a curve are shortest paths from each of its vertices to the next. Where a curve stays at its vertices, these are all; else
-it is what they are shortened to, as if there were no other curve: the vertices between its ends only say how it leads around
-handles, holes and peaks. No curve is in the way of another. Where two cross, or one crosses itself, a vertex is inserted and fixed.
+The *sides* of a curve are shortest paths from each of its vertices to the next. Where a curve
+stays at its vertices, these are all; else
+it is what they are shortened to, as if there were no other curve: the vertices between its ends
+only say how it leads around
+handles, holes and peaks. No curve is in the way of another. Where two cross, or one crosses
+itself, a vertex is inserted and fixed.
 
 In contrast, `shorten_curves()` alone, with paths along edges, never lets a curve pass another.
-\tparam Triangulation a model of `GeodesicTriangulation`, of `RefinableTriangulation` and of `CorrespondingTriangulation`
+\tparam Triangulation a model of `GeodesicTriangulation`, of `RefinableTriangulation` and of
+  `CorrespondingTriangulation`
 \param network the curves; there are none yet. Vertices that it has fixed stay fixed
 \param curves what is asked for; they are numbered in this order
 \return what was done
