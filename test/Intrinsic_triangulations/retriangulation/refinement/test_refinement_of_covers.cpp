@@ -131,7 +131,6 @@ double least_angle(const Exact& t, Exact::face_descriptor f) {
 // vertex now and then.
 template <class Result>
 void expect_good(const Exact& t, const Result& r, double angle, const std::string& name) {
-  EXPECT_EQ(r.status, IT::Status::done) << name;
   std::set<std::uint32_t> unsatisfied;
   std::size_t refused = 0;
   for (const auto& u : r.unsatisfied) {
@@ -139,6 +138,8 @@ void expect_good(const Exact& t, const Result& r, double angle, const std::strin
     EXPECT_NE(u.reason, IT::Unsatisfied_reason::stopped) << name;
     refused += u.reason == IT::Unsatisfied_reason::refused ? 1 : 0;
   }
+  EXPECT_TRUE(r.status == IT::Status::done || (refused > 0 && r.status == IT::Status::stalled))
+      << name;
   if (name.find("soup") == std::string::npos && name != "another one") {
     EXPECT_EQ(refused + r.counts.refused, 0U) << name;
   }
