@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How far are logarithms by heat from those along exact shortest paths, and how long do all methods take?
+// How far are logarithms by heat from those along exact shortest paths, and how long do all
+// methods take?
 //
 //   logarithm_accuracy MESH... > table.md
 //
-// On the Delaunay triangulation of each mesh, from the vertex in the middle of the file. Errors are means over vertices, of lengths and of vectors, by the
+// On the Delaunay triangulation of each mesh, from the vertex in the middle of the file. Errors
+// are means over vertices, of lengths and of vectors, by the
 // greatest length; times are of the processor.
 
 #include <CGAL/Intrinsic_triangulation.h>

@@ -73,7 +73,8 @@ Eigen::VectorXd by_rows(const std::vector<std::uint32_t>& first, const Values& v
   return result;
 }
 
-// Whether the surface is that of a cloud of points, whose rows have tangent planes that copies do not have.
+// Whether the surface is that of a cloud of points, whose rows have tangent planes that copies do
+// not have.
 template <class Triangulation>
 bool is_cloud(const Triangulation& t) {
   return t.input().names().sheets > 2;

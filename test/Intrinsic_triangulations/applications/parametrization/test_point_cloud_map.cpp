@@ -18,7 +18,8 @@
 #include <random>
 #include <vector>
 
-// Conformal maps of points, against the stereographic projection: of a round cap it is the map of least distortion.
+// Conformal maps of points, against the stereographic projection: of a round cap it is the map of
+// least distortion.
 
 namespace {
 

@@ -80,7 +80,8 @@ TEST(Point_cloud_vectors, logarithms_in_a_plane_are_displacements) {
   }
 }
 
-/// Two thousand points: the mean relative error of vectors and their lengths within 1.2 is below 3 %.
+/// Two thousand points: the mean relative error of vectors and their lengths within 1.2 is below 3
+/// %.
 TEST(Point_cloud_vectors, logarithms_and_transport_on_a_sphere_are_near_closed_forms) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE(seed);

@@ -28,7 +28,8 @@ struct Cloud_edge {
   double weight;
 };
 
-// The tangent planes of a cloud of points, and what connects them: triangles at each point among its neighbours.
+// The tangent planes of a cloud of points, and what connects them: triangles at each point among
+// its neighbours.
 class Cloud_connection {
 public:
   using Vector = Eigen::Vector3d;

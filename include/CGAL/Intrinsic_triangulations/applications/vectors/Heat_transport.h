@@ -47,8 +47,10 @@ struct Source_corner {
   std::complex<double> frame;  // what vectors there are multiplied by in the frame here
 };
 
-// Makes logarithms at least as long as chords in space from the source; those without a direction are not known.
-// \param at where vertices are, which may be unknown \param unit what the logarithms are multiples of
+// Makes logarithms at least as long as chords in space from the source; those without a direction
+// are not known.
+// \param at where vertices are, which may be unknown \param unit what the logarithms are multiples
+// of
 void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
                         const std::vector<Source_corner>& source, double unit,
                         std::vector<std::complex<double>>& log);

@@ -108,7 +108,8 @@ Eigen::VectorXcd Heat_transport::parallel_frames(const std::vector<Source_corner
   return b;
 }
 
-// What edges add to positions that cross them, and positions at the corners of the source, times the heat: with its exponents, as much as
+// What edges add to positions that cross them, and positions at the corners of the source, times
+// the heat: with its exponents, as much as
 // comes from a neighbour. \param frames the frame of the source, transported to all vertices
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::vector<Heat<double>>
@@ -146,8 +147,10 @@ Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source
   return b;
 }
 
-// In the plane, positions times the heat of functions are heat that is moved by the edges that it crosses: exactly, on any triangulation. On curved
-// surfaces edges have their directions in the frame of the source, as it is transported to them: heat that turned with each edge
+// In the plane, positions times the heat of functions are heat that is moved by the edges that it
+// crosses: exactly, on any triangulation. On curved
+// surfaces edges have their directions in the frame of the source, as it is transported to them:
+// heat that turned with each edge
 // would forget where the source is after some edges.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corner>& source) const {

@@ -18,15 +18,21 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief transports tangent vectors over a cloud of points, and finds logarithmic maps and direction fields there (§6.2 of the course).
+\brief transports tangent vectors over a cloud of points, and finds logarithmic maps and direction
+  fields there (§6.2 of the course).
 
-The surface of `make_point_cloud()` has several neighbourhoods at each point, and so no tangent plane that is the point's own. Here each point has one: orthogonal to
-the mean normal of the triangles at the point among its neighbours, `axes()`. Planes are oriented alike along a minimum spanning tree of edges of these triangles.
-An edge has the cotangent weight of all triangles at it, a third of the sum as they are there about three times, and in both
-planes the direction of its projection: that is a connection, for which all works as in a triangulation (`Vector_heat_method`). In the plane logarithms are
+The surface of `make_point_cloud()` has several neighbourhoods at each point, and so no tangent
+plane that is the point's own. Here each point has one: orthogonal to
+the mean normal of the triangles at the point among its neighbours, `axes()`. Planes are oriented
+alike along a minimum spanning tree of edges of these triangles.
+An edge has the cotangent weight of all triangles at it, a third of the sum as they are there about
+three times, and in both
+planes the direction of its projection: that is a connection, for which all works as in a
+triangulation (`Vector_heat_method`). In the plane logarithms are
 exact. Surfaces with one side have a seam, which no heat crosses.
 
-Vectors are complex numbers in the axes of their point. Those that are not known are not numbers: on components without a source, and at points without triangles.
+Vectors are complex numbers in the axes of their point. Those that are not known are not numbers:
+on components without a source, and at points without triangles.
 */
 class Point_cloud_vectors {
 public:
@@ -48,7 +54,8 @@ public:
 
   /// returns the number of points.
   std::size_t size() const { return points_.size(); }
-  /// returns the axes of the tangent plane at a point, the first towards its nearest neighbour; zero vectors at points without
+  /// returns the axes of the tangent plane at a point, the first towards its nearest neighbour;
+  /// zero vectors at points without
   /// triangles.
   const Axes& axes(std::size_t i) const { return axes_[i]; }
   /// returns a vector at a point in space.
@@ -57,12 +64,14 @@ public:
   /*!
   \brief transports vectors from points to all points, see `Vector_heat_method::transport()`.
   \param sources numbers of points, and vectors in their axes
-  \throws std::invalid_argument if there is none, a number is out of range, a point has no triangles, or a vector is not finite
+  \throws std::invalid_argument if there is none, a number is out of range, a point has no
+    triangles, or a vector is not finite
   */
   Tangent_field transport(const std::vector<std::pair<std::size_t, Complex>>& sources) const;
 
   /*!
-  \brief finds the logarithmic map of a point by affine heat: for each point the vector along the shortest path to it, as long as the path.
+  \brief finds the logarithmic map of a point by affine heat: for each point the vector along the
+    shortest path to it, as long as the path.
   \param i number of the point
   \return vectors in the axes of point `i`, no shorter than chords
   \throws std::invalid_argument if the number is out of range, or the point has no triangles
@@ -79,7 +88,8 @@ public:
   smoothest_direction_field(int degree,
                             const std::vector<std::pair<std::size_t, Complex>>& fixed = {}) const;
 
-  /// returns the number of edges at which the orientations of tangent planes differ: zero unless the surface has one side, or is
+  /// returns the number of edges at which the orientations of tangent planes differ: zero unless
+  /// the surface has one side, or is
   /// sampled too coarsely.
   std::size_t seam_edges() const { return seam_edges_; }
 

@@ -49,8 +49,10 @@ triangulations, which other ones should be made first.
 
 Vectors at vertices are those of a `Tangent_field`; at border vertices, whose angles are not scaled inside, a vector that points
 out of the surface is kept in the half of the circle beyond the border. Points are places on the triangulation with vectors in the
-frame of their halfedge, as `Tangent_vector`; `surface_point(t, face_location)` makes one. Vectors that are not known are not numbers: those on
-components without a source, and those without direction. Heat falls with distance, below what doubles hold after some
+frame of their halfedge, as `Tangent_vector`; `surface_point(t, face_location)` makes one. Vectors
+that are not known are not numbers: those on
+components without a source, and those without direction. Heat falls with distance, below what
+doubles hold after some
 hundred edges; values have exponents of their own, so that any distance and lengths of any size will do.
 
 Functions that are const factor matrices at first: threads must not call them at once before.
@@ -69,7 +71,8 @@ public:
   \param t the triangulation, which must outlive this and not change
   \param time_scale the time of diffusion, in squares of the mean length of the edges of `t`
   \throws Invalid_input if a face has no area
-  \throws std::invalid_argument if the time is not positive, or the surface is that of a cloud of points, see `Point_cloud_vectors`
+  \throws std::invalid_argument if the time is not positive, or the surface is that of a cloud of
+    points, see `Point_cloud_vectors`
   \complexity linear; the first question factors matrices
   */
   explicit Vector_heat_method(const Triangulation_& t, double time_scale = 1)
@@ -118,7 +121,8 @@ public:
   /*!
   \brief extends values at vertices to all: each takes that of the nearest source, smoothly.
   \param sources vertices and their values
-  \return values by the numbers of a `Tangent_field`, between the least and the greatest value of sources; not numbers on components without a source
+  \return values by the numbers of a `Tangent_field`, between the least and the greatest value of
+    sources; not numbers on components without a source
   \throws std::invalid_argument if there is no source, one is an isolated vertex, or a value is not finite
   \complexity that of solving with one factored real matrix
   */
@@ -187,13 +191,16 @@ public:
 
   /*!
   \brief finds the logarithmic map of a vertex: for each vertex, the vector at `v` of which the exponential map is there, along
-  the shortest path (see `exponential_map()`). By heat, vectors are no shorter than chords in space, and near the cut locus, where several paths are
+  the shortest path (see `exponential_map()`). By heat, vectors are no shorter than chords in
+  space, and near the cut locus, where several paths are
   shortest, not more than that can be said of them.
   \param v the vertex, not an isolated one
   \param method how to find it
-  \return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; not numbers where nothing arrives
+  \return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; not
+    numbers where nothing arrives
   \throws std::invalid_argument if the vertex is isolated
-  \complexity exact: that of `logarithmic_map()`; else that of solving twice with one factored real and once with one factored complex matrix
+  \complexity exact: that of `logarithmic_map()`; else that of solving twice with one factored real
+    and once with one factored complex matrix
   */
   std::vector<Complex> logarithmic_map(vertex_descriptor v,
                                        Logarithm_method method = Logarithm_method::exact) const {

@@ -119,7 +119,8 @@ components where there are any, with the others elsewhere.
 \param progress is called after each step that takes long but the last, if given; tells whether to go on
 \return the field; on symmetric surfaces, one of several
 \throws Invalid_input if a face has no area
-\throws std::invalid_argument if the degree is not positive, a direction cannot be fixed, or the surface is that of a cloud of points, see
+\throws std::invalid_argument if the degree is not positive, a direction cannot be fixed, or the
+  surface is that of a cloud of points, see
   `Point_cloud_vectors`
 \complexity that of factoring a complex matrix, and of solving with it for some tens of times
 */

@@ -39,21 +39,28 @@ logarithms(const Point_frames<Triangulation>& frames,
 } // namespace internal
 
 /*!
-\brief finds the logarithmic map of a vertex, without discretization: for each vertex the vector at `v` along the shortest path to it,
+\brief finds the logarithmic map of a vertex, without discretization: for each vertex the vector at
+  `v` along the shortest path to it,
 as long as the path (see `exponential_map()`).
 
-Lengths and directions are those of `Polyhedral_distance`, so that the result does not depend on the triangulation of the surface. In the plane it is
-the displacement. Shortest paths bend only at vertices whose angles are more than a full turn: all that lies behind such a vertex has
+Lengths and directions are those of `Polyhedral_distance`, so that the result does not depend on
+the triangulation of the surface. In the plane it is
+the displacement. Shortest paths bend only at vertices whose angles are more than a full turn: all
+that lies behind such a vertex has
 its direction.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \param v the vertex, not an isolated one
-\param np named parameters of `Polyhedral_distance`: `maximum_distance(d)` finds the map near the vertex, in a time that depends only on
+\param np named parameters of `Polyhedral_distance`: `maximum_distance(d)` finds the map near the
+  vertex, in a time that depends only on
   what is there
-\return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; not numbers at vertices that no path
+\return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; not
+  numbers at vertices that no path
   reaches: on other components, or farther away than asked for
-\throws std::invalid_argument if the vertex is isolated, or the surface is that of a cloud of points, see `Point_cloud_vectors`
-\complexity that of `Polyhedral_distance`, and linear in the number of edges that all shortest paths cross
+\throws std::invalid_argument if the vertex is isolated, or the surface is that of a cloud of
+  points, see `Point_cloud_vectors`
+\complexity that of `Polyhedral_distance`, and linear in the number of edges that all shortest
+  paths cross
 */
 template <internal::Connected_triangulation Triangulation,
           NamedParameters NP = parameters::Parameters<>>
@@ -73,7 +80,8 @@ logarithmic_map(const Triangulation& t, typename Triangulation::vertex_descripto
 
 /*!
 \brief finds the logarithmic map of a point; see above.
-\return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are those on the surface
+\return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are
+  those on the surface
 */
 template <internal::Connected_triangulation Triangulation,
           NamedParameters NP = parameters::Parameters<>>

@@ -41,12 +41,14 @@ public:
   Status trace(const Point_in_face& p);
   /// returns the path from the point to the source: every piece lies in the face of the place where it ends.
   const std::vector<Path_place>& places() const { return places_; }
-  /// returns a direction in which the path leaves the last of its places, in the frame of the side there: far along the first piece of
+  /// returns a direction in which the path leaves the last of its places, in the frame of the side
+  /// there: far along the first piece of
   /// the path.
   Planar_point departure() const { return departure_; }
 
 private:
-  // A place of a straight line to the image of a source: both in the frame of a side, as the far end of the line.
+  // A place of a straight line to the image of a source: both in the frame of a side, as the far
+  // end of the line.
   struct Ray {
     std::uint32_t side;
     Planar_point from;

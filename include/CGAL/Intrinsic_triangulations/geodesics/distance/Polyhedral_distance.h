@@ -161,8 +161,10 @@ public:
     return path(tracer.trace(point_in_face(p)), tracer, length);
   }
 
-  /// returns the vector at the nearest source along the shortest path to a vertex, as long as the path: at a source that is a vertex, in a face into
-  /// which it points. Its coordinates are not numbers where the distance is infinite, or rounding has led the path astray. \complexity that of `shortest_path()`
+  /// returns the vector at the nearest source along the shortest path to a vertex, as long as the
+  /// path: at a source that is a vertex, in a face into
+  /// which it points. Its coordinates are not numbers where the distance is infinite, or rounding
+  /// has led the path astray. \complexity that of `shortest_path()`
   Tangent_vector logarithm(vertex_descriptor v) const {
     internal::Path_tracer tracer(field_);
     const double length = distance(v);
