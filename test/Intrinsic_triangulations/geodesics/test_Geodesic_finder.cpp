@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/insert_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
+#include "../../../benchmark/Intrinsic_triangulations/synthetic_meshes.h"
 #include "meshes.h"
 #include "numbered_as_mesh.h"
 #include "straight_segments.h"
@@ -28,6 +29,7 @@
 #include <random>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -373,7 +375,7 @@ TEST(GeodesicFinderUnfolded, LengthsAndAnglesAreThoseIn200DigitsOnMeshesOfCgal) 
   for (const std::string name : {"anchor", "bull", "couplingdown", "elephant", "fandisk", "homer",
                                  "joint", "pinion", "rotor_small", "triceratops"}) {
     SCOPED_TRACE(name);
-    const IT::Triangle_soup soup =
+    const IT::synthetic::Triangle_soup soup =
         IT::read_triangle_soup(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "/" + name + ".off");
     const meshes::Mesh mesh{soup.points, soup.triangles};
     expect_unfolded_paths(mesh, 20, 5, passed);
@@ -383,7 +385,7 @@ TEST(GeodesicFinderUnfolded, LengthsAndAnglesAreThoseIn200DigitsOnMeshesOfCgal) 
 
 // Angles of zero in faces without area are not opened by flips: what is left gains nothing, and must not go on for ever.
 TEST(GeodesicFinder, EndsOnFacesWithoutArea) {
-  const IT::Triangle_soup soup =
+  const IT::synthetic::Triangle_soup soup =
       IT::read_triangle_soup(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "/degtri_sliding.off");
   Triangulation t(IT::Intrinsic_input(soup, IT::Mollification::none));
   IT::flip_to_delaunay(t);
@@ -403,5 +405,30 @@ TEST(GeodesicFinder, EndsOnFacesWithoutArea) {
   EXPECT_GT(done, stalled);
 }
 #endif
+
+// The fans of thin faces that flips make along a path must not spoil lengths.
+TEST(Geodesic_finder, finds_in_doubles_the_lengths_that_exact_traits_find) {
+  using Doubles = IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>,
+                                              IT::Integer_coordinates>;
+  IT::synthetic::Triangle_soup soup = IT::synthetic::torus(200, 100, 0.35, 12);
+  const meshes::Mesh m{std::move(soup.points), std::move(soup.triangles)};
+  Doubles doubles(m.input());
+  Triangulation exact(m.input());
+  IT::Geodesic_finder find_in_doubles(doubles);
+  IT::Geodesic_finder find(exact);
+  constexpr std::uint32_t seed = 3;
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<std::uint32_t> vertex(0, 19999);
+  for (int i = 0; i < 30; ++i) {
+    const std::uint32_t from = vertex(random), to = vertex(random);
+    const Geodesic_path found =
+        find_in_doubles(doubles.numbers().vertex_at(from), doubles.numbers().vertex_at(to));
+    const Geodesic_path expected =
+        find(exact.numbers().vertex_at(from), exact.numbers().vertex_at(to));
+    ASSERT_EQ(found.status, Status::done) << "seed " << seed;
+    ASSERT_NEAR(found.length, expected.length, 1e-9 * expected.length)
+        << "seed " << seed << ": from " << from << " to " << to;
+  }
+}
 
 } // namespace

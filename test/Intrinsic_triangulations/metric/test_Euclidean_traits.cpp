@@ -18,6 +18,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <random>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -64,6 +66,32 @@ TYPED_TEST(Euclidean_traits_of_inexact_types, agree_with_exact_ones_away_from_ti
   expect_agreement<TypeParam>(meshes::rough_grid(8, 1));
   expect_agreement<TypeParam>(meshes::potato(3, 2));
   expect_agreement<TypeParam>(meshes::parabola_fan(9));
+}
+
+// Errors of rounding must not grow with the number of flips: areas that do not fit lengths any more make them grow
+// exponentially. The longest edges are some ten times as long as before, the thinnest faces 1e-4 times as high as long: flips
+// lose about 1e-16 / 1e-4 of a length.
+TEST(Euclidean_traits,
+     of_doubles_have_their_values_again_when_many_random_flips_are_taken_back_by_flips) {
+  for (const std::uint32_t seed : {1U, 2U, 3U}) {
+    Triangulation<double> t(meshes::potato(4, seed).input());
+    const Triangulation<double> before(t);
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<std::uint32_t> number(
+        0, static_cast<std::uint32_t>(num_edges(t.mesh())) - 1);
+    std::vector<Triangulation<double>::halfedge_descriptor> flipped;
+    while (flipped.size() < 200 * num_edges(t.mesh())) {
+      const auto h = t.numbers().halfedge_at(2 * number(random));
+      if (t.flip_edge(h) == IT::Move_status::done) flipped.push_back(h);
+    }
+    for (; !flipped.empty(); flipped.pop_back())
+      ASSERT_EQ(t.flip_edge(flipped.back()), IT::Move_status::done) << "seed " << seed;
+    for (const auto e : edges(t.mesh()))
+      ASSERT_NEAR(t.squared_length(e) / before.squared_length(e), 1, 1e-9) << "seed " << seed;
+    const Triangulation<double>::Const_session session(t), first(before);
+    for (const auto e : edges(t.mesh()))
+      ASSERT_NEAR(session.cotangent_weight(e), first.cotangent_weight(e), 1e-9) << "seed " << seed;
+  }
 }
 
 TEST(Euclidean_traits, of_rationals_are_exact_where_areas_are_rational) {

@@ -63,6 +63,10 @@ public:
       fail_vertex(
           " has a coordinate that is not a finite number; correct the coordinate, or remove "
           "the vertex and its faces");
+    if (std::max({std::abs(x), std::abs(y), std::abs(z)}) > 0x1p500)
+      fail_vertex(" has a coordinate beyond 2^500 (3e150), where areas are infinite in doubles; "
+                  "scale the mesh, "
+                  "or correct the coordinate");
     if (v == maximal_vertices)
       fail(Element_kind::vertex, v, "there are more than 4294967294 vertices; split the mesh");
     soup_.points.push_back({x, y, z});

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DIAMOND_H
 
 #include <cstdint>
+#include <limits>
 
 /*!
 \file
@@ -161,6 +162,53 @@ Flipped_values<FT> flipped(const Diamond_values<FT>& d) {
   const FT half = quarter + quarter;
   return {(x * x + y * y) * quarter, Convexity_at_target_expression()(d) * half,
           (p_m * d.area_f + p_k * d.area_g) * half};
+}
+
+/*!
+\brief holds where the apex of a triangle is over its side ij: its foot is p / (2 l_ij) from i, its height a / (2 l_ij).
+\tparam FT a model of `Field`
+*/
+template <class FT>
+struct Apex {
+  FT p;    ///< L_ij + L_ki - L_jk
+  FT area; ///< the quadruple area
+};
+
+/*!
+\brief returns the apex of a triangle over its side ij, from values that are rounded.
+
+The values are redundant: c = a^2 - H is zero, where H = 4 L_ij L_ki - p^2. Rounding leaves a small c, and flips that are
+computed with it make it grow exponentially. So c is removed. Of all changes of the values that do so to first order
+these have the least sum of squares, each relative to its value, as rounding is:
+
+    da = -g a^3,   dL_e = g q_e L_e^2,   g = c / (2 (a^4 + sum of q_e^2 L_e^2)),   q_e = dH / (2 dL_e).
+
+The shape of the triangle decides whether its lengths or its area give way. The change of L_ij is left out, as the
+triangle on the other side has another one.
+\tparam FT a floating point type
+*/
+template <class FT>
+Apex<FT> consistent_apex(const FT& ij, const FT& jk, const FT& ki, const FT& area) {
+  const FT x = ki - jk, p = ij + x, square = area * area;
+  const FT c = square - (4 * ij * ki - p * p);
+  const FT u_ki = (ij - x) * ki, u_jk = p * jk, u_ij = (ki + jk - ij) * ij;
+  const FT norm = square * square + u_ki * u_ki + u_jk * u_jk + u_ij * u_ij;
+  if (!(norm > std::numeric_limits<FT>::min())) return {p, area};
+  const FT g = c / (2 * norm);
+  return {p + (g * ki * u_ki - g * jk * u_jk), area - g * square * area};
+}
+
+/*!
+\brief computes what `flipped()` does from values that are rounded, with the errors of rounding alone: see `consistent_apex()`.
+\pre see `flipped()`
+*/
+template <class FT>
+Flipped_values<FT> flipped_consistently(const Diamond_values<FT>& d) {
+  const Apex<FT> k = consistent_apex(d.ij, d.jk, d.ki, d.area_f);
+  const Apex<FT> m = consistent_apex(d.ij, d.mj, d.im, d.area_g);
+  const FT x = k.p - m.p, y = k.area + m.area, twice = 2 * d.ij, half = 1 / twice;
+  return {(x * x + y * y) / (2 * twice), ((twice - m.p) * k.area + (twice - k.p) * m.area) * half,
+          (m.p * k.area + k.p * m.area) * half};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

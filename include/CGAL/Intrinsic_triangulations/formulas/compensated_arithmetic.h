@@ -9,6 +9,7 @@
 #include <CGAL/number_utils.h>
 
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -32,6 +33,11 @@ template <class FT>
 inline constexpr bool is_rounded =
     std::is_same_v<typename Real_embeddable_traits<FT>::Is_real_embeddable, Tag_true> &&
     !std::is_same_v<typename Algebraic_structure_traits<FT>::Is_exact, Tag_true>;
+
+/// Whether `FT` rounds to a known precision: a floating point type
+/// of the language or of Boost, no interval.
+template <class FT>
+inline constexpr bool has_precision = is_rounded<FT>&& std::numeric_limits<FT>::is_specialized;
 
 /// What angles are computed in: `FT` if it is floating, else `double`.
 template <class FT>

@@ -117,6 +117,13 @@ public:
   Move_status flip(Halfedge h) {
     return flip(h, [this](const Diamond& d) { return metric_.compute_flip(d); });
   }
+  // for long sequences
+  Move_status flip_consistently(Halfedge h) {
+    if constexpr (requires(const Diamond& d) { metric_.compute_consistent_flip(d); })
+      return flip(h, [this](const Diamond& d) { return metric_.compute_consistent_flip(d); });
+    else
+      return flip(h);
+  }
   Move_status flip_to_zero_area(Halfedge h) {
     return flip(h, [this](const Diamond& d) { return metric_.compute_flip_to_zero_area(d); });
   }

@@ -156,10 +156,10 @@ public:
   /// see `Intrinsic_triangulation::flip_edge()`
   Move_status flip_edge(halfedge_descriptor h) {
     const Move_status s = this->flip_status(h);
-    return s == Move_status::done ? Mover(t_).flip(h) : s;
+    return s == Move_status::done ? Mover(t_).flip_consistently(h) : s;
   }
   /// flips an edge that is known to be flippable. \pre `flip_status(h)` is `done`
-  Move_status flip_convex_edge(halfedge_descriptor h) { return Mover(t_).flip(h); }
+  Move_status flip_convex_edge(halfedge_descriptor h) { return Mover(t_).flip_consistently(h); }
   /// What a flip replaces, see `undo_flip()`.
   using Before_flip = internal::Before_flip_of<typename Triangulation::Metric>;
   /// returns what a flip of an edge with two faces will replace.

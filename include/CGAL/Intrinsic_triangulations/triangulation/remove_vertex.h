@@ -147,7 +147,9 @@ private:
         return false;
       const Undo u{c.edge, 3, values(c.edge)};
       const std::array<Planar_vector<double>, 3> kmj = ear(c.edge);
-      if (session_.flip_edge(c.edge) != Move_status::done) continue;
+      if (session_.flip_status(c.edge) != Move_status::done ||
+          session_.flip_non_delaunay_edge(c.edge) != Move_status::done)
+        continue; // whether it is Delaunay or not: an area of rounding alone goes with the vertex
       undo_.push_back(u);
       correct(c.edge, kmj);
       return true;

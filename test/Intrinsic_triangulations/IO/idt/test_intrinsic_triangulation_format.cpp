@@ -18,6 +18,8 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -285,4 +287,55 @@ TEST(Intrinsic_triangulation_format, no_single_changed_digit_crashes_the_reader)
 TEST(Intrinsic_triangulation_format, other_arithmetic_is_refused) {
   const std::string s = text(Double(terrain(1, false)));
   EXPECT_NE(message_of(s).find("stored in double arithmetic"), std::string::npos);
+}
+
+// A file without one of its numbers: the word of a line of a section, counted from its end if negative.
+namespace {
+std::string with_other_value(const std::string& file, const std::string& section, unsigned line,
+                             int word, double factor) {
+  std::istringstream in(file);
+  std::string result, text_line;
+  for (unsigned left = 0; std::getline(in, text_line);) {
+    if (left > 0 && --left == 0) {
+      std::vector<std::string> words;
+      std::istringstream parts(text_line);
+      for (std::string w; parts >> w;) words.push_back(w);
+      std::string& w =
+          words[static_cast<std::size_t>(word < 0 ? static_cast<int>(words.size()) + word : word)];
+      std::array<char, 64> number{};
+      std::snprintf(number.data(), number.size(), "%a", factor * std::strtod(w.c_str(), nullptr));
+      w = number.data();
+      text_line.clear();
+      for (const std::string& x : words) text_line += (text_line.empty() ? "" : " ") + x;
+    }
+    if (text_line.rfind(section + " ", 0) == 0) left = line + 1;
+    result += text_line + "\n";
+  }
+  return result;
+}
+} // namespace
+
+TEST(Intrinsic_triangulation_format, doubles_whose_lengths_and_areas_do_not_agree_are_refused) {
+  const auto message = [](const std::string& file) -> std::string {
+    try {
+      from_text<Double>(file);
+    } catch (const IT::Invalid_input& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    Double t(terrain(3, false));
+    flip_at_random(t, 20, seed);
+    const std::string s = text(t);
+    ASSERT_EQ(message(with_other_value(s, "faces", seed, -1, 1)), "") << "seed " << seed;
+    for (const double factor : {3., 0., 1.001})
+      EXPECT_NE(
+          message(with_other_value(s, "faces", seed, -1, factor)).find("do not span its area"),
+          std::string::npos)
+          << "seed " << seed << ", area times " << factor;
+    EXPECT_NE(message(with_other_value(s, "edges", seed, 0, 0)).find("do not span its area"),
+              std::string::npos)
+        << "seed " << seed;
+  }
 }

@@ -13,10 +13,12 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -111,7 +113,21 @@ private:
     in_.lines(connectivity_.mesh.number_of_faces(), [this](std::uint32_t f) {
       connectivity_.read_face(f);
       read_value("quadruple area", areas_, near_areas_);
+      if constexpr (!Metric::is_exact) check_area(f);
     });
+  }
+
+  // Lengths and area are redundant; rounding leaves differences of some 1e-16 of what is below, flips enlarge them a little.
+  void check_area(std::uint32_t f) const {
+    const auto sides = connectivity_.mesh.sides({f});
+    double x = squared_lengths_[sides[0].index / 2], y = squared_lengths_[sides[1].index / 2],
+           z = squared_lengths_[sides[2].index / 2];
+    const double square = areas_.back() * areas_.back(),
+                 difference = square - squared_quadruple_area(x, y, z);
+    sort_descending(x, y, z);
+    if (!(std::abs(difference) <= 0x1p-30 * x * (std::abs(z - (x - y)) + 2 * z)) ||
+        (z == 0 && square > 0))
+      in_.fail("the sides of face " + std::to_string(f) + " do not span its area");
   }
 
   // an interval and a number in it, or just a number

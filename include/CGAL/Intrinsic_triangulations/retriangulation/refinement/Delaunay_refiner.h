@@ -263,6 +263,9 @@ private:
       const Face_state s = state(f);
       if (s == Face_state::good) continue;
       result_.unsatisfied.push_back({f, unsatisfied_reason(s, !is_going_on_)});
+      if (result_.status == Status::done &&
+          result_.unsatisfied.back().reason == Unsatisfied_reason::refused)
+        result_.status = Status::stalled;
     }
   }
 

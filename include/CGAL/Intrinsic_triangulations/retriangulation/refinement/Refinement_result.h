@@ -65,8 +65,9 @@ struct Refinement_counts {
 */
 template <class Face>
 struct Refinement_result {
-  /// `done`, `cap` or `cancelled`: every face meets the criteria, except those that are listed, if it is
-  /// `done`. `inaccurate`: the triangulation must not be used.
+  /// `done`, `cap` or `cancelled`: every face meets the criteria, except needles and small angles that are listed, if it is
+  /// `done`. `stalled`: some do not, and nothing more could be inserted, by rounding. `inaccurate`: the triangulation must not
+  /// be used.
   Status status = Status::done;
   /// What was done.
   Refinement_counts counts;
