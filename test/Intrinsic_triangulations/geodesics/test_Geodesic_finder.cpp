@@ -422,9 +422,11 @@ TEST(Geodesic_finder, finds_in_doubles_the_lengths_that_exact_traits_find) {
   for (int i = 0; i < 30; ++i) {
     const std::uint32_t from = vertex(random), to = vertex(random);
     const Geodesic_path found =
-        find_in_doubles(doubles.numbers().vertex_at(from), doubles.numbers().vertex_at(to));
+        find_in_doubles(doubles.numbers().vertex_at(from), doubles.numbers().vertex_at(to),
+                        IT::parameters::shortest(false));
     const Geodesic_path expected =
-        find(exact.numbers().vertex_at(from), exact.numbers().vertex_at(to));
+        find(exact.numbers().vertex_at(from), exact.numbers().vertex_at(to),
+             IT::parameters::shortest(false));
     ASSERT_EQ(found.status, Status::done) << "seed " << seed;
     ASSERT_NEAR(found.length, expected.length, 1e-9 * expected.length)
         << "seed " << seed << ": from " << from << " to " << to;
