@@ -136,7 +136,7 @@ void refine(Triangulation& t, const Constrained& constrained, const Options& opt
   const IT::Refinement_counts& counts = result.counts;
   std::array<std::size_t, 4> reasons{};
   for (const auto& u : result.unsatisfied) ++reasons[static_cast<std::size_t>(u.reason)];
-  json["refine"] = {{"status", status_name(result.status)},
+  json["refine"] = {{"status", name(result.status)},
                     {"asked_angle_deg", options.refinement.minimum_angle},
                     {"insertions", counts.inserted_vertices()},
                     {"points", t.number_of_vertices() - t.input().number_of_rows()},
