@@ -375,7 +375,7 @@ TEST(GeodesicFinderUnfolded, LengthsAndAnglesAreThoseIn200DigitsOnMeshesOfCgal) 
   for (const std::string name : {"anchor", "bull", "couplingdown", "elephant", "fandisk", "homer",
                                  "joint", "pinion", "rotor_small", "triceratops"}) {
     SCOPED_TRACE(name);
-    const IT::synthetic::Triangle_soup soup =
+    const IT::Triangle_soup soup =
         IT::read_triangle_soup(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "/" + name + ".off");
     const meshes::Mesh mesh{soup.points, soup.triangles};
     expect_unfolded_paths(mesh, 20, 5, passed);
@@ -385,7 +385,7 @@ TEST(GeodesicFinderUnfolded, LengthsAndAnglesAreThoseIn200DigitsOnMeshesOfCgal) 
 
 // Angles of zero in faces without area are not opened by flips: what is left gains nothing, and must not go on for ever.
 TEST(GeodesicFinder, EndsOnFacesWithoutArea) {
-  const IT::synthetic::Triangle_soup soup =
+  const IT::Triangle_soup soup =
       IT::read_triangle_soup(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "/degtri_sliding.off");
   Triangulation t(IT::Intrinsic_input(soup, IT::Mollification::none));
   IT::flip_to_delaunay(t);
