@@ -43,6 +43,7 @@ struct Geodesic_options {
   std::string source;             ///< point from which geodesics lead to all vertices; empty: none
   std::string network;            ///< file that lists paths and loops; empty: none
   bool has_waypoints = false;     ///< whether curves stay at all points that are given
+  bool is_along_edges = false;    ///< whether paths start from shortest ones along edges
   double relative_length = 0;     ///< part of the length at which to stop
   double joint_angle = 180;       ///< angle of all joints at which to stop, in degrees
   bool writes_subdivision = false;

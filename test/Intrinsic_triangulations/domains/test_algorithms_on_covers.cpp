@@ -3,6 +3,7 @@
 
 #include "meshes.h"
 #include "soups.h"
+#include "straight_segments.h"
 
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/insert_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/solve_with_fixed_values.h>
@@ -74,6 +76,11 @@ Triangulation delaunay(const Mesh& m, Domain_kind kind = Domain_kind::tufted_cov
   Triangulation t(IT::make_domain(soups::soup(m), kind).input);
   IT::flip_to_delaunay(t);
   return t;
+}
+
+template <class Triangulation>
+bool is_isolated(const Triangulation& t, typename Triangulation::vertex_descriptor v) {
+  return halfedge(v, t.mesh()).index == IT::Gluing::none;
 }
 
 double area(const Mesh& m) {
@@ -265,35 +272,81 @@ TEST(Cover, keeps_harmonic_functions_in_the_range_of_what_is_given) {
   }
 }
 
-TEST(Cover, has_geodesics_on_a_sheet) {
-  // from corner to corner of a flat grid: straight on its sheet, whichever edges there are
-  const Mesh m = meshes::grid(5, 4);
-  auto t = delaunay<Integer>(m);
-  const IT::Input_names& names = t.input().names();
-  const std::uint32_t from = 7, to = static_cast<std::uint32_t>(m.points.size()) - 8;
-  std::size_t sheets = 0;
-  double shortest = 1e9, longest = 0;
-  for (std::uint32_t v = 0; v < t.input().number_of_vertices(); ++v) {
-    if (names.row(v) != to) continue;
-    ++sheets;
-    const IT::Polyhedral_distance d(t, t.numbers().vertex_at(names.vertex(from)));
-    const double exact = d.distance(t.numbers().vertex_at(v));
-    shortest = std::min(shortest, exact);
-    longest = std::max(longest, exact);
-    IT::Geodesic_finder<Integer> find(t);
-    const auto path = find(t.numbers().vertex_at(names.vertex(from)), t.numbers().vertex_at(v));
-    EXPECT_EQ(path.status, IT::Status::done);
-    EXPECT_GE(path.length, exact * (1 - 1e-12));
+// Between any copies of two vertices, and from one copy of a vertex to another on the way. Errors of sums of fewer than 100 lengths
+// of doubles stay below 1e-12 of the sum; paths that pass from one copy to another gain 1e-12 at least.
+TEST(Cover, has_shortest_paths_as_brute_force_tells) {
+  Mesh axes{{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
+  for (std::uint32_t i = 1; i < 7; i += 2) // the triangles through the origin
+    for (std::uint32_t j = i + 2; j < 7; j += 2)
+      for (std::uint32_t k = 0; k < 4; ++k) axes.triangles.push_back({0, i + k % 2, j + k / 2});
+  auto soups = soups_of_all_kinds();
+  soups.emplace_back("axes", axes);
+  for (unsigned seed = 0; seed < 4; ++seed)
+    soups.emplace_back("random " + std::to_string(seed), soups::random(7, 12, seed));
+  for (const auto& [name, m] : soups) {
+    SCOPED_TRACE(name);
+    for (const Domain_kind kind : {Domain_kind::automatic, Domain_kind::tufted_cover}) {
+      auto t = delaunay<Integer>(m, kind);
+      const straight_segments::Distances distance(t.input());
+      const double unit = std::ldexp(1.0, -t.metric().scale_exponent());
+      IT::Geodesic_finder<Integer> find(t);
+      for (const auto v : vertices(t.mesh()))
+        for (const auto w : vertices(t.mesh())) {
+          if (t.input_vertex(v) >= t.input_vertex(w) || is_isolated(t, v) || is_isolated(t, w))
+            continue;
+          const auto path = find(v, w);
+          const double d = unit * distance(t.input_vertex(v), t.input_vertex(w));
+          ASSERT_EQ(path.status, d < 1e300 ? IT::Status::done : IT::Status::stalled);
+          if (path.status == IT::Status::stalled) continue;
+          EXPECT_NEAR(path.length, d, 1e-11 * d);
+          const auto near = find(v, w, IT::parameters::shortest(false));
+          EXPECT_TRUE(near.status == IT::Status::stalled || near.length > d * (1 - 1e-11));
+        }
+    }
+    if (name != "axes") continue;
+    auto t = delaunay<Integer>(m);
+    for (std::uint32_t v = 1; v < 7; ++v) {
+      const auto from = t.numbers().vertex_at(t.input().names().vertex(0)),
+                 to = t.numbers().vertex_at(t.input().names().vertex(v));
+      IT::Geodesic_finder<Integer> find(t);
+      EXPECT_NEAR(find(from, to).length, 1, 1e-12);
+      EXPECT_NEAR(find(from, to, IT::parameters::shortest(false)).length, 1, 1e-12);
+    }
   }
-  EXPECT_EQ(sheets, 2U);
-  const double straight =
-      std::hypot(m.points[to][0] - m.points[from][0], m.points[to][1] - m.points[from][1]);
-  EXPECT_NEAR(shortest, straight, 1e-12);
-  EXPECT_GT(longest, straight) << "on the back, it goes around the border";
+}
+
+// A vertex that no face has is named; with it, and without.
+TEST(Cover, names_isolated_vertices_that_no_path_can_lead_to) {
+  for (auto [name, m] : soups_of_all_kinds()) {
+    const auto isolated = static_cast<std::uint32_t>(m.points.size());
+    m.points.push_back({9, 9, 9});
+    auto t = delaunay<Integer>(m);
+    const auto v = t.numbers().vertex_at(t.input().names().vertex(isolated)),
+               w = t.numbers().vertex_at(t.input().names().vertex(0));
+    const auto expect_named = [&](const auto& function) {
+      try {
+        function();
+        ADD_FAILURE() << name;
+      } catch (const IT::Invalid_input& e) {
+        EXPECT_EQ(e.kind(), IT::Element_kind::vertex);
+        EXPECT_EQ(e.index(), isolated);
+      }
+    };
+    IT::Geodesic_finder<Integer> find(t);
+    for (const bool is_shortest : {false, true})
+      for (const auto& [from, to] : {std::pair(v, w), std::pair(w, v)}) {
+        expect_named([&] { find(from, to, IT::parameters::shortest(is_shortest)); });
+        expect_named([&] { insert_geodesic(t, from, to, IT::parameters::shortest(is_shortest)); });
+        expect_named([&] {
+          IT::Edge_path_finder<Integer> edges(t);
+          edges(from, to);
+        });
+      }
+  }
 }
 
 TEST(Cover, has_the_least_distance_of_all_copies_at_a_row) {
-  // a square, tufted: from a point of the front, straight to its copies in front, around the border to those behind
+  // a square, tufted: from a point of both sides straight to its copies on either
   const Mesh m = meshes::grid(5, 4);
   const auto t = delaunay<Integer>(m);
   const IT::Input_names& names = t.input().names();

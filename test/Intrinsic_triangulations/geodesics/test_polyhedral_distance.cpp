@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/trace_shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "gallery.h"
@@ -413,6 +414,49 @@ TEST(PolyhedralDistance, does_not_depend_on_the_triangulation) {
   check(IT::Corresponding_triangulation(meshes::walls({{0, 0}, {3, 0}, {0, 4}}, 3).input()),
         "walls");
   check(IT::Corresponding_triangulation(input_of(torus(40, 0.5))), "sheared torus");
+}
+
+// On the mesh, whatever the triangulation: pieces lie in faces of the mesh, one after the other, and their lengths in space sum to the
+// distance. Points are within 2^-45 or so of a side of where they should be, which sums of 100 pieces do not see at 1e-10.
+TEST(PolyhedralDistance, polylines_on_the_mesh_are_as_long_as_the_distance) {
+  using Flipped = IT::Corresponding_triangulation;
+  for (unsigned seed = 0; seed < 4; ++seed)
+    for (const meshes::Mesh& m : {meshes::potato(2, seed), meshes::rough_grid(9, seed, 3),
+                                  meshes::l_shape(3), meshes::integer_terrain(60, 64, seed)}) {
+      SCOPED_TRACE("seed " + std::to_string(seed));
+      const auto mesh = meshes::surface_mesh<
+          CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>>(m);
+      Flipped t(mesh);
+      std::mt19937 random(seed);
+      if (seed % 2 == 0) flip_to_delaunay(t);
+      for (std::size_t i = 0; seed > 1 && i < num_edges(t.mesh()); ++i)
+        t.flip_edge(t.numbers().halfedge_at(
+            static_cast<std::uint32_t>(random() % (2 * num_edges(t.mesh())))));
+      const Vertex from = t.numbers().vertex_at(0);
+      const Polyhedral_distance<Flipped> d(t, from);
+      const auto check = [&](const Shortest_path& path) {
+        ASSERT_EQ(path.status, Status::done);
+        const IT::Traced_curve curve = trace_shortest_path(t, path);
+        ASSERT_EQ(curve.status, Status::done);
+        ASSERT_EQ(curve.points.size(), curve.faces.size() + 1);
+        const auto line = polyline(t, path, mesh);
+        double sum = 0;
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+          sum += std::sqrt(CGAL::squared_distance(line[i], line[i + 1]));
+          for (const std::size_t k : {i, i + 1}) { // both ends are in the face
+            const Surface_point p =
+                IT::internal::seen_in_face(t.input(), curve.points[k], curve.faces[i]);
+            ASSERT_EQ(t.input().face(p.halfedge), curve.faces[i]);
+          }
+        }
+        EXPECT_NEAR(sum, path.length, 1e-10 * path.length);
+        EXPECT_EQ(face_locations(t, curve, mesh).size(), line.size());
+      };
+      for (const Vertex v : vertices(t.mesh()))
+        if (v != from) check(d.shortest_path(v));
+      for (std::uint32_t f = 0; f < num_faces(t.mesh()); f += 3)
+        check(d.shortest_path(point(t, f, {0.25, 0.25, 0.5})));
+    }
 }
 
 TEST(PolyhedralDistance, is_a_metric) {

@@ -11,12 +11,14 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -33,14 +35,20 @@ public:
 
   /// finds the points of a curve, in order. \throws std::runtime_error naming the element that cannot be one
   Vertices operator()(const Asked_curve& curve) {
-    Vertices result;
+    std::vector<Vertices> copies; // of each point
     for (const Asked_point& p : curve.points) {
-      const Vertex v = p.is_vertex ? vertex_in_file(p.element, result) : vertex_in_face(p, curve);
-      if (halfedge(v, t_.mesh()).index == IT::Gluing::none)
-        throw std::runtime_error(curve.source + ": " + name(v) +
-                                 " is isolated: no face has it; choose another");
-      result.push_back(v);
+      copies.push_back(p.is_vertex ? IT::internal::copies_of_row(t_, p.element)
+                                   : Vertices{vertex_in_face(p, curve)});
+      for (const Vertex v : copies.back())
+        if (halfedge(v, t_.mesh()).index == IT::Gluing::none)
+          throw std::runtime_error(curve.source + ": " + name(v) +
+                                   " is isolated: no face has it; choose another");
     }
+    Vertices result;
+    if (t_.input().names().sheets == 1)
+      for (const Vertices& v : copies) result.push_back(v.front());
+    else
+      choose_copies(copies, curve.is_loop, result);
     return result;
   }
 
@@ -52,20 +60,26 @@ public:
   }
 
 private:
-  // On a cover, that copy of a vertex to which edges lead from the point before, if there is one.
-  Vertex vertex_in_file(std::uint32_t number, const Vertices& before) const {
-    const IT::Input_names& names = t_.input().names();
-    const Vertex first = t_.numbers().vertex_at(names.vertex(number));
-    if (names.row_of_vertex.empty() || before.empty()) return first;
+  // On a cover, the copy of each point that is nearest to the one before. A loop that comes to another copy of its start
+  // than it left goes around again.
+  void choose_copies(const std::vector<Vertices>& copies, bool is_loop, Vertices& result) const {
     IT::Edge_path_finder<Triangulation> find(t_);
-    const auto [begin, end] =
-        std::equal_range(names.row_of_vertex.begin(), names.row_of_vertex.end(), number);
-    for (auto copy = begin; copy != end; ++copy) {
-      const Vertex v = t_.numbers().vertex_at(
-          names.vertices.here(static_cast<std::uint32_t>(copy - names.row_of_vertex.begin())));
-      if (v != before.back() && !find(before.back(), v).empty()) return v;
+    const auto next = [&](const Vertices& from, const Vertices& to) {
+      const auto way = find(from, to);
+      if (!way.empty())
+        return std::pair(source(way.front(), t_.mesh()), target(way.back(), t_.mesh()));
+      // the same point again, or none that edges lead to
+      const auto same = std::find(to.begin(), to.end(), from.front());
+      return std::pair(from.front(), same == to.end() ? to.front() : *same);
+    };
+    result = {copies.size() > 1 ? next(copies[0], copies[1]).first : copies[0].front()};
+    const std::size_t n = copies.size(), most = is_loop ? n * copies[0].size() : n;
+    for (std::size_t i = 1; i <= most; ++i) {
+      if (i == n && !is_loop) return;
+      const Vertex v = next({result.back()}, copies[i % n]).second;
+      if (i % n == 0 && (v == result.front() || i == most)) return;
+      result.push_back(v);
     }
-    return first;
   }
 
   Vertex vertex_in_face(const Asked_point& p, const Asked_curve& curve) {

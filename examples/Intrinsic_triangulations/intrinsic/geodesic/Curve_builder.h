@@ -81,7 +81,8 @@ private:
   // Whether curves are found alone: no marked edge is in their way, and it is not asked how they become shorter.
   bool are_free(const std::vector<Asked_curve>& curves) const {
     const Geodesic_options& g = options_.geodesic;
-    return !has_constraints(options_) && g.relative_length == 0 && g.joint_angle == 180 &&
+    return !has_constraints(options_) && !g.is_along_edges && g.relative_length == 0 &&
+           g.joint_angle == 180 &&
            std::all_of(curves.begin(), curves.end(),
                        [](const Asked_curve& c) { return c.kind == Curve_kind::joined; });
   }

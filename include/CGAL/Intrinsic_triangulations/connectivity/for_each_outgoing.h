@@ -34,6 +34,22 @@ void for_each_outgoing(typename boost::graph_traits<Mesh>::vertex_descriptor v, 
   } while (h != first);
 }
 
+/// calls a function with the halfedges that start at the source of `h` and are in the same fan of faces,
+/// in some order; see above.
+template <class Mesh, class Function>
+void for_each_outgoing_in_fan(typename boost::graph_traits<Mesh>::halfedge_descriptor h,
+                              const Mesh& mesh, Function f) {
+  const auto null = boost::graph_traits<Mesh>::null_face();
+  const auto first = h;
+  do {
+    f(h);
+    if (face(h, mesh) == null) break;
+    h = opposite(next(next(h, mesh), mesh), mesh);
+  } while (h != first);
+  if (face(h, mesh) != null) return;
+  for (h = first; face(opposite(h, mesh), mesh) != null;) f(h = next(opposite(h, mesh), mesh));
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_FOR_EACH_OUTGOING_H

@@ -4,12 +4,37 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_COPIES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_COPIES_H
 
+#include <CGAL/Intrinsic_triangulations/input/Element_names.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// The vertices of the triangulation that are one vertex of the user: several on a cover.
+template <class Triangulation>
+std::vector<typename Triangulation::vertex_descriptor> copies_of_row(const Triangulation& t,
+                                                                     std::uint32_t row) {
+  const Input_names& names = t.input().names();
+  if (names.row_of_vertex.empty()) return {t.numbers().vertex_at(names.vertices.here(row))};
+  std::vector<typename Triangulation::vertex_descriptor> result;
+  const auto begin = names.row_of_vertex.begin();
+  const auto [first, last] = std::equal_range(begin, names.row_of_vertex.end(), row);
+  for (auto copy = first; copy != last; ++copy)
+    result.push_back(
+        t.numbers().vertex_at(names.vertices.here(static_cast<std::uint32_t>(copy - begin))));
+  return result;
+}
+// The copies of a vertex, but of an inserted one itself alone.
+template <class Triangulation>
+std::vector<typename Triangulation::vertex_descriptor>
+copies_of_vertex(const Triangulation& t, typename Triangulation::vertex_descriptor v) {
+  if constexpr (requires { t.input().names(); })
+    if (!t.is_inserted(v)) return copies_of_row(t, t.input_vertex(v));
+  return {v};
+}
 
 // Of a cover, several vertices are copies of one of the user's and share its row. What belongs to a neighbourhood, as a tangent
 // plane, has a number for each copy: its name, and inserted vertices follow in their order. Without copies these are rows.

@@ -5,7 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_EDGE_PATH_FINDER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -18,17 +20,35 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+
+// No curve starts, passes or ends at a vertex without faces.
+template <class Triangulation>
+void expect_no_isolated_vertex(const Triangulation& t,
+                               typename Triangulation::vertex_descriptor v) {
+  if (!is_isolated(t, v)) return;
+  std::uint32_t i = t.index(v);
+  if constexpr (requires { t.input_vertex(v); }) i = t.input_vertex(v);
+  throw Invalid_input(Element_kind::vertex, i,
+                      "vertex " + std::to_string(i) +
+                          " is isolated: no face has it; choose another");
+}
+
+} // namespace internal
+
 /*!
 \brief finds shortest paths along edges between vertices, by Dijkstra's algorithm from both ends.
 
-Lengths are those of the triangulation, in doubles. Memory is kept from one search to the next, so that a search costs what it visits.
-At a vertex that is not manifold a search goes on in one of its fans of faces only, see `for_each_outgoing()`: paths that lead through such a vertex into
-another fan are not found.
+Lengths are those of the triangulation, in doubles. Memory is kept from one search to the next, so
+that a search costs what it visits; but on a surface with vertices that are not manifold each search
+takes linear time. At such a vertex a path may go on in any of its fans of faces.
 \tparam Triangulation a model of `GeodesicTriangulation`
 */
 template <class Triangulation>
@@ -49,11 +69,19 @@ public:
   /*!
   \brief finds a shortest path along edges.
   \return its halfedges from `from` to `to`; none if they are the same vertex, or not connected
+  \throws Invalid_input if a vertex is isolated
   \complexity n log n in the number of vertices nearer to an end than the ends are to each other
   */
   std::vector<halfedge_descriptor> operator()(vertex_descriptor from, vertex_descriptor to) {
-    start(t_.index(from), t_.index(to));
-    if (from == to) return {};
+    return (*this)(std::vector{from}, std::vector{to});
+  }
+  /// finds a shortest path along edges from one of several vertices to one of others, as between copies
+  /// of two vertices on a cover; see above.
+  std::vector<halfedge_descriptor> operator()(const std::vector<vertex_descriptor>& from,
+                                              const std::vector<vertex_descriptor>& to) {
+    start();
+    label_ends(0, from);
+    label_ends(1, to);
     while (!sides_[0].queue.empty() && !sides_[1].queue.empty() &&
            sides_[0].queue.top().first + sides_[1].queue.top().first < best_)
       advance(sides_[0].queue.top().first <= sides_[1].queue.top().first ? 0U : 1U);
@@ -75,7 +103,8 @@ private:
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   };
 
-  void start(std::uint32_t from, std::uint32_t to) {
+  void start() {
+    find_other_fans();
     ++search_;
     best_ = std::numeric_limits<double>::infinity();
     meeting_ = none;
@@ -83,8 +112,28 @@ private:
       s.labels.resize(t_.numbers().vertex_capacity(t_.mesh()), {0, none, 0});
       s.queue = {};
     }
-    label(0, from, 0, none);
-    label(1, to, 0, none);
+  }
+  void label_ends(unsigned k, const std::vector<vertex_descriptor>& ends) {
+    for (const vertex_descriptor v : ends) {
+      internal::expect_no_isolated_vertex(t_, v);
+      label(k, t_.index(v), 0, none);
+    }
+  }
+
+  // Finds a halfedge of each fan of a vertex but the one that its own halfedge is in. Flips keep the number of fans.
+  void find_other_fans() {
+    if (is_manifold_) return;
+    other_fans_.clear();
+    std::vector<char> is_seen(2 * std::size_t{t_.numbers().edge_capacity(t_.mesh())}, 0);
+    const auto see = [&](halfedge_descriptor h) { is_seen[t_.numbers().halfedge(h)] = 1; };
+    for (const vertex_descriptor v : vertices(t_.mesh()))
+      if (!internal::is_isolated(t_, v)) for_each_outgoing(v, t_.mesh(), see);
+    for (const halfedge_descriptor h : halfedges(t_.mesh()))
+      if (is_seen[t_.numbers().halfedge(h)] == 0) {
+        other_fans_.emplace(t_.index(source(h, t_.mesh())), h);
+        for_each_outgoing_in_fan(h, t_.mesh(), see);
+      }
+    is_manifold_ = other_fans_.empty();
   }
 
   bool is_labelled(unsigned k, std::uint32_t v) const {
@@ -105,11 +154,15 @@ private:
     const std::uint32_t v = sides_[k].queue.top().second;
     sides_[k].queue.pop();
     if (distance > sides_[k].labels[v].distance) return;
-    for_each_outgoing(t_.numbers().vertex_at(v), t_.mesh(), [&](halfedge_descriptor h) {
+    const auto relax = [&](halfedge_descriptor h) {
       const std::uint32_t i = t_.numbers().halfedge(h), w = t_.index(target(h, t_.mesh()));
       const double d = distance + std::sqrt(t_.metric().approximate_squared_length(i / 2));
       if (!is_labelled(k, w) || d < sides_[k].labels[w].distance) label(k, w, d, i);
-    });
+    };
+    for_each_outgoing(t_.numbers().vertex_at(v), t_.mesh(), relax);
+    const auto [first, last] = other_fans_.equal_range(v);
+    for (auto fan = first; fan != last; ++fan)
+      for_each_outgoing_in_fan(fan->second, t_.mesh(), relax);
   }
 
   std::vector<halfedge_descriptor> path() const {
@@ -130,6 +183,8 @@ private:
 
   const Triangulation& t_;
   std::array<Side, 2> sides_;
+  bool is_manifold_ = false; // as far as is known
+  std::unordered_multimap<std::uint32_t, halfedge_descriptor> other_fans_;
   std::uint32_t search_ = 0;
   double best_ = 0;
   std::uint32_t meeting_ = none;

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,8 @@ struct Corner_table {
       first_corner; ///< per vertex: the most clockwise corner of a fan, or none
   /// Other fans of vertices that are not manifold: the vertex, and the most clockwise corner. In the order of vertices.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> other_fans;
+  /// On a cover, per vertex the next copy of the same vertex of the user, in a circle; else empty.
+  std::vector<std::uint32_t> next_copy;
   double unit = 1; ///< what the length 1 is in the units of the input
 
   /// returns the next corner of the face.
@@ -108,6 +111,22 @@ void write_corners(const Triangulation& t, typename Triangulation::face_descript
   }
 }
 
+// Links the copies of vertices on a cover, which have one row.
+template <NumberedTriangulation Triangulation>
+void link_copies(const Triangulation& t, Corner_table& table) {
+  if constexpr (requires { t.input().names().row_of_vertex; }) {
+    if (t.input().names().row_of_vertex.empty()) return;
+    table.next_copy.resize(table.first_corner.size());
+    std::unordered_map<std::uint32_t, std::uint32_t> first; // by row
+    for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh())) {
+      const std::uint32_t i = t.index(v);
+      table.next_copy[i] = i;
+      const auto [place, is_new] = first.emplace(t.input_vertex(v), i);
+      if (!is_new) std::swap(table.next_copy[i], table.next_copy[place->second]);
+    }
+  }
+}
+
 // Reads a triangulation once: nothing else asks it for numbers.
 template <NumberedTriangulation Triangulation>
 Corner_table corner_table(const Triangulation& t) {
@@ -129,6 +148,7 @@ Corner_table corner_table(const Triangulation& t) {
   for (const typename Triangulation::face_descriptor f : faces(mesh))
     write_corners(t, f, corner_of_halfedge, table);
   table.find_fans();
+  link_copies(t, table);
   return table;
 }
 

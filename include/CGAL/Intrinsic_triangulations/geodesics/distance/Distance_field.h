@@ -33,7 +33,8 @@ struct Arrival {
     at_source, ///< the point is a source
     straight,  ///< straight from `image` through `side`, or from within the face
     leaving,   ///< along `side`, from its target to its source
-    following  ///< along `side`, from its source to its target
+    following, ///< along `side`, from its source to its target
+    copied     ///< the point is a copy of vertex `source` on a cover, where the path comes to
   };
   Planar_point image{0, 0};            ///< of the source, in the frame of `side`
   std::uint32_t side = Gluing::none;   ///< a corner

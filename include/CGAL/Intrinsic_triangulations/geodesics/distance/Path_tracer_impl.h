@@ -58,6 +58,11 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::follow(Arrival a, Plana
   while (places_.size() < most_places) {
     if (a.kind == Arrival::Kind::at_source) return Status::done;
     if (a.kind == Arrival::Kind::none) return Status::stalled;
+    if (a.kind == Arrival::Kind::copied) {
+      a = move_to(table_.first_corner[a.source]);
+      is_at_vertex = true;
+      continue;
+    }
     if (a.kind == Arrival::Kind::following || a.kind == Arrival::Kind::leaving) {
       const Face_corner& back = table_.corners[Corner_table::next(a.side)];
       a = a.kind == Arrival::Kind::following

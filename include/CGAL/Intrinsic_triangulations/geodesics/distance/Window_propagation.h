@@ -97,6 +97,7 @@ private:
 
   void reach(std::uint32_t v, double distance, const Arrival& arrival);
   void finish(std::uint32_t v);
+  void reach_copies(std::uint32_t v);
   void open_fan(std::uint32_t v, std::uint32_t first, bool everywhere);
   void open_closed_fan(std::uint32_t v, std::size_t arrival, double angle);
   void open_border_fan(std::uint32_t v, std::size_t arrival, double angle);

@@ -63,11 +63,22 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::finish(std::uint32
   is_final_[v] = 1;
   const bool is_source = field_.vertices[v].arrival.kind == Arrival::Kind::at_source;
   if (table_.first_corner[v] == Gluing::none) return;
+  if (!table_.next_copy.empty()) reach_copies(v);
   open_fan(v, table_.first_corner[v], is_source);
   auto other = std::lower_bound(table_.other_fans.begin(), table_.other_fans.end(),
                                 std::pair(v, std::uint32_t{0}));
   for (; other != table_.other_fans.end() && other->first == v; ++other)
     open_fan(v, other->second, is_source);
+}
+
+// On a cover, paths go on from any copy of a vertex. Where that gains no more than rounding makes, they
+// stay on their side.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::reach_copies(std::uint32_t v) {
+  constexpr double least = 1 - 1e-12;
+  const double distance = field_.vertices[v].distance;
+  for (std::uint32_t w = table_.next_copy[v]; w != v; w = table_.next_copy[w])
+    if (distance < field_.vertices[w].distance * least)
+      reach(w, distance, {{0, 0}, Gluing::none, v, Arrival::Kind::copied});
 }
 
 // The index in the fan of the face where the shortest path comes from, and the angle from the side of its corner to the

@@ -66,7 +66,8 @@ public:
   /*!
   \brief finds a shortest path between two vertices.
   \param from, to vertices of the triangulation; `vertex_on_intrinsic()` finds those of the user's
-  mesh
+  mesh. On a cover, the shortest path between any copies of them is found, and it may pass from one
+  copy of a vertex to another
   \param np named parameters of `shorten_curves()`, and:
     - `shortest(b)`: whether to look for the shortest path, or to start from one along edges.
       Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the way from a
@@ -74,6 +75,7 @@ public:
   \return its way over the input. The status is that of `shorten_curves()`, `stalled` if no path
   leads from one to the other, `inaccurate` if it is geodesic but the search for the shortest one
   gave up, or `not_traceable`
+  \throws Invalid_input if a vertex is isolated
   \complexity that of the search, and of `shorten_curves()`
   */
   template <NamedParameters NP = parameters::Parameters<>>
@@ -127,7 +129,7 @@ private:
   // flips edges until there is a path, reads it off, and takes the flips back
   template <class NP>
   void append(vertex_descriptor from, vertex_descriptor to, const NP& np, Geodesic_path& path) {
-    if (from == to) return;
+    if (internal::are_copies(t_, from, to)) return;
     Flip_log<Triangulation> log;
     Shortening_result r;
     const auto way = internal::starting_path(t_, from, to, find_edge_path_, &log, r, np);
@@ -136,11 +138,11 @@ private:
       path.status = way.status;
       return;
     }
-    const std::uint32_t curve = network_.add_path(way.halfedges);
+    internal::add_connected_paths(network_, way.halfedges);
     path.initial_length += way.length;
     r += internal::shorten_curves(network_, &log, np);
-    for (const halfedge_descriptor h : network_.halfedges(curve))
-      internal::append_edge(t_, h, path);
+    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c)
+      for (const halfedge_descriptor h : network_.halfedges(c)) internal::append_edge(t_, h, path);
     network_.clear();
     typename Triangulation::Session session(t_);
     log.undo(session);

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -28,7 +29,8 @@ struct Inserted_geodesic {
   /// `inaccurate`: it is geodesic, but the search for the shortest one gave up, see
   /// `Shortest_path`.
   Status status = Status::done;
-  /// Its edges, in its direction.
+  /// Its edges, in its direction. On a cover, an edge may start at another copy of the vertex where
+  /// the one before ends.
   std::vector<typename Triangulation::halfedge_descriptor> halfedges;
 };
 
@@ -40,11 +42,13 @@ Most are one edge; where they pass vertices they are more. To keep the path whil
 flipped, constrain its edges.
 \tparam Triangulation a model of `GeodesicTriangulation`
 \param t the triangulation
-\param from, to vertices of it; see `vertex_on_intrinsic()` and `insert_point()`
+\param from, to vertices of it; see `vertex_on_intrinsic()` and `insert_point()`. On a cover, the
+shortest path between any copies of them is found
 \param np named parameters of `shorten_curves()`, and:
   - `shortest(b)`: if false, the path is made of a shortest one along edges, see `Geodesic_finder`.
     Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the way from
     that path
+\throws Invalid_input if a vertex is isolated
 \complexity that of the search by `Polyhedral_distance`, or along edges; of `shorten_curves()`, and
 linear in the number of edges
 */
@@ -53,16 +57,19 @@ Inserted_geodesic<Triangulation> insert_geodesic(Triangulation& t,
                                                  typename Triangulation::vertex_descriptor from,
                                                  typename Triangulation::vertex_descriptor to,
                                                  const NP& np = parameters::default_values()) {
-  if (from == to) return {};
+  if (internal::are_copies(t, from, to)) return {};
   Flip_log<Triangulation>* const no_log = nullptr;
   Shortening_result result;
   Edge_path_finder<Triangulation> find(t);
   const auto way = internal::starting_path(t, from, to, find, no_log, result, np);
   if (way.halfedges.empty()) return {way.status, {}};
   Curve_network<Triangulation> network(t);
-  network.add_path(way.halfedges);
+  internal::add_connected_paths(network, way.halfedges);
   const Status status = internal::shorten_curves(network, no_log, np).status;
-  return {status == Status::done ? way.status : status, network.halfedges(0)};
+  Inserted_geodesic<Triangulation> inserted{status == Status::done ? way.status : status, {}};
+  for (std::uint32_t c = 0; c < network.number_of_curves(); ++c)
+    for (const auto h : network.halfedges(c)) inserted.halfedges.push_back(h);
+  return inserted;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

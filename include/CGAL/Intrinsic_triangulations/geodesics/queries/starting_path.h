@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
@@ -15,10 +16,12 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Wedge_flipper.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -33,7 +36,7 @@ struct Edge_way {
 };
 
 // A straight piece of a shortest path, between two vertices: the edges that it crosses, or the one
-// that it runs along.
+// that it runs along; neither between copies of a vertex on a cover.
 template <class Triangulation>
 struct Straight_piece {
   std::vector<typename Triangulation::halfedge_descriptor> crossed;
@@ -61,9 +64,9 @@ std::vector<Straight_piece<Triangulation>> straight_pieces(const Triangulation& 
       const Halfedge other = opposite(next(next(start, mesh), mesh), mesh);
       const bool is_first = target(start, mesh) == source(h, mesh);
       const bool is_other = target(other, mesh) == source(h, mesh);
-      const bool is_longer =
-          is_first && is_other && t.length(edge(other, mesh)) < t.length(edge(start, mesh));
-      result.back().along = is_first && !is_longer ? start : other;
+      if (is_first) result.back().along = start;
+      if (is_other && (!is_first || t.length(edge(other, mesh)) < t.length(edge(start, mesh))))
+        result.back().along = other;
     }
   }
   return result;
@@ -84,16 +87,39 @@ bool are_disjoint(const Triangulation& t,
   return std::adjacent_find(entered.begin(), entered.end()) == entered.end();
 }
 
-// Whether halfedges follow each other from one vertex to another.
+// Whether two vertices are one point of the user's surface: the same, or copies on a cover.
+template <class Triangulation>
+bool are_copies(const Triangulation& t, typename Triangulation::vertex_descriptor v,
+                typename Triangulation::vertex_descriptor w) {
+  if constexpr (requires { t.input().names().row_of_vertex; })
+    if (!t.input().names().row_of_vertex.empty()) return t.input_vertex(v) == t.input_vertex(w);
+  return v == w;
+}
+
+// Whether halfedges follow each other from one vertex to another, or to copies of them.
 template <class Triangulation>
 bool leads(const Triangulation& t, typename Triangulation::vertex_descriptor from,
            typename Triangulation::vertex_descriptor to,
            const std::vector<typename Triangulation::halfedge_descriptor>& way) {
   for (const auto h : way) {
-    if (source(h, t.mesh()) != from) return false;
+    if (!are_copies(t, source(h, t.mesh()), from)) return false;
     from = target(h, t.mesh());
   }
-  return from == to;
+  return are_copies(t, from, to);
+}
+
+// Adds halfedges to a network: a path, or several where they pass from one copy of a vertex to
+// another.
+template <class Triangulation>
+void add_connected_paths(Curve_network<Triangulation>& network,
+                         const std::vector<typename Triangulation::halfedge_descriptor>& way) {
+  const auto& mesh = network.triangulation().mesh();
+  for (auto first = way.begin(); first != way.end();) {
+    auto last = std::next(first);
+    while (last != way.end() && source(*last, mesh) == target(*std::prev(last), mesh)) ++last;
+    network.add_path(std::vector(first, last));
+    first = last;
+  }
 }
 
 // Flips edges until a shortest path between two vertices is one of edges, up to rounding: where it
@@ -115,6 +141,7 @@ flip_to_shortest_path(Triangulation& t, typename Triangulation::vertex_descripto
     Segment_flipper<Triangulation> flip_to_segment(t, session, flip);
     const std::uint64_t last = result.flips + most;
     for (const Straight_piece<Triangulation>& piece : pieces) {
+      if (!piece.along && piece.crossed.empty()) continue;
       const auto edges =
           piece.along ? std::vector{*piece.along}
                       : flip_to_segment(piece.crossed, last - result.flips, result, [](auto) {});
@@ -132,13 +159,15 @@ Edge_way<Triangulation>
 starting_path(Triangulation& t, typename Triangulation::vertex_descriptor from,
               typename Triangulation::vertex_descriptor to, Edge_path_finder<Triangulation>& find,
               Flip_log<Triangulation>* log, Shortening_result& result, const NamedParameters& np) {
+  expect_no_isolated_vertex(t, from);
+  expect_no_isolated_vertex(t, to);
   constexpr bool is_flow = Has_parameter<tags::relative_length, NamedParameters> ||
                            Has_parameter<tags::minimum_joint_angle, NamedParameters>;
   Edge_way<Triangulation> way;
   if (value_or<tags::shortest>(np, !is_flow))
     way = flip_to_shortest_path(t, from, to, log, maximum_flips(t, np), result);
   if (!way.halfedges.empty() || way.status == Status::stalled) return way;
-  way.halfedges = find(from, to);
+  way.halfedges = find(copies_of_vertex(t, from), copies_of_vertex(t, to));
   if (way.halfedges.empty()) way.status = Status::stalled;
   way.length = 0;
   for (const auto h : way.halfedges) way.length += t.length(edge(h, t.mesh()));

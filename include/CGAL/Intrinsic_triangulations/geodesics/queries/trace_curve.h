@@ -58,7 +58,8 @@ inline Surface_point seen_in_face(const Input& input, const Surface_point& p, st
   for (std::size_t k = 0; k < 3; ++k, h = input.next(h))
     if (p.weights[k] == 1)
       for (std::uint32_t g = base, n = 0; n < 3; ++n, g = input.next(g))
-        if (input.source(g) == input.source(h)) return seen_from(input, {g, {1, 0, 0}}, base);
+        if (input.names().row(input.source(g)) == input.names().row(input.source(h)))
+          return seen_from(input, {g, {1, 0, 0}}, base); // or a copy of it, on a cover
   return p;
 }
 
