@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -62,7 +63,9 @@ IT::Scaled_metric scaled_by_tensors(const Mesh_file& file, const Number_table& t
 
 Metric_report change_metric(Mesh_file& file, const Options& options) {
   if (options.metric.empty()) return {};
-  const Number_table table = read_numbers(options.metric);
+  const std::size_t rows = file.input.names.number_of_rows(file.input.mesh.number_of_vertices());
+  const Number_table table = read_numbers(options.metric, std::max(rows, file.polygons),
+                                          "vertices or faces of " + options.input);
   if (table.columns != 1 && table.columns != 6)
     table.refuse(0,
                  "there are " + std::to_string(table.columns) +

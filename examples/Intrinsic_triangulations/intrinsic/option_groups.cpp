@@ -11,6 +11,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace program {
@@ -57,15 +58,43 @@ constexpr std::array refinement_options{"min-angle",       "max-circumradius",
                                         "conforming",      "odt",
                                         "adaptive"};
 
-// However they are spelled, and through links.
+// However they are spelled, and through links of either kind.
+bool are_same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  const auto path = [](const std::string& name) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(name));
+  };
+  return path(a) == path(b) || (std::filesystem::is_regular_file(a, ignored) &&
+                                std::filesystem::equivalent(a, b, ignored));
+}
+
+std::vector<std::string> outputs(const Options& o) {
+  std::vector<std::string> names{o.output,        o.application.singularities,
+                                 o.mass,          o.laplacian,
+                                 o.interpolation, o.input_interpolation,
+                                 o.stats,         o.view};
+  std::erase_if(names, [](const std::string& name) { return name.empty() || name == "-"; });
+  return names;
+}
+
 bool names_a_file_twice(const Options& o) {
-  std::vector<std::filesystem::path> paths;
-  for (const std::string& name : {o.output, o.application.singularities, o.mass, o.laplacian,
-                                  o.interpolation, o.input_interpolation, o.stats, o.view})
-    if (!name.empty() && name != "-")
-      paths.push_back(std::filesystem::weakly_canonical(std::filesystem::absolute(name)));
-  std::sort(paths.begin(), paths.end());
-  return std::adjacent_find(paths.begin(), paths.end()) != paths.end();
+  const std::vector<std::string> names = outputs(o);
+  for (auto i = names.begin(); i != names.end(); ++i)
+    if (std::any_of(i + 1, names.end(), [&](const auto& n) { return are_same_file(*i, n); }))
+      return true;
+  return false;
+}
+
+// An output that is a file to be read, which may be a pipe or a terminal; empty if there is none.
+std::string overwritten_input(const Options& o) {
+  const Application_options& a = o.application;
+  for (const std::string& in : {o.input, o.constraints, o.metric, o.sizes, o.field,
+                                o.geodesic.network, a.vectors, a.handles})
+    for (const std::string& out : outputs(o))
+      if (std::error_code ignored;
+          !in.empty() && std::filesystem::is_regular_file(in, ignored) && are_same_file(in, out))
+        return out;
+  return {};
 }
 
 bool lacks_correspondence(const Options& o) {
@@ -451,6 +480,8 @@ std::string geodesic_misuse(const Options& o) {
 
 std::string misuse(const Options& options) {
   if (names_a_file_twice(options)) return "two outputs are the same file; give each its own";
+  if (const std::string name = overwritten_input(options); !name.empty())
+    return name + ": the output is a file that is read; give it another name";
   if (lacks_correspondence(options))
     return "without correspondence nothing is known of the common subdivision, and of where "
            "vertices are, for --size "

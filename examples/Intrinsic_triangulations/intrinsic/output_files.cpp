@@ -64,6 +64,7 @@ void remove_incomplete_files() {
 void remove_incomplete_files_on_signals() {
   for (const int s : handled_signals)
     if (std::signal(s, remove_and_end) == SIG_IGN) std::signal(s, SIG_IGN); // as under nohup
+  std::signal(SIGXFSZ, SIG_IGN); // a file that is too large is one that cannot be written
 }
 
 Output_files::~Output_files() {

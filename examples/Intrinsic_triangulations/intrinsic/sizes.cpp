@@ -7,7 +7,7 @@ namespace program {
 
 std::vector<double> read_sizes(const Options& options, std::size_t vertices) {
   if (options.sizes.empty()) return {};
-  const Number_table table = read_numbers(options.sizes);
+  const Number_table table = read_numbers(options.sizes, vertices, "vertices of " + options.input);
   if (table.columns != 1) table.refuse(0, "give one number on each line");
   table.expect_rows(vertices, "vertices of " + options.input);
   for (std::size_t v = 0; v < vertices; ++v)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "statistics.h"
+#include "support/messages.h"
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/number_utils.h>
@@ -70,7 +71,7 @@ Json input_json(const Options& options, const std::string& arithmetic,
   Json json;
   json["version"] = INTRINSIC_TRIANGULATIONS_VERSION;
   Json& input = json["input"];
-  input["file"] = options.input;
+  input["file"] = as_utf8(options.input);
   input["vertices"] = facts.vertices;
   input["edges"] = facts.edges;
   input["faces"] = facts.faces;

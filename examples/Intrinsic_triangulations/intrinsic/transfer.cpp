@@ -90,12 +90,16 @@ void write_fields(const std::string& path, const Transferred& r, const IT::Commo
 template <class Triangulation>
 void transfer(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
   const Triangulation& t = loaded.triangulation;
-  const Number_table table = read_numbers(options.field);
   const bool from_input = options.from == "input";
-  if (from_input) table.expect_rows(t.input().number_of_rows(), "vertices of " + options.input);
+  const auto read = [&](std::size_t rows, const std::string& what) {
+    Number_table table = read_numbers(options.field, rows, what);
+    table.expect_rows(rows, what);
+    return table;
+  };
+  Number_table table;
+  if (from_input) table = read(t.input().number_of_rows(), "vertices of " + options.input);
   Json json = improve_and_measure(loaded, options, progress);
-  if (!from_input)
-    table.expect_rows(t.number_of_vertices(), "vertices of the intrinsic triangulation");
+  if (!from_input) table = read(t.number_of_vertices(), "vertices of the intrinsic triangulation");
   Stopwatch watch;
   progress.show("subdividing");
   IT::Common_subdivision s = subdivide(loaded, options, json);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "view.h"
+#include "support/messages.h"
 #include "three_js.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
@@ -66,7 +67,7 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
     throw std::runtime_error(options.view +
                              ": the program was built without three.js, which the page needs; "
                              "install libjs-three and build it again");
-  const std::string title = std::filesystem::path(options.input).filename().string();
+  const std::string title = as_utf8(std::filesystem::path(options.input).filename().string());
   const std::string text = description(json);
   IT::Html_view view;
   view.title = title;

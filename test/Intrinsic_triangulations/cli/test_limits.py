@@ -4,6 +4,7 @@
 
 import os
 import re
+import resource
 import select
 import signal
 import stat
@@ -45,6 +46,66 @@ class Limits(Cli_test):
         for arithmetic in ("exact", "double"):
             stats = self.stats("refine", mesh, "--arithmetic", arithmetic, "-o", "out.ply")
             self.assert_close(stats["subdivision"]["area"], stats["area"]["input"], 1e-12)
+
+    def test_files_beside_the_mesh_are_read_as_far_as_they_describe_it(self):
+        mesh = self.rough_grid(2)
+        for command, line in ((["delaunay", mesh, "--metric"], "1.5"),
+                              (["refine", mesh, "--size"], "0.5"),
+                              (["transfer", mesh], "1 2"),
+                              (["edit", mesh, "--handles"], "0 1 2 3"),
+                              (["transport", mesh, "--vectors"], "0 90")):
+            # lines without end
+            with subprocess.Popen(["yes", line], stdout=subprocess.PIPE) as endless:
+                done = subprocess.run([self.program, *command, "/dev/stdin"], stdin=endless.stdout,
+                                      capture_output=True, text=True, timeout=60, check=False)
+                endless.stdout.close()
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("/dev/stdin:10", done.stderr)
+            self.assertIn("9 vertices", done.stderr)
+
+    def test_vertices_are_given_once(self):
+        mesh = self.rough_grid(2)
+        vectors = self.write("v.txt", "3 90\n# next\n5 0\n3 80\n")
+        self.assert_fails(self.run_program("transport", mesh, "--vectors", vectors),
+                          "v.txt:4", "vertex 3 is on line 1")
+        self.assert_fails(self.run_program("field", mesh, "--vectors", vectors), "v.txt:4")
+        handles = self.write("h.txt", "0 1 0 0\n0 1 0 0\n")
+        self.assert_fails(self.run_program("edit", mesh, "--handles", handles), "h.txt:2")
+
+    def test_times_of_heat(self):
+        mesh = self.rough_grid(3)
+        for time in ("1e300", "1e-300"):
+            for source in (["--source", "0"], ["--signed", "--curve", "0,5"]):
+                self.assert_fails(self.run_program("distance", mesh, "--time", time, *source),
+                                  "g.off", "time factor", "between")
+
+    def test_fields_that_follow_curvature_closely_tend_to_it(self):
+        points, faces = icosphere(2)
+        mesh = self.write_off("m.off", [(x, 2 * y, 3 * z) for x, y, z in points], faces)
+
+        def field(strength):
+            run = self.run_program("field", mesh, "--degree", "2", "--align", strength, "-o",
+                                   "f.txt", "--on", "intrinsic")
+            self.assertEqual(run.code, 0, run.err)
+            with open(self.path("f.txt")) as file:
+                return [complex(*map(float, line.split())) for line in file]
+
+        limit = field("1e9")
+        for strength in ("1e20", "1e300"):
+            # directions are lines: squares are alike
+            far = [abs(z * z - w * w) for z, w in zip(field(strength), limit)]
+            self.assertLess(max(far), 1e-3)
+
+    def test_file_that_is_too_large_for_the_system(self):
+        mesh = self.rough_grid(40)
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+        for output in ("a.idt", "a.ply"):
+            done = subprocess.run([self.program, "delaunay", mesh, "-o", output], text=True,
+                                  cwd=self.directory, capture_output=True, timeout=60,
+                                  preexec_fn=limit, check=False)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn(output, done.stderr)
+            self.assertEqual(self.files(), ["g.off"])
 
     def test_limit_of_time_ends_long_work(self):
         # neither ends in less than many seconds

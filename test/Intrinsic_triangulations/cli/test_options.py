@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Options, exit codes, the keys of the statistics, and the files that are written."""
 
+import json
 import os
+import random
 import signal
 import subprocess
 import time
@@ -80,6 +82,42 @@ class Options(Cli_test):
                             word="two")
         run = self.run_program("delaunay", self.mesh, "-o", "a.ply", "--stats", "d/a.ply")
         self.assertEqual(run.code, 0, run.err)
+
+    def test_outputs_do_not_overwrite_inputs(self):
+        edges = self.write("edges.txt", "0 11\n")
+        os.symlink("m.off", self.path("link.off"))
+        os.link(edges, self.path("hard.json"))
+        for output in (self.mesh, "m.off", "./m.off", "link.off"):
+            self.assert_misused("delaunay", self.mesh, "-o", output, word="read")
+        for output in ("edges.txt", "./edges.txt", "hard.json"):
+            self.assert_misused("delaunay", self.mesh, "--constrain", edges, "--stats", output,
+                                word="read")
+        self.write("factors.txt", "1\n" * len(self.points))
+        self.assert_misused("delaunay", self.mesh, "--metric", "factors.txt", "--stats",
+                            "factors.txt", word="factors.txt")
+        run = self.run_program("delaunay", "/dev/null", "--stats", "/dev/null")
+        self.assert_fails(run, "/dev/null")  # devices may be both
+
+    def test_names_that_are_no_text(self):
+        # bytes that are no UTF-8: alone, cut short, longer than necessary, surrogates, too great
+        generator = random.Random(7)
+        names = [b"caf\xe9", b"\xc3", b"\xc0\xaf", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\xe2\x82",
+                 b"\xc3\xa9t\xc3\xa9", b"\xf0\x9f\x90\x98"]
+        names += [bytes(generator.choice(b"a\x80\xbf\xc3\xe2\xf0\xff") for _ in range(6))
+                  for _ in range(12)]
+        for name in names:
+            path = os.path.join(os.fsencode(self.directory), name + b".off")
+            with open(self.mesh, "rb") as file, open(path, "wb") as copy:
+                copy.write(file.read())
+            arguments = [os.fsencode(self.program), b"delaunay", path, b"--stats", b"-"]
+            done = subprocess.run(arguments, capture_output=True, timeout=60, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            shown = json.loads(done.stdout.decode())["input"]["file"]
+            # escaped by the rules of Python's own decoder, whose digits are small
+            expected = path.decode(errors="surrogateescape")
+            expected = "".join(f"\\x{ord(c) - 0xdc00:02X}" if 0xdc80 <= ord(c) < 0xdd00 else c
+                               for c in expected)
+            self.assertEqual(shown, expected)
 
     def test_numbers_that_mean_nothing(self):
         for option in ("--odt", "--max-circumradius", "--max-edge-length"):

@@ -295,6 +295,11 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
       asked_points(options, loaded.triangulation.input().number_of_rows(), loaded.facts.polygons);
   Sources sources;
   for (const Asked_curve& points : asked) sources.push_back(find(points));
+  if (options.application.alignment && loaded.scaled_points().empty())
+    throw std::runtime_error(options.input +
+                             ": the stored triangulation has lengths and no points, so that it has "
+                             "no directions of curvature; leave --align out, or start from the "
+                             "mesh");
   Json json = improve_and_measure(loaded, about_source(options, asked), progress);
   Stopwatch watch;
   progress.show("solving");

@@ -22,15 +22,15 @@ struct Handles {
 
 // On each line the number of a vertex and its displacement.
 Handles read_handles(const Options& options, std::size_t vertices) {
-  const Number_table table = read_numbers(options.application.handles);
-  Handles handles{{}, Eigen::MatrixXd(static_cast<Eigen::Index>(table.rows()), 3)};
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (table.columns != 4) table.refuse(i, "give the number of a vertex and three coordinates");
-    const double* const words = &table.values[4 * i];
-    handles.rows.push_back(vertex_number(table, i, words[0], vertices));
+  const Number_table table =
+      read_numbers(options.application.handles, vertices, "vertices of " + options.input);
+  if (table.columns != 4) table.refuse(0, "give the number of a vertex and three coordinates");
+  Handles handles{vertex_numbers(table, vertices),
+                  Eigen::MatrixXd(static_cast<Eigen::Index>(table.rows()), 3)};
+  for (std::size_t i = 0; i < table.rows(); ++i)
     for (Eigen::Index c = 0; c < 3; ++c)
-      handles.displacements(static_cast<Eigen::Index>(i), c) = words[c + 1];
-  }
+      handles.displacements(static_cast<Eigen::Index>(i), c) =
+          table.values[4 * i + 1 + static_cast<std::size_t>(c)];
   return handles;
 }
 

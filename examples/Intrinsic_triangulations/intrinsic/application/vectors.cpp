@@ -39,15 +39,16 @@ struct Asked_vector {
 
 // On each line the number of a vertex, an angle in degrees and, unless it is 1, a length.
 std::vector<Asked_vector> read_vectors(const Options& options, std::size_t vertices) {
-  const Number_table table = read_numbers(options.application.vectors);
+  const Number_table table =
+      read_numbers(options.application.vectors, vertices, "vertices of " + options.input);
+  if (table.columns != 2 && table.columns != 3)
+    table.refuse(0, "give the number of a vertex, an angle in degrees, and a length or none");
+  const std::vector<std::uint32_t> rows = vertex_numbers(table, vertices);
   std::vector<Asked_vector> vectors;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (table.columns != 2 && table.columns != 3)
-      table.refuse(i, "give the number of a vertex, an angle in degrees, and a length or none");
     const double* const words = &table.values[table.columns * i];
     const double length = table.columns == 3 ? words[2] : 1;
-    vectors.push_back({vertex_number(table, i, words[0], vertices),
-                       std::polar(1., words[1] * std::numbers::pi / 180) * length});
+    vectors.push_back({rows[i], std::polar(1., words[1] * std::numbers::pi / 180) * length});
   }
   return vectors;
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -29,8 +30,10 @@ bool Text_lines::next() {
     throw std::runtime_error(path_ + ":" + std::to_string(error.line) + ": " + error.message);
   }
   for (std::string_view word = internal::next_word(line); !word.empty();
-       word = internal::next_word(line))
+       word = internal::next_word(line)) {
+    if (words_.size() == 1000000) refuse("there are more than 1000000 words; is this the file?");
     words_.push_back(word);
+  }
   return true;
 }
 
@@ -73,12 +76,19 @@ void Number_table::refuse(std::size_t row, const std::string& what) const {
   throw std::runtime_error(path + ":" + std::to_string(lines[row]) + ": " + what);
 }
 
-Number_table read_numbers(const std::string& path) {
+Number_table read_numbers(const std::string& path, std::size_t count, const std::string& what) {
+  constexpr std::size_t most_columns = 10000;
   Text_lines lines(path);
   Number_table table;
   table.path = path;
   while (lines.next()) {
     const std::size_t n = lines.words().size();
+    if (n > most_columns)
+      lines.refuse("there are more than " + std::to_string(most_columns) +
+                   " numbers; give fewer on each line");
+    if (table.rows() == count)
+      lines.refuse("there are more than " + std::to_string(count) + " lines of numbers for " +
+                   std::to_string(count) + " " + what + "; give one line for each");
     if (table.columns == 0) table.columns = n;
     if (n != table.columns)
       lines.refuse("there are " + std::to_string(n) + " numbers, and " +
@@ -91,12 +101,21 @@ Number_table read_numbers(const std::string& path) {
   return table;
 }
 
-std::uint32_t vertex_number(const Number_table& table, std::size_t row, double number,
-                            std::size_t vertices) {
-  if (!(number >= 0) || number >= static_cast<double>(vertices) || number != std::floor(number))
-    table.refuse(row, "there is no such vertex; give a number from 0 to " +
+std::vector<std::uint32_t> vertex_numbers(const Number_table& table, std::size_t vertices) {
+  std::vector<std::uint32_t> result;
+  std::map<std::uint32_t, std::size_t> rows;
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    const double number = table.values[table.columns * r];
+    if (!(number >= 0) || number >= static_cast<double>(vertices) || number != std::floor(number))
+      table.refuse(r, "there is no such vertex; give a number from 0 to " +
                           std::to_string(vertices - 1));
-  return static_cast<std::uint32_t>(number);
+    result.push_back(static_cast<std::uint32_t>(number));
+    const auto [first, is_new] = rows.insert({result.back(), r});
+    if (!is_new)
+      table.refuse(r, "vertex " + std::to_string(result.back()) + " is on line " +
+                          std::to_string(table.lines[first->second]) + ", too; give it once");
+  }
+  return result;
 }
 
 } // namespace program

@@ -24,7 +24,7 @@ public:
   /// opens a file. \throws std::runtime_error naming it if that is impossible
   explicit Text_lines(std::string path);
 
-  /// goes to the next line that has words; false at the end of the file.
+  /// goes to the next line that has words, a million at most; false at the end of the file.
   bool next();
   /// returns the words of the line.
   const std::vector<std::string_view>& words() const { return words_; }
@@ -61,15 +61,16 @@ struct Number_table {
   [[noreturn]] void refuse(std::size_t row, const std::string& what) const;
 };
 
-/// returns a number of a table that is the number of a vertex. \throws std::runtime_error naming the line where it is not
-std::uint32_t vertex_number(const Number_table& table, std::size_t row, double number,
-                            std::size_t vertices);
+/// returns the numbers of the vertices in the first column. \throws std::runtime_error naming the line of what is none, or is
+/// there twice
+std::vector<std::uint32_t> vertex_numbers(const Number_table& table, std::size_t vertices);
 
 /*!
-\brief reads a file of numbers, as many on each line as on the first.
+\brief reads a file of numbers, as many on each line as on the first. Lines that describe nothing are not read.
+\param what what there is at most one line for each of, in the plural \param count how many of them there are
 \throws std::runtime_error naming file and line
 */
-Number_table read_numbers(const std::string& path);
+Number_table read_numbers(const std::string& path, std::size_t count, const std::string& what);
 
 } // namespace program
 

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -71,6 +72,24 @@ TEST(Eigenpairs, do_not_depend_on_units) {
     for (Eigen::Index i = 0; i < 9; ++i)
       EXPECT_EQ(scaled.values[i] * root * root, one.values[i]) << k << ' ' << i;
     EXPECT_EQ(scaled.vectors * root, one.vectors) << k;
+  }
+}
+
+// Triangles that are nearly a line have eigenvalues of 1e22 and more, beside which rounding takes zero for any other.
+TEST(Eigenpairs, of_slivers_begin_with_zero) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-1, 1), exponent(-15, -3);
+  for (int k = 0; k < 40; ++k) {
+    Shape s{{}, {{0, 1, 2}}};
+    for (int i = 0; i < 3; ++i)
+      s.points.push_back({i + 0.4 * place(random), std::pow(10, exponent(random)), 0});
+    const Exact t(s.input(IT::Mollification::automatic));
+    const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);
+    const IT::Eigenpairs pairs = IT::smallest_eigenpairs(l, m, 1);
+    EXPECT_EQ(pairs.values[0], 0) << k;
+    const Eigen::VectorXd x = pairs.vectors.col(0);
+    EXPECT_EQ(x.maxCoeff(), x.minCoeff()) << k;
+    EXPECT_NEAR(x.dot(m * x), 1, 1e-14) << k;
   }
 }
 

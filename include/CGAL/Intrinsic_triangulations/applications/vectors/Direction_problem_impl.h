@@ -15,6 +15,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -65,8 +66,8 @@ private:
 
   // The factored matrix, with ones for what is fixed; sets the right side.
   Cholesky_factorization<Complex> factored(const Direction_problem& problem) {
-    // so little that flat surfaces, with eigenvalue zero, are definite
-    const double shift = (problem.strength + 0x1p-26) / graph_.squared_mean_length;
+    // so little that flat surfaces, with eigenvalue zero, are definite; so much that others are their guide to twelve digits
+    const double shift = (std::min(problem.strength, 1e12) + 0x1p-26) / graph_.squared_mean_length;
     for (Eigen::Index i = 0; i < right_.size(); ++i) right_[i] = mass(i) * problem.guide[i];
     Eigen::VectorXcd values = Eigen::VectorXcd::Zero(right_.size());
     for (const auto& [i, z] : problem.fixed) {

@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -153,13 +154,60 @@ inline Eigen::Index least_diagonal(const Eigen::SparseMatrix<double>& m) {
   return row;
 }
 
-inline Eigenpairs dense_eigenpairs(const Eigen::SparseMatrix<double>& a,
-                                   const Eigen::SparseMatrix<double>& m, Eigen::Index count) {
+inline Eigenpairs dense_eigenpairs(const Eigen::MatrixXd& a, const Eigen::SparseMatrix<double>& m) {
   const Eigen::MatrixXd dense(m);
   if (Eigen::LLT<Eigen::MatrixXd>(dense).info() != Eigen::Success)
     throw Indefinite_matrix(least_diagonal(m));
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(a), dense);
-  return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count), Status::done};
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(a, dense);
+  return {solver.eigenvalues(), solver.eigenvectors(), Status::done};
+}
+
+// A column per component, constant there; orthonormal by a mass matrix.
+inline Eigen::MatrixXd constants_of_components(const Eigen::SparseMatrix<double>& a,
+                                               const Eigen::SparseMatrix<double>& m) {
+  const std::vector<std::uint32_t> component = components_of_matrix(a);
+  std::vector<std::uint32_t> least = component;
+  std::sort(least.begin(), least.end());
+  least.erase(std::unique(least.begin(), least.end()), least.end());
+  const auto columns = static_cast<Eigen::Index>(least.size());
+  const Eigen::MatrixXd c = Eigen::MatrixXd::NullaryExpr(
+      a.rows(), columns, [&](Eigen::Index i, Eigen::Index j) -> double {
+        return component[row_number(i)] == least[row_number(j)] ? 1 : 0;
+      });
+  const Eigen::LLT<Eigen::MatrixXd> gram(c.transpose() * (m * c));
+  return c * gram.matrixU().solve(Eigen::MatrixXd::Identity(columns, columns)).eval();
+}
+
+// Constants in components have the eigenvalue zero. Beside the greatest eigenvalue rounding would leave them any other one: they
+// are lifted above it, and put to the front in the end.
+inline Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& a,
+                                             const Eigen::SparseMatrix<double>& m,
+                                             Eigen::Index count) {
+  const double greatest = dense_eigenpairs(Eigen::MatrixXd(a), m).values.cwiseAbs().maxCoeff();
+  const Eigen::MatrixXd constants = constants_of_components(a, m), images = m * constants;
+  const Eigenpairs others =
+      dense_eigenpairs(Eigen::MatrixXd(a) + 4 * greatest * images * images.transpose(), m);
+  const Eigen::Index zeros = constants.cols(), rest = a.rows() - zeros;
+  for (Eigen::Index i = 0; i < std::min(rest, count - zeros); ++i)
+    if (!(std::abs(others.values[i]) > 0x1p-52 * greatest))
+      throw std::runtime_error("eigenvalue " + std::to_string(zeros + i) +
+                               " is lost in rounding beside the greatest one; ask for fewer, or "
+                               "refine faces that are too thin");
+  Eigenpairs pairs{Eigen::VectorXd::Zero(a.rows()), Eigen::MatrixXd(a.rows(), a.rows()),
+                   Status::done};
+  pairs.vectors << constants, others.vectors.leftCols(rest);
+  pairs.values.tail(rest) = others.values.head(rest);
+  return pairs;
+}
+
+// The smallest of all pairs.
+inline Eigenpairs smallest_of(const Eigenpairs& all, Eigen::Index count) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(all.values.size()));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Eigen::Index i, Eigen::Index j) { return all.values[i] < all.values[j]; });
+  order.resize(static_cast<std::size_t>(count));
+  return {all.values(order), all.vectors(Eigen::all, order), Status::done};
 }
 
 inline bool is_zero_matrix(const Eigen::SparseMatrix<double>& a) {
@@ -267,7 +315,11 @@ smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMat
   constexpr Eigen::Index small = 64; // a dense method is faster
   if (count == 0) return {{}, Eigen::MatrixXd(size, 0), Status::done};
   if (internal::is_zero_matrix(a)) return internal::eigenpairs_of_zero(m, count);
-  if (size <= std::max(small, 2 * count + 1)) return internal::dense_eigenpairs(a, m, count);
+  if (size <= std::max(small, 2 * count + 1))
+    return internal::smallest_of(internal::is_laplacian(a)
+                                     ? internal::dense_laplacian_eigenpairs(a, m, count)
+                                     : internal::dense_eigenpairs(Eigen::MatrixXd(a), m),
+                                 count);
   // eigenvalues of about one: Spectra has thresholds without units
   const double root = std::exp2(std::round(std::log2(internal::mean_eigenvalue(a, m)) / 2));
   if (!(root * root > 0x1p-1000 && root * root < 0x1p1000))
