@@ -69,10 +69,8 @@ bool are_same_file(const std::string& a, const std::string& b) {
 }
 
 std::vector<std::string> outputs(const Options& o) {
-  std::vector<std::string> names{o.output,        o.application.singularities,
-                                 o.mass,          o.laplacian,
-                                 o.interpolation, o.input_interpolation,
-                                 o.stats,         o.view};
+  std::vector<std::string> names{o.output,        o.application.singularities, o.mass,  o.laplacian,
+                                 o.interpolation, o.input_interpolation,       o.stats, o.view};
   std::erase_if(names, [](const std::string& name) { return name.empty() || name == "-"; });
   return names;
 }

@@ -115,6 +115,33 @@ TEST(Point_cloud, has_eigenvalues_that_converge_to_those_of_a_sphere) {
   }
 }
 
+// Random points of a torus with circles of 1 and r, of even density.
+Points thin_torus(std::size_t n, double r, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> turn(0, 2 * M_PI), chance(0, 1 + r);
+  Points points;
+  while (points.size() < n) {
+    const double a = turn(random), b = turn(random), out = 1 + r * std::cos(b);
+    if (chance(random) < out)
+      points.push_back({out * std::cos(a), out * std::sin(a), r * std::sin(b)});
+  }
+  return points;
+}
+
+// Where a tube is thin, points of its other side are neighbours. Projected, they come before nearer
+// points, and areas are 4 to 15 % too large for these radii. In their distances they do not: areas
+// are 0.5 to 1.7 % too small, since triangles with random vertices are chords.
+TEST(Point_cloud, of_a_thin_tube_does_not_join_its_sides) {
+  std::mt19937 random(3);
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const double r = std::uniform_real_distribution<double>(0.06, 0.08)(random);
+    const double area = 4 * M_PI * M_PI * r;
+    IT::Point_cloud cloud = IT::make_point_cloud(thin_torus(2000, r, seed));
+    EXPECT_NEAR(operators(std::move(cloud), "torus").mass.sum() / area, 1, 0.025)
+        << "r " << r << ", seed " << seed;
+  }
+}
+
 TEST(Point_cloud, of_a_noisy_square_has_a_border_and_its_area) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> x(0, 1);

@@ -73,7 +73,7 @@ private:
   using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
   using Tree = Search::Tree;
 
-  // projected to the plane that fits them best, with the center at the origin
+  // turned about the center, which is the origin, into the plane that fits them best
   void find_neighbours(std::uint32_t center) {
     const Search search(tree_, points_[center], wanted_, 0, true,
                         typename Search::Distance(traits_.point_property_map()), false);
@@ -90,10 +90,23 @@ private:
       star_.push_back({{}, found.first});
     }
     const auto axes = tangent_axes(covariance(mean));
-    for (std::size_t i = 0; i < star_.size(); ++i)
-      for (unsigned k = 0; k < 2; ++k)
-        star_[i].at[k] =
-            axes[k][0] * vectors_[i][0] + axes[k][1] * vectors_[i][1] + axes[k][2] * vectors_[i][2];
+    for (std::size_t i = 0; i < star_.size(); ++i) star_[i].at = turned(vectors_[i], axes);
+  }
+
+  // A projection would put points of another side of the surface in front of nearer ones: distances from the center are kept.
+  static std::array<double, 2> turned(const Vector& v, const std::array<Vector, 2>& axes) {
+    std::array<double, 2> at{};
+    for (unsigned k = 0; k < 2; ++k)
+      at[k] = axes[k][0] * v[0] + axes[k][1] * v[1] + axes[k][2] * v[2];
+    double height = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned i = (k + 1) % 3, j = (k + 2) % 3;
+      height += (axes[0][i] * axes[1][j] - axes[0][j] * axes[1][i]) * v[k];
+    }
+    const double width = std::hypot(at[0], at[1]);
+    if (!(width > 0)) return {0, 0};                     // has no direction
+    const double factor = std::hypot(1, height / width); // 1 in planes, bit by bit
+    return {factor * at[0], factor * at[1]};
   }
 
   // of the neighbours and the center, in units in which it neither overflows nor underflows

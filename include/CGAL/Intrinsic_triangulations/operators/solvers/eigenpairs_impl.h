@@ -185,8 +185,11 @@ inline Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& 
                                              Eigen::Index count) {
   const double greatest = dense_eigenpairs(Eigen::MatrixXd(a), m).values.cwiseAbs().maxCoeff();
   const Eigen::MatrixXd constants = constants_of_components(a, m), images = m * constants;
-  const Eigenpairs others =
+  Eigenpairs others =
       dense_eigenpairs(Eigen::MatrixXd(a) + 4 * greatest * images * images.transpose(), m);
+  const double rounding = 0x1p-50 * static_cast<double>(a.rows()) * greatest;
+  for (double& value : others.values) // weights that are not negative have no negative ones
+    if (value < 0 && value > -rounding) value = 0;
   const Eigen::Index zeros = constants.cols(), rest = a.rows() - zeros;
   for (Eigen::Index i = 0; i < std::min(rest, count - zeros); ++i)
     if (!(std::abs(others.values[i]) > 0x1p-52 * greatest))
