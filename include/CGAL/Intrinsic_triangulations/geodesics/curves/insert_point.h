@@ -38,16 +38,15 @@ namespace internal {
 
 // A vertex or an edge within rounding of a point that was located has the point: as a part of the height above the edge, or of
 // the longest side.
-template <class Triangulation>
-std::array<double, 3> without_rounding(const Triangulation& t, const Surface_point& p) {
-  const Intrinsic_view<Triangulation> view(t);
-  const Geodesic_face face(view, p.halfedge);
+template <class Complex>
+std::array<double, 3> without_rounding(const Complex& complex, const Surface_point& p) {
+  const Geodesic_face face(complex, p.halfedge);
   const double longest = *std::max_element(face.length.begin(), face.length.end());
   std::array<double, 3> weights = p.weights;
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double base = 2 * face.length[(k + 1) % 3]; // times the height it is the quadruple area
-    const double distance = weights[k] * view.quadruple_area(view.face(p.halfedge));
+    const double distance = weights[k] * complex.quadruple_area(complex.face(p.halfedge));
     if (weights[k] < 0x1p-38 || distance < 0x1p-44 * longest * base) weights[k] = 0;
     sum += weights[k];
   }
@@ -71,7 +70,8 @@ template <RefinableTriangulation Triangulation>
 Vertex_at_point<Triangulation> insert_point(Triangulation& t, const Surface_point& p) {
   const std::optional<Surface_point> q = locate_on_intrinsic(t, p);
   if (!q) return {Move_status::not_traceable};
-  const std::array<double, 3> weights = internal::without_rounding(t, *q);
+  const std::array<double, 3> weights =
+      internal::without_rounding(Intrinsic_view<Triangulation>(t), *q);
   typename Triangulation::halfedge_descriptor h = t.numbers().halfedge_at(q->halfedge);
   for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
     if (weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};

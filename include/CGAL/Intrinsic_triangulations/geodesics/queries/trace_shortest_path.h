@@ -49,8 +49,8 @@ public:
       auto to = locate_on_input(t_, *q);
       if (!from || !to) return {Status::not_traceable, {}, {}, 0, {0}};
       // where an edge or a vertex of the input is within rounding, the point is named on it
-      from->point.weights = without_rounding(from->point.weights);
-      to->weights = without_rounding(to->weights);
+      from->point.weights = without_rounding(input_, from->point);
+      to->weights = without_rounding(input_, *to);
       if (curve.points.empty()) curve.points.push_back(from->point);
       append(*from, *to, curve);
     }
