@@ -159,7 +159,7 @@ class Edit(Applications):
 
     def test_refuses_files_that_make_no_sense(self):
         for rows, what in (([[0, 1, 2]], "three coordinates"), ([[99999, 0, 0, 0]], "no such"),
-                           ([[0.5, 0, 0, 0]], "no such"), ([[0, 0, 0, 0], [0, 1, 0, 0]], "two")):
+                           ([[0.5, 0, 0, 0]], "no such"), ([[0, 0, 0, 0], [0, 1, 0, 0]], "on line 1")):
             run = self.run_program("edit", self.sphere, "--handles", self.handles(rows))
             self.assertEqual(run.code, 1, rows)
             self.assertIn(what, run.err)

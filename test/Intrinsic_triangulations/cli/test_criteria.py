@@ -72,7 +72,7 @@ class Sizes(Cli_test):
     def test_what_is_wrong_is_named_with_its_line(self):
         n = len(self.points)
         for text, words in (("1\n" * (n - 1), ("f.txt", f"{n - 1} lines", f"{n} vertices", "g.off")),
-                            ("1\n" * (n + 1), ("f.txt", f"{n + 1} lines")),
+                            ("1\n" * (n + 1), ("f.txt", f"more than {n} lines")),
                             ("1\n0\n" + "1\n" * (n - 2), ("f.txt:2", "positive")),
                             ("1\n-3\n" + "1\n" * (n - 2), ("f.txt:2", "positive")),
                             ("# sizes\n1\nnan\n", ("f.txt:3", "nan")), ("1\ninf\n", ("f.txt:2", "inf")),

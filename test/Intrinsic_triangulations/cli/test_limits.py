@@ -88,7 +88,7 @@ class Limits(Cli_test):
                                    "f.txt", "--on", "intrinsic")
             self.assertEqual(run.code, 0, run.err)
             with open(self.path("f.txt")) as file:
-                return [complex(*map(float, line.split())) for line in file]
+                return [complex(*map(float, line.split()[:2])) for line in file]
 
         limit = field("1e9")
         for strength in ("1e20", "1e300"):
