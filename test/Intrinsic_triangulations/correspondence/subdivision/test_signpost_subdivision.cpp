@@ -80,8 +80,8 @@ struct Twins {
     Mover second(signposts, seed);
     for (int i = 0; i < count; ++i) {
       if (with_vertices) {
-        first.move(true);
-        second.move(true);
+        move_alike(first, integer);
+        move_alike(second, signposts);
       } else {
         if (integer.flip_edge({first.halfedge(false)}) !=
             signposts.flip_edge({second.halfedge(false)}))
@@ -89,6 +89,19 @@ struct Twins {
       }
     }
     return first.statuses == second.statuses;
+  }
+  /// Signposts follow vertices within their stars, integer coordinates do not: both insert and remove.
+  template <class T>
+  static void move_alike(Mover<T>& mover, T& t) {
+    mover.move(
+        true, [&](std::uint32_t h, const auto& w) { return t.insert_vertex({h}, w); },
+        [&](IT::Gluing_map::Vertex v, std::uint32_t h, const auto& w) {
+          auto n = t.insert_vertex({h}, w);
+          if (n.status != IT::Move_status::done) return n;
+          n.status = t.remove_vertex(v);
+          if (n.status != IT::Move_status::done) t.remove_vertex(n.vertex);
+          return n;
+        });
   }
   /// what tracing finds, unless it is refused
   std::optional<Integer_coordinates> read() const {

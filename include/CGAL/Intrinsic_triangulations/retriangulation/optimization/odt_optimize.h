@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -88,8 +87,10 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
   Odt_result result = optimizer.run(constrained);
   internal::Refinement_settings asked(np);
   asked.minimum_angle = internal::value_or<minimum_angle>(np, 0.);
-  if (asked.maximum_insertions)
-    *asked.maximum_insertions -= std::min(*asked.maximum_insertions, result.splits);
+  if (asked.maximum_insertions) {
+    const std::uint64_t most = asked.maximum_insertions.value_or(0), splits = result.splits;
+    asked.maximum_insertions = splits < most ? most - splits : 0;
+  }
   Constrained_segments segments;
   const bool is_refined = asked.minimum_angle > 0 && result.status != Status::cancelled;
   if (is_refined) segments = internal::restore_angles(t, asked, optimizer, result);
