@@ -208,7 +208,8 @@ TEST(Archetypes, measured_and_numbered_triangulation_is_enough_for_vectors) {
   };
   EXPECT_EQ(vectors(t), vectors(all));
   // without the places of inserted vertices no chord bounds their logarithms by heat from below
-  const IT::Vector_heat_method heat(t), heat_of_all(all);
+  const IT::Vector_heat_method heat(t);
+  const IT::Vector_heat_method heat_of_all(all);
   const IT::Surface_point p{0, {0.5, 0.25, 0.25}}, q{8, {0.2, 0.4, 0.4}};
   EXPECT_NEAR(IT::karcher_mean(heat, {{p, 1}, {q, 1}}).residual,
               IT::karcher_mean(heat_of_all, {{p, 1}, {q, 1}}).residual, 0.01);

@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -87,9 +88,10 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
   Odt_result result = optimizer.run(constrained);
   internal::Refinement_settings asked(np);
   asked.minimum_angle = internal::value_or<minimum_angle>(np, 0.);
-  if (asked.maximum_insertions) {
-    const std::uint64_t most = asked.maximum_insertions.value_or(0), splits = result.splits;
-    asked.maximum_insertions = splits < most ? most - splits : 0;
+  if constexpr (internal::Has_parameter<maximum_insertions, NP>) {
+    const std::optional<std::uint64_t> most =
+        internal::value_or<maximum_insertions>(np, std::optional<std::uint64_t>());
+    if (most) asked.maximum_insertions = result.splits < *most ? *most - result.splits : 0;
   }
   Constrained_segments segments;
   const bool is_refined = asked.minimum_angle > 0 && result.status != Status::cancelled;
