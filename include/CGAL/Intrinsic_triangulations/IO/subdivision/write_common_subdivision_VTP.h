@@ -67,13 +67,13 @@ private:
 
   // Writes the fields of a place: at the `first` elements, which have none, not a number or no vector.
   void write_fields(Subdivision_field::Place place, std::size_t first, std::size_t n) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const Subdivision_field& field : o_.fields) {
       const std::vector<double>& x = field.values;
       if (field.place != place) continue;
       if (field.components == 1)
         data_.scalars(field.name, n,
-                      [&](std::size_t i) { return i < first ? none : x[i - first]; });
+                      [&](std::size_t i) { return i < first ? unknown : x[i - first]; });
       else
         data_.arrays(field.name, n, [&](std::size_t i) {
           const std::size_t k = 3 * (i - first);
