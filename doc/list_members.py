@@ -19,10 +19,11 @@ INCLUDE = ROOT / "include" / "CGAL"
 HEAD = """\
 # Classes and functions by topic
 
-The names that programs use, for readers without doxygen. `doc/list_members.py` makes this page from the comments in the headers, and a
-test checks that it is up to date. All names are in the namespace `CGAL::Intrinsic_triangulations`.
-`#include <CGAL/Intrinsic_triangulations.h>` has those marked with *. The links lead to the headers, which describe parameters, results and costs;
-the [user manual](Intrinsic_triangulations/user_manual.md) says what to use when.
+The names that programs use, for readers without doxygen. `doc/list_members.py` makes this page from
+the comments in the headers, and a test checks that it is up to date. All names are in the namespace
+`CGAL::Intrinsic_triangulations`. `#include <CGAL/Intrinsic_triangulations.h>` has those marked with
+*. The links lead to the headers, which describe parameters, results and costs; the
+[user manual](Intrinsic_triangulations/user_manual.md) says what to use when.
 """
 GROUP = re.compile(r'^  group\["([^"]+)"\]\s*= "(\w+)"$', re.MULTILINE)
 TOPIC = re.compile(r"\\defgroup (\w+) ([^\n]+)\n\\ingroup page_reference\n\\brief ([^\n]+)")

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes what the search box of the manual finds: the texts of all pages and of all names, as a script.
+"""Writes what the search box of the manual finds: the texts of all pages and names, as a script.
 
     make_text_index.py searchdata.xml FOLDER    # writes FOLDER/text_index.js
 
-Doxygen lists names and their comments in searchdata.xml for search engines. Its pages are one entry each there, so their
-sections are read from the generated pages in FOLDER. An entry is [kind, title, address, text]; search.js looks entries up.
+Doxygen lists names and their comments in searchdata.xml for search engines. Its pages are one entry
+each there, so their sections are read from the generated pages in FOLDER. An entry is
+[kind, title, address, text]; search.js looks entries up.
 """
 
 import argparse
@@ -81,14 +82,17 @@ def entries(data, folder):
     for doc in xml.etree.ElementTree.parse(data).getroot():
         field = {entry.get("name"): entry.text or "" for entry in reversed(doc.findall("field"))}
         kind, address = KINDS.get(field["type"], field["type"]), field["url"]
-        if kind in LEFT_OUT or (kind == "enumvalue" and not field.get("text")): # these have no place on a page
+        # values without a text have no place on a page
+        if kind in LEFT_OUT or (kind == "enumvalue" and not field.get("text")):
             continue
         if kind == "manual":
             kind = "example" if address.endswith("-example.html") else kind
             yield from page_entries(kind, address, (folder / address).read_text(encoding="utf-8"))
             continue
-        title = field.get("keywords", "") if kind == "topic" else field["name"].removeprefix(NAMESPACE)
-        yield [kind, title + ("()" if kind == "function" else ""), address, words(field.get("text", ""))]
+        is_topic = kind == "topic"
+        title = field.get("keywords", "") if is_topic else field["name"].removeprefix(NAMESPACE)
+        suffix = "()" if kind == "function" else ""
+        yield [kind, title + suffix, address, words(field.get("text", ""))]
 
 
 def main():
@@ -98,7 +102,8 @@ def main():
     options = parser.parse_args()
     found = sorted(entries(options.data, options.folder))
     lines = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in found)
-    (options.folder / "text_index.js").write_text(f"var textIndex = [\n{lines}\n];\n", encoding="utf-8")
+    index = f"var textIndex = [\n{lines}\n];\n"
+    (options.folder / "text_index.js").write_text(index, encoding="utf-8")
 
 
 if __name__ == "__main__":

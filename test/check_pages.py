@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Says which pages of the manual break its rules: pages are short, doxygen lists them, and they name the course that they cite."""
+"""Says which pages of the manual break its rules: pages are short, doxygen lists them, and they
+name the course that they cite."""
 
 import pathlib
 import re
@@ -28,8 +29,10 @@ def defects(name, text, listed):
 
 
 def main():
-    listed = re.search(r"foreach\(page IN ITEMS ([^)]*)\)", (ROOT / "doc" / "CMakeLists.txt").read_text(encoding="utf-8"))[1].split()
-    pages = {page.stem: page for page in sorted(FOLDER.glob("*.md"))} | {"README": ROOT / "README.md"}
+    lists = (ROOT / "doc" / "CMakeLists.txt").read_text(encoding="utf-8")
+    listed = re.search(r"foreach\(page IN ITEMS ([^)]*)\)", lists)[1].split()
+    pages = {page.stem: page for page in sorted(FOLDER.glob("*.md"))}
+    pages["README"] = ROOT / "README.md"
     errors = [f"{page.relative_to(ROOT)} {defect}" for name, page in pages.items()
               for defect in defects(name, page.read_text(encoding="utf-8"), [*listed, "README"])]
     print(*errors, f"{len(pages)} pages, {len(errors)} defects", sep="\n")

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests of the search box of the manual: what doc/make_text_index.py lists of small pages and of the manual that was generated,
-and, where there is a node, what doc/search.js finds there.
+"""Tests of the search box of the manual: what doc/make_text_index.py lists of small pages and of the
+manual that was generated, and, where there is a node, what doc/search.js finds there.
 
     test_text_index.py --html FOLDER
 """
@@ -24,17 +24,22 @@ PAGE = """<html><body><div class="header"><div class="title">Curves<br/> </div><
 <div class="contents"><div class="toc"><ul><li>not this</li></ul></div>
 <p>Straight &amp; short.<img src="a.png"> <code>flip()</code></p>
 <h1><a class="anchor" id="loops"></a>
-Closed ones</h1><p>They end<div class="ttc"><div>nor this</div></div> too.</p></div><p>nor that</p></body></html>"""
+Closed ones</h1><p>They end<div class="ttc"><div>nor this</div></div> too.</p></div><p>nor that</p>
+</body></html>"""
 DATA = """<?xml version="1.0"?><add>
 <doc><field name="type">page</field><field name="name">c</field><field name="url">c.html</field>
   <field name="keywords"></field><field name="text">all in one</field></doc>
-<doc><field name="type">function</field><field name="name">CGAL::Intrinsic_triangulations::A::add_loop</field>
-  <field name="url">a.html#b</field><field name="keywords">x</field><field name="text">adds a loop</field></doc>
-<doc><field name="type">enumvalue</field><field name="name">A::b</field><field name="url">a.html#c</field></doc>
-<doc><field name="type">dir</field><field name="name">include</field><field name="url">d.html</field></doc></add>"""
+<doc><field name="type">function</field>
+  <field name="name">CGAL::Intrinsic_triangulations::A::add_loop</field>
+  <field name="url">a.html#b</field><field name="keywords">x</field>
+  <field name="text">adds a loop</field></doc>
+<doc><field name="type">enumvalue</field><field name="name">A::b</field>
+  <field name="url">a.html#c</field></doc>
+<doc><field name="type">dir</field><field name="name">include</field>
+  <field name="url">d.html</field></doc></add>"""
 # Words, and a page of the manual that is among the first five with them.
-QUERIES = {"loop": "geodesic_curves.html", "poisson": "operators.html", "heat method": "page_distance.html",
-           "signed distance": "page_distance.html"}
+QUERIES = {"loop": "geodesic_curves.html", "poisson": "operators.html",
+           "heat method": "page_distance.html", "signed distance": "page_distance.html"}
 
 
 class Index(unittest.TestCase):
@@ -67,15 +72,17 @@ class Index(unittest.TestCase):
         index, node = self.index(), shutil.which("node") or shutil.which("nodejs")
         if node is None:
             self.skipTest("no node")
-        program = ("const read = require('fs').readFileSync(0, 'utf8'); const {index, queries} = JSON.parse(read);"
+        program = ("const read = require('fs').readFileSync(0, 'utf8');"
+                   "const {index, queries} = JSON.parse(read);"
                    f"const {{ findTexts }} = require({json.dumps(str(DOC / 'search.js'))});"
                    "console.log(JSON.stringify(queries.map(query => findTexts(index, query))))")
-        output = subprocess.run([node, "-e", program], input=json.dumps({"index": index, "queries": [*QUERIES, "", "qqq", "Gluing"]}),
-                                capture_output=True, text=True, check=True).stdout
+        queries = [*QUERIES, "", "qqq", "Gluing"]
+        output = subprocess.run([node, "-e", program], capture_output=True, text=True, check=True,
+                                input=json.dumps({"index": index, "queries": queries})).stdout
         *found, nothing, unknown, name = json.loads(output)
         for query, page, entries in zip(QUERIES, QUERIES.values(), found):
-            guide = list(dict.fromkeys(entry[2].split("#")[0] for entry in entries if entry[0] == "manual"))
-            self.assertIn(page, guide[:5], query)
+            guide = dict.fromkeys(e[2].split("#")[0] for e in entries if e[0] == "manual")
+            self.assertIn(page, list(guide)[:5], query)
         self.assertEqual(([], []), (nothing, unknown))
         self.assertEqual("Gluing", name[0][1])
 

@@ -8,8 +8,10 @@ import sys
 
 COLUMNS = {"as_is": "as it is", "delaunay": "Delaunay", "refined": "refined to 30 degrees",
            "longer": "refined, 16 times as long"}
-QUANTITIES = {"distance": ("distance", 100, " %"), "exact_logarithm": ("logarithm, exact", 100, " %"),
-              "affine_logarithm": ("logarithm, affine", 100, " %"), "polar_logarithm": ("logarithm, polar", 100, " %"),
+QUANTITIES = {"distance": ("distance", 100, " %"),
+              "exact_logarithm": ("logarithm, exact", 100, " %"),
+              "affine_logarithm": ("logarithm, affine", 100, " %"),
+              "polar_logarithm": ("logarithm, polar", 100, " %"),
               "transport": ("transport", 1, " rad"), "eigenvalues": ("eigenvalues", 100, " %")}
 
 

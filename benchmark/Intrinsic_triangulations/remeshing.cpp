@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is remeshing in space paid with, and intrinsic refinement not? The comparison of Fig. 27 of the course: CGAL's
-// isotropic remeshing beside intrinsic Delaunay refinement, by vertices, angles, distance to the surface, and the
-// error of a Poisson problem. Usage: remeshing [DIRECTORY [MODEL...]] > result.json
+// What is remeshing in space paid with, and intrinsic refinement not? The comparison of Fig. 27 of
+// the course: CGAL's isotropic remeshing beside intrinsic Delaunay refinement, by vertices, angles,
+// distance to the surface, and the error of a Poisson problem. Usage: remeshing [DIRECTORY
+// [MODEL...]] > result.json
 
 #include "benchmark_support.h"
 
@@ -69,7 +70,8 @@ Eigen::VectorXd right_side(const Eigen::MatrixX3d& points, double size) {
   return x.col(0).sin() * x.col(1).cos() + x.col(2).sin();
 }
 
-// (-Laplace + 144 / size^2) u = f: about as many waves in the operator as in the right side, no kernel
+// (-Laplace + 144 / size^2) u = f: about as many waves in the operator as in the right side, no
+// kernel
 Eigen::VectorXd solve(const Matrix& laplacian, const Matrix& mass, const Eigen::VectorXd& f,
                       double size) {
   const Matrix a = laplacian + (144 / (size * size)) * mass;

@@ -13,9 +13,10 @@ All names are in the namespace `CGAL::Intrinsic_triangulations` unless they say 
 OpenMesh and `CGAL::Polyhedron_3` in `connectivity/adaptors/`, of `.idt` files in `IO/idt/` and pages in `IO/view/`, and of
 incidence matrices and validity in `connectivity/`; the page of each name says which header it is in.
 
-Names that programs use come first. Read the topics whose names begin with *Inside* if you write a model of a concept, or want to
-know how something works. The comments cite sections, figures and equations of the course *Geometry Processing with Intrinsic
-Triangulations* (Sharp, Gillespie, Crane 2021).
+Names that programs use come first. Read the topics whose names begin with *Inside* if you write a
+model of a concept, or want to know how something works. The comments cite sections, figures and
+equations of the course *Geometry Processing with Intrinsic Triangulations* (Sharp, Gillespie, Crane
+2021).
 */
 
 /*!
@@ -36,9 +37,11 @@ a class template is that template with any arguments.
 /*!
 \defgroup ref_owner Triangulations
 \ingroup page_reference
-\brief The classes that own connectivity, metric and correspondence, and make moves; options and results of all functions.
+\brief The classes that own connectivity, metric and correspondence, and make moves; options and
+results of all functions.
 
-Begin with \itc{Intrinsic_triangulation}, or with \itc{Corresponding_triangulation} if you want results on the input.
+Begin with \itc{Intrinsic_triangulation}, or with \itc{Corresponding_triangulation} if you want
+results on the input.
 */
 
 /*!

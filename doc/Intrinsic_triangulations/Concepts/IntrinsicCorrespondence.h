@@ -57,8 +57,8 @@ in the opposite order.
 | `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five; the first and the last of these also \itc{Move_in_star}, where the model takes it and the metric can do it |
 | \itf{common_subdivision}, queries | not part of this concept: see \ref ::CurveCoordinates |
 
-The C++20 concept asks for all five, so that a triangulation can make every move. If you need only one of them, derive from
-\itc{No_correspondence}, as the example does.
+The C++20 concept asks for all five, so that a triangulation can make every move. If you need only
+one of them, derive from \itc{No_correspondence}, as the example does.
 
 \cgalHeading{Invariants}
 

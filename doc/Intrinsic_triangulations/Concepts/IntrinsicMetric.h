@@ -27,8 +27,8 @@ edges at an edge are passed as a \itc{Diamond}, those at a vertex as a
 \itc{Vertex_star} or a \itc{Border_star}. Values are in scaled
 units: lengths of the input times 2 to the power of `scale_exponent()`.
 
-Predicates and all functions that read are const. Values that a metric keeps to decide faster, and what it counts, are not part of
-its value.
+Predicates and all functions that read are const. Values that a metric keeps to decide faster, and
+what it counts, are not part of its value.
 
 \cgalHeading{Which operation needs what}
 

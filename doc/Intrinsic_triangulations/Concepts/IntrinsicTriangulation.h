@@ -10,8 +10,8 @@
 The concept `IntrinsicTriangulation` describes what algorithms that flip edges need of a triangulation:
 its mesh, numbers for its edges, predicates in a `Const_session` and flips in a `Session`.
 
-The concept does not mention a metric. So models may store none, may triangulate hyperbolic surfaces, or may define
-Delaunay edges in another way.
+The concept does not mention a metric. So models may store none, may triangulate hyperbolic
+surfaces, or may define Delaunay edges in another way.
 
 \cgalHasModel{\itc{Intrinsic_triangulation}\, \itc{Integer_only_triangulation}}
 

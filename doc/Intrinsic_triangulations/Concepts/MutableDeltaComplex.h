@@ -29,8 +29,8 @@ looks an edge up by its end vertices, and `halfedge(u, v, mesh)` is not part of 
 
 The descriptors of `boost::graph_traits`, and a \itc{Mesh_adaptor} that numbers elements.
 The primary template serves meshes with internal indices in which halfedges `2e` and `2e + 1` are the sides of edge `e`;
-other meshes need a specialisation. It also finds elements by their numbers (`vertex_at`, `halfedge_at`, `face_at`), and
-the triangulation tells it which elements are added or removed.
+other meshes need a specialisation. It also finds elements by their numbers (`vertex_at`,
+`halfedge_at`, `face_at`), and the triangulation tells it which elements are added or removed.
 
 \cgalHeading{Operations}
 

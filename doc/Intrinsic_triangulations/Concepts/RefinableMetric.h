@@ -20,9 +20,10 @@ There are two kinds of models, which differ in the functions for insertions:
 
 - A metric that *measures* insertions computes new values from those that it has stored, and from barycentric coordinates
   in the intrinsic face: \itc{Euclidean_metric}.
-- A metric that is *defined by places* receives the values from the part that knows where all vertices are on the input:
-  \itc{Exact_euclidean_metric}. A vertex is exactly at a point of an input face whose barycentric coordinates are multiples
-  of 2^-52, so that values depend on the input alone, not on the moves that led there. The triangulation finds that point
+- A metric that is *defined by places* receives the values from the part that knows where all
+  vertices are on the input: \itc{Exact_euclidean_metric}. A vertex is exactly at a point of an
+  input face whose barycentric coordinates are multiples of 2^-52, so that values depend on the
+  input alone, not on the moves that led there. The triangulation finds that point
   within rounding of the one that was asked for.
 
 \cgalHeading{Which operation needs what}

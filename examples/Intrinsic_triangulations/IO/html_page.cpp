@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes a page for the browser: a mesh, its intrinsic Delaunay triangulation, the distance from a vertex as colours, and a geodesic.
+// Writes a page for the browser: a mesh, its intrinsic Delaunay triangulation, the distance from a
+// vertex as colours, and a geodesic.
 // Usage: html_page [MESH.off [OUT.html]]
 
 #include <CGAL/Intrinsic_triangulations.h>

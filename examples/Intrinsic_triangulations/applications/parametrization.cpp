@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Maps a disk of slivers to a round one, proves that the map is injective, and gives its vertices and those of the common subdivision
-// coordinates, which a file in OBJ format has as texture coordinates. Then maps that keep angles. Usage: parametrization [OUT.obj]
+// coordinates, which a file in OBJ format has as texture coordinates. Then maps that keep angles.
+// Usage: parametrization [OUT.obj]
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/certify_map.h>

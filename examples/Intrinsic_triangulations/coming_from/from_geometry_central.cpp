@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What programs do by geometry-central: flips, refinement, places on both surfaces, distances, paths, vectors, fields.
+// What programs do by geometry-central: flips, refinement, places on both surfaces, distances,
+// paths, vectors, fields.
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/Heat_distance.h>

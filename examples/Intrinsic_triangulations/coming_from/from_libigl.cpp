@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What programs do with matrices V and F by libigl: Laplacians, lengths, distances, solutions, frequencies, maps to the plane.
+// What programs do with matrices V and F by libigl: Laplacians, lengths, distances, solutions,
+// frequencies, maps to the plane.
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/Heat_distance.h>

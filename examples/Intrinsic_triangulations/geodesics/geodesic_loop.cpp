@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Shortens two closed curves of edges on a torus: one that runs around the tube becomes a closed geodesic, and one that bounds a disk
-// becomes a point.
+// Shortens two closed curves of edges on a torus: one that runs around the tube becomes a closed
+// geodesic, and one that bounds a disk becomes a point.
 
 #include <CGAL/Intrinsic_triangulations.h>
 

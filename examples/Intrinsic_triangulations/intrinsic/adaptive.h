@@ -56,7 +56,8 @@ double mean_edge_length(const Triangulation& t) {
 }
 
 /*!
-\brief is the function for which a mesh is refined: the harmonic Green's function of a vertex, or its heat kernel.
+\brief is the function for which a mesh is refined: the harmonic Green's function of a vertex, or
+its heat kernel.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 */
 template <class Triangulation>
@@ -77,7 +78,8 @@ public:
     return IT::residual_indicators(t, equation, u, f, IT::Error_norm::L2);
   }
 
-  /// returns what errors are given in: the norm of the kernel in the plane, K0(r / sqrt(t)) / (2 pi t), or the root of the area.
+  /// returns what errors are given in: the norm of the kernel in the plane, K0(r / sqrt(t)) /
+  /// (2 pi t), or the root of the area.
   double unit() const {
     return time_ > 0 ? 1 / std::sqrt(4 * std::numbers::pi * time_) : std::sqrt(area_);
   }
@@ -88,7 +90,8 @@ private:
 };
 
 /*!
-\brief refines where the harmonic Green's function of a vertex, or its heat kernel, has large errors, and reports it.
+\brief refines where the harmonic Green's function of a vertex, or its heat kernel, has large
+errors, and reports it.
 \throws std::runtime_error if there is no such function
 */
 template <class Triangulation>

@@ -360,7 +360,8 @@ void add_curve_options(CLI::App& command, Options& options) {
       ->check(between(0, 180));
   command.add_flag("--waypoints", g.has_waypoints, "curves stay at all points that are given");
   command.add_flag("--along-edges", g.is_along_edges,
-                   "curves start as shortest paths along edges: faster, geodesic, but often longer");
+                   "curves start as shortest paths along edges: faster, geodesic, but often "
+                   "longer");
   command
       .add_option("--shorten-to", g.relative_length,
                   "stop when the length is at most this part of what it was")

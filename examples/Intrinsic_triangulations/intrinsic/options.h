@@ -30,7 +30,8 @@ struct Refinement_criteria {
 struct Adaptive_criteria {
   bool is_asked_for = false;
   std::uint32_t source = 0; ///< vertex of the input
-  double heat_time = 0; ///< of the heat kernel, in squares of the mean edge; 0: the Green's function
+  /// of the heat kernel, in squares of the mean edge; 0: the Green's function
+  double heat_time = 0;
   double tolerance = 0.01; ///< in units of the root of the area, or of the norm of the kernel
   std::size_t maximum_vertices = 100000;
 };

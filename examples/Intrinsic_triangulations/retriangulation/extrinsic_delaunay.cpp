@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes an ordinary mesh on the same surface that is Delaunay, and compares it with the intrinsic triangulation.
+// Makes an ordinary mesh on the same surface that is Delaunay, and compares it with the intrinsic
+// triangulation.
 // Usage: extrinsic_delaunay [MESH.off]
 
 #include <CGAL/Intrinsic_triangulations.h>

@@ -159,7 +159,8 @@ class Edit(Applications):
 
     def test_refuses_files_that_make_no_sense(self):
         for rows, what in (([[0, 1, 2]], "three coordinates"), ([[99999, 0, 0, 0]], "no such"),
-                           ([[0.5, 0, 0, 0]], "no such"), ([[0, 0, 0, 0], [0, 1, 0, 0]], "on line 1")):
+                           ([[0.5, 0, 0, 0]], "no such"),
+                           ([[0, 0, 0, 0], [0, 1, 0, 0]], "on line 1")):
             run = self.run_program("edit", self.sphere, "--handles", self.handles(rows))
             self.assertEqual(run.code, 1, rows)
             self.assertIn(what, run.err)
@@ -229,7 +230,7 @@ class Vectors(Applications):
         self.assertEqual(self.run_program("logmap", self.sphere, "--source", "0,1").code, 1)
 
     def test_logarithms_tell_what_is_torn_and_unknown(self):
-        """The antipode of a sphere is torn; another component is unknown, and so is what is transported there."""
+        """The antipode of a sphere is torn; another component is unknown, and so are vectors there."""
         n = len(self.points)
         two = self.write_off("two.off", self.points + [(x + 9, y, z) for x, y, z in self.points],
                              self.faces + [[v + n for v in face] for face in self.faces])
@@ -335,7 +336,8 @@ class Vectors(Applications):
                         self.assertLess(abs(lengths[0] - (0 if row["kind"][0] == 2 else 1)), 1e-9)
                     for k in range(degree):  # the opposite, and one that is orthogonal
                         opposite, beside = all_of_it[(k + 2) % 4], all_of_it[(k + 1) % 4]
-                        # at a vertex directions are in the planes of different faces, 0.15 from the mean plane
+                        # at a vertex directions are in the planes of different faces, 0.15 from
+                        # the mean plane
                         bound = 0.2 if element == "vertex" else 1e-9
                         self.assertLess(math.dist(all_of_it[k], [-x for x in opposite]), bound)
                         self.assertLess(abs(sum(x * y for x, y in zip(all_of_it[k], beside))),

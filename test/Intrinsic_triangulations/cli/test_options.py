@@ -101,8 +101,8 @@ class Options(Cli_test):
     def test_names_that_are_no_text(self):
         # bytes that are no UTF-8: alone, cut short, longer than necessary, surrogates, too great
         generator = random.Random(7)
-        names = [b"caf\xe9", b"\xc3", b"\xc0\xaf", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\xe2\x82",
-                 b"\xc3\xa9t\xc3\xa9", b"\xf0\x9f\x90\x98"]
+        names = [b"caf\xe9", b"\xc3", b"\xc0\xaf", b"\xed\xa0\x80", b"\xf4\x90\x80\x80",
+                 b"\xe2\x82", b"\xc3\xa9t\xc3\xa9", b"\xf0\x9f\x90\x98"]
         names += [bytes(generator.choice(b"a\x80\xbf\xc3\xe2\xf0\xff") for _ in range(6))
                   for _ in range(12)]
         for name in names:

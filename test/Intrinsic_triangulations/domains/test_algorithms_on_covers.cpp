@@ -272,8 +272,9 @@ TEST(Cover, keeps_harmonic_functions_in_the_range_of_what_is_given) {
   }
 }
 
-// Between any copies of two vertices, and from one copy of a vertex to another on the way. Errors of sums of fewer than 100 lengths
-// of doubles stay below 1e-12 of the sum; paths that pass from one copy to another gain 1e-12 at least.
+// Between any copies of two vertices, and from one copy of a vertex to another on the way. Errors
+// of sums of fewer than 100 lengths of doubles stay below 1e-12 of the sum; paths that pass from
+// one copy to another gain 1e-12 at least.
 TEST(Cover, has_shortest_paths_as_brute_force_tells) {
   Mesh axes{{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
   for (std::uint32_t i = 1; i < 7; i += 2) // the triangles through the origin

@@ -286,7 +286,8 @@ TEST(Tufted_cover, is_certified_to_be_delaunay) {
   }
 }
 
-/// Edges by their ends: the sides of triangles there, sorted by the angles of the triangles around the edge.
+/// Edges by their ends: the sides of triangles there, sorted by the angles of the triangles around
+/// the edge.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>
 sides_around_edges(const Mesh& m) {
   const auto point = [&m](std::uint32_t v) { return Eigen::Vector3d(m.points[v].data()); };
@@ -307,7 +308,8 @@ sides_around_edges(const Mesh& m) {
   return sides;
 }
 
-/// The same by incidences, in order around edges, and squared lengths, exact for integer coordinates.
+/// The same by incidences, in order around edges, and squared lengths, exact for integer
+/// coordinates.
 std::pair<IT::Signed_incidence, std::vector<double>> incidence(const Mesh& m) {
   IT::Signed_incidence s;
   s.number_of_vertices = static_cast<std::uint32_t>(m.points.size());

@@ -227,8 +227,9 @@ void flip_at_random(T& t, std::mt19937& random) {
     t.flip_edge(t.numbers().halfedge_at(static_cast<std::uint32_t>(random() % (2 * edges))));
 }
 
-// Errors of sums of fewer than 100 lengths of doubles, each relative to the whole path, stay below 1e-12; the search takes a path that
-// passes a vertex within 1e-12 of its length for one through the vertex.
+// Errors of sums of fewer than 100 lengths of doubles, each relative to the whole path, stay below
+// 1e-12; the search takes a path that passes a vertex within 1e-12 of its length for one through
+// the vertex.
 constexpr double rounding = 1e-11;
 
 TYPED_TEST(ShortestPaths, AreAsLongAsBruteForceTells) {

@@ -183,7 +183,8 @@ TEST(PolyhedralDistance, cones_of_any_angle_obey_the_law_of_cosines) {
         const Distance d(t, p);
         EXPECT_NEAR(d.distance(q), expected, 1e-14);
         expect_path(t, d, q, 1e-13);
-        // the frame of p begins with the side that leaves the apex; no path is clearly the shortest opposite
+        // the frame of p begins with the side that leaves the apex; no path is clearly the shortest
+        // opposite
         const std::complex<double> frame = std::polar(1., std::floor(a / (total / n)) * total / n);
         const double around = std::remainder(b - a, total);
         if (std::abs(turn - std::min(pi, total / 2)) < 1e-6) continue;
@@ -416,8 +417,9 @@ TEST(PolyhedralDistance, does_not_depend_on_the_triangulation) {
   check(IT::Corresponding_triangulation(input_of(torus(40, 0.5))), "sheared torus");
 }
 
-// On the mesh, whatever the triangulation: pieces lie in faces of the mesh, one after the other, and their lengths in space sum to the
-// distance. Points are within 2^-45 or so of a side of where they should be, which sums of 100 pieces do not see at 1e-10.
+// On the mesh, whatever the triangulation: pieces lie in faces of the mesh, one after the other,
+// and their lengths in space sum to the distance. Points are within 2^-45 or so of a side of where
+// they should be, which sums of 100 pieces do not see at 1e-10.
 TEST(PolyhedralDistance, polylines_on_the_mesh_are_as_long_as_the_distance) {
   using Flipped = IT::Corresponding_triangulation;
   for (unsigned seed = 0; seed < 4; ++seed)

@@ -68,9 +68,9 @@ TYPED_TEST(Euclidean_traits_of_inexact_types, agree_with_exact_ones_away_from_ti
   expect_agreement<TypeParam>(meshes::parabola_fan(9));
 }
 
-// Errors of rounding must not grow with the number of flips: areas that do not fit lengths any more make them grow
-// exponentially. The longest edges are some ten times as long as before, the thinnest faces 1e-4 times as high as long: flips
-// lose about 1e-16 / 1e-4 of a length.
+// Errors of rounding must not grow with the number of flips: areas that do not fit lengths any more
+// make them grow exponentially. The longest edges are some ten times as long as before, the
+// thinnest faces 1e-4 times as high as long: flips lose about 1e-16 / 1e-4 of a length.
 TEST(Euclidean_traits,
      of_doubles_have_their_values_again_when_many_random_flips_are_taken_back_by_flips) {
   for (const std::uint32_t seed : {1U, 2U, 3U}) {

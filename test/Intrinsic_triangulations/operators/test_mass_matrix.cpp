@@ -211,7 +211,8 @@ TEST(Mass_matrix, is_zero_at_isolated_vertices_and_takes_faces_without_area) {
   EXPECT_NEAR(g.sum(), 2, area_error * 2);
 }
 
-/// Brute force: the part of a large square that is nearer to point i than to all others; its area, and whether the square bounds it.
+/// Brute force: the part of a large square that is nearer to point i than to all others; its area,
+/// and whether the square bounds it.
 std::pair<double, bool> voronoi_cell(const std::vector<std::array<double, 3>>& points,
                                      std::size_t i) {
   constexpr double far = 1e4;

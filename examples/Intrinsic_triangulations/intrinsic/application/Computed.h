@@ -35,7 +35,8 @@ struct Direction_field {
   std::vector<int> index{}; ///< of each face of the intrinsic triangulation, at its number; or none
 };
 
-/// Points that a page and files show with a number each: sources, or singularities with their indices.
+/// Points that a page and files show with a number each: sources, or singularities with their
+/// indices.
 struct Marks {
   std::string name;
   std::vector<IT::Polyline> points{}; ///< of one point each

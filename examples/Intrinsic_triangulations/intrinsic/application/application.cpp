@@ -42,7 +42,8 @@ struct Drawn_results {
   Drawn_subdivision drawn;
   std::vector<IT::Subdivision_field> fields; ///< first the functions
   Drawn_directions directions{};
-  std::vector<std::array<double, 2>> texture{}; ///< where a checkerboard is shown; not numbers: none
+  /// where a checkerboard is shown; not numbers: none
+  std::vector<std::array<double, 2>> texture{};
 };
 
 void expect_writable_results(const Options& options) {
@@ -53,7 +54,8 @@ void expect_writable_results(const Options& options) {
         "the common subdivision with --on subdivision, or values to a file .txt");
 }
 
-// The values of each row; of directions one of them in polar coordinates, and the unit vector in space along the real axis there.
+// The values of each row; of directions one of them in polar coordinates, and the unit vector in
+// space along the real axis there.
 void write_functions(std::ostream& out, const Computed& computed, const std::vector<Point>& axes,
                      Eigen::Index rows) {
   Number_rows numbers(out);
@@ -137,7 +139,8 @@ Loaded<Triangulation> input_alone(const Loaded<Triangulation>& loaded, const Opt
   return alone;
 }
 
-// The index of each face that is drawn: of its intrinsic face, or on the input the sum of those about points in its face.
+// The index of each face that is drawn: of its intrinsic face, or on the input the sum of those
+// about points in its face.
 template <class Triangulation>
 std::vector<int> drawn_index(const Triangulation& t, const std::vector<int>& index,
                              const Drawn_subdivision& drawn, bool is_on_input) {
@@ -193,7 +196,8 @@ std::vector<Point> axes_in_space(const Loaded<Triangulation>& loaded, const Comp
                               input_points(loaded));
 }
 
-/// writes what was computed to files that show it on a surface: that of a triangulation, or the input.
+/// writes what was computed to files that show it on a surface: that of a triangulation, or the
+/// input.
 template <class Triangulation>
 void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangulation>& surface,
                       const Computed& computed, const Options& options, Json& json,

@@ -28,8 +28,8 @@ struct Drawn_directions {
   std::vector<int> index{}; ///< of each face, or none
 };
 
-/// returns lines that show directions at vertices: arrows if there is one at each, else crosses. The longest is as long as half of a mean
-/// edge.
+/// returns lines that show directions at vertices: arrows if there is one at each, else crosses.
+/// The longest is as long as half of a mean edge.
 std::vector<IT::Polyline> direction_lines(const Drawn_directions& directions,
                                           const Drawn_subdivision& drawn);
 /// appends vectors at vertices and faces, and indices of faces, to the fields of a file.

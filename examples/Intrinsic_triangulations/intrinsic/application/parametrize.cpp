@@ -93,8 +93,9 @@ Computed map_of_points(const Triangulation& t, const Options& options, const Poi
   const Eigen::MatrixX2d uv = IT::conformal_map_of_points(points, options.neighbors.value_or(30));
   Computed computed{"parametrize", {}, {}};
   for (const auto& [name, c] : {std::pair("u", 0), std::pair("v", 1)}) {
-    Eigen::VectorXd values = Eigen::VectorXd::Constant(
-        static_cast<Eigen::Index>(t.number_of_vertices()), std::numeric_limits<double>::quiet_NaN());
+    Eigen::VectorXd values =
+        Eigen::VectorXd::Constant(static_cast<Eigen::Index>(t.number_of_vertices()),
+                                  std::numeric_limits<double>::quiet_NaN());
     values.head(uv.rows()) = uv.col(c);
     computed.functions.push_back({name, values});
   }

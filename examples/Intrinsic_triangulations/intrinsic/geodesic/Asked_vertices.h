@@ -60,8 +60,8 @@ public:
   }
 
 private:
-  // On a cover, the copy of each point that is nearest to the one before. A loop that comes to another copy of its start
-  // than it left goes around again.
+  // On a cover, the copy of each point that is nearest to the one before. A loop that comes to
+  // another copy of its start than it left goes around again.
   void choose_copies(const std::vector<Vertices>& copies, bool is_loop, Vertices& result) const {
     IT::Edge_path_finder<Triangulation> find(t_);
     const auto next = [&](const Vertices& from, const Vertices& to) {

@@ -30,8 +30,8 @@ namespace program {
 
 /*!
 \brief adds the curves that options ask for to a network: vertices at their points first, then marked edges, then paths and
-loops. These are geodesics that are found alone; beside marked edges, or if it is asked how curves become shorter, they start as
-shortest paths along edges.
+loops. These are geodesics that are found alone; beside marked edges, or if it is asked how curves
+become shorter, they start as shortest paths along edges.
 */
 template <class Triangulation>
 class Curve_builder {
@@ -78,7 +78,8 @@ public:
   const IT::Shortening_result& shortening() const { return shortening_; }
 
 private:
-  // Whether curves are found alone: no marked edge is in their way, and it is not asked how they become shorter.
+  // Whether curves are found alone: no marked edge is in their way, and it is not asked how they
+  // become shorter.
   bool are_free(const std::vector<Asked_curve>& curves) const {
     const Geodesic_options& g = options_.geodesic;
     return !has_constraints(options_) && !g.is_along_edges && g.relative_length == 0 &&

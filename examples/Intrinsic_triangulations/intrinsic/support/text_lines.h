@@ -61,13 +61,15 @@ struct Number_table {
   [[noreturn]] void refuse(std::size_t row, const std::string& what) const;
 };
 
-/// returns the numbers of the vertices in the first column. \throws std::runtime_error naming the line of what is none, or is
-/// there twice
+/// returns the numbers of the vertices in the first column. \throws std::runtime_error naming the
+/// line of what is none, or is there twice
 std::vector<std::uint32_t> vertex_numbers(const Number_table& table, std::size_t vertices);
 
 /*!
-\brief reads a file of numbers, as many on each line as on the first. Lines that describe nothing are not read.
-\param what what there is at most one line for each of, in the plural \param count how many of them there are
+\brief reads a file of numbers, as many on each line as on the first. Lines that describe nothing
+are not read.
+\param what what there is at most one line for each of, in the plural \param count how many of them
+  there are
 \throws std::runtime_error naming file and line
 */
 Number_table read_numbers(const std::string& path, std::size_t count, const std::string& what);

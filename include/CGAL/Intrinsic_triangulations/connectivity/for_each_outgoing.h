@@ -34,8 +34,8 @@ void for_each_outgoing(typename boost::graph_traits<Mesh>::vertex_descriptor v, 
   } while (h != first);
 }
 
-/// calls a function with the halfedges that start at the source of `h` and are in the same fan of faces,
-/// in some order; see above.
+/// calls a function with the halfedges that start at the source of `h` and are in the same fan of
+/// faces, in some order; see above.
 template <class Mesh, class Function>
 void for_each_outgoing_in_fan(typename boost::graph_traits<Mesh>::halfedge_descriptor h,
                               const Mesh& mesh, Function f) {

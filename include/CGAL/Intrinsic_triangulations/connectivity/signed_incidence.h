@@ -50,8 +50,8 @@ struct Signed_incidence {
   /// One row per edge, one column per vertex: -1 where the edge starts, +1 where it ends.
   std::vector<Incidence_entry> vertex_edge;
   /// One row per face, one column per edge, +1 where the face runs along the edge, -1 where against
-  /// it. The entries of a row are in cyclic order around the face. Where more than two faces meet at an edge, the entries of its
-  /// column are in cyclic order around the edge.
+  /// it. The entries of a row are in cyclic order around the face. Where more than two faces meet
+  /// at an edge, the entries of its column are in cyclic order around the edge.
   std::vector<Incidence_entry> edge_face;
 };
 
@@ -97,7 +97,8 @@ class Gluing_from_incidence {
   };
 
 public:
-  // \param shared what is made of edges with more than two faces: nothing is glued there, or an error
+  // \param shared what is made of edges with more than two faces: nothing is glued there, or an
+  //   error
   enum class Shared_edges { leave, refuse };
   explicit Gluing_from_incidence(const Signed_incidence& s, Shared_edges shared)
       : in_(s), ends_(s.number_of_edges), sides_(3 * std::size_t{s.number_of_faces}) {
@@ -252,8 +253,8 @@ their direction (see `Gluing::reversed()`).
 \param s the matrices
 \param edge_of_halfedge is set to the edge that each halfedge `3f + k` of the result comes from: a
   `Gluing_map` numbers edges anew
-\throws Invalid_input naming the edge that does not have one start, one end and one or two faces (`make_domain()` takes more), or
-  the face that does not have three sides that run around it
+\throws Invalid_input naming the edge that does not have one start, one end and one or two faces
+  (`make_domain()` takes more), or the face that does not have three sides that run around it
 \complexity linear
 */
 inline Gluing gluing_from_incidence(const Signed_incidence& s,

@@ -35,8 +35,8 @@ public:
   // whether there are two sides
   bool is_cover() const { return is_cover_; }
 
-  // Marks the edges of the cover that are seams, but those that make an angle below 60 degrees with another, and those over the
-  // same edges. \complexity linear
+  // Marks the edges of the cover that are seams, but those that make an angle below 60 degrees with
+  // another, and those over the same edges. \complexity linear
   std::vector<char> wide_seams() const;
 
   // the other points that are copies of the same point as `p`, each once
@@ -51,7 +51,8 @@ private:
   std::uint32_t other_face(std::uint32_t f) const;
   std::array<std::uint32_t, 3> sides_of(std::uint32_t f) const;
 
-  // whether sides are changed at an edge other than by an isometry; an edge of the border is no seam
+  // whether sides are changed at an edge other than by an isometry; an edge of the border is no
+  // seam
   bool is_seam(std::uint32_t edge) const;
 
   // The edges over the user's edge that one lies over: a halfedge of each, the given one first; all run along it in one

@@ -95,17 +95,17 @@ See above. Edges are not matched: they are those of the gluing, which may have s
 Domain make_domain(Intrinsic_input input, Domain_kind kind = Domain_kind::automatic);
 
 /*!
-\brief makes a surface of signed incidence matrices and lengths: any number of faces may meet at an edge, and edges may share
-their ends, or be loops.
+\brief makes a surface of signed incidence matrices and lengths: any number of faces may meet at an
+edge, and edges may share their ends, or be loops.
 
-Lengths alone do not tell in which order more than two faces follow each other around an edge: the tufted cover takes the order
-of the entries of the edge's column in `Signed_incidence::edge_face`.
+Lengths alone do not tell in which order more than two faces follow each other around an edge: the
+tufted cover takes the order of the entries of the edge's column in `Signed_incidence::edge_face`.
 \param s the matrices
 \param squared_lengths one per edge of `s`
 \param kind what is asked for
 \param mollification treatment of degenerate faces
-\throws Invalid_input as `gluing_from_incidence()`; if there are more or fewer lengths than edges; or naming an edge with more
-  than two faces where the kind has none
+\throws Invalid_input as `gluing_from_incidence()`; if there are more or fewer lengths than edges;
+  or naming an edge with more than two faces where the kind has none
 \complexity linear
 */
 Domain make_domain(const Signed_incidence& s, std::vector<double> squared_lengths,

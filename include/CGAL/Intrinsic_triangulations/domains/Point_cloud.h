@@ -32,8 +32,8 @@ struct Point_cloud_report {
 
 namespace internal {
 
-// The triangles at each point among its neighbours: the point first, then counterclockwise, seen from either side of the
-// surface. What was found is written to the report.
+// The triangles at each point among its neighbours: the point first, then counterclockwise, seen
+// from either side of the surface. What was found is written to the report.
 std::vector<std::array<std::uint32_t, 3>>
 triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
                     Point_cloud_report& report);
@@ -51,8 +51,9 @@ struct Point_cloud : Domain {
 /*!
 \brief makes a surface of points near a surface in space (§6.2 of the course, Sharp and Crane 2020).
 
-The nearest neighbours of each point are turned about it into the plane that fits them best, with their distances from it. The triangles
-at the point in their planar Delaunay triangulation, decided exactly, approximate the surface there. The union of these triangles over all points has every
+The nearest neighbours of each point are turned about it into the plane that fits them best, with
+their distances from it. The triangles at the point in their planar Delaunay triangulation, decided
+exactly, approximate the surface there. The union of these triangles over all points has every
 neighbourhood about three times. The surface is its tufted cover (see `make_domain()`); it has six sheets, and matrices are divided by
 that many: they approximate those of the surface. With exact traits no weight of the Delaunay Laplacian is negative. Rows are points.
 

@@ -93,7 +93,8 @@ private:
     for (std::size_t i = 0; i < star_.size(); ++i) star_[i].at = turned(vectors_[i], axes);
   }
 
-  // A projection would put points of another side of the surface in front of nearer ones: distances from the center are kept.
+  // A projection would put points of another side of the surface in front of nearer ones: distances
+  // from the center are kept.
   static std::array<double, 2> turned(const Vector& v, const std::array<Vector, 2>& axes) {
     std::array<double, 2> at{};
     for (unsigned k = 0; k < 2; ++k)

@@ -165,7 +165,8 @@ Flipped_values<FT> flipped(const Diamond_values<FT>& d) {
 }
 
 /*!
-\brief holds where the apex of a triangle is over its side ij: its foot is p / (2 l_ij) from i, its height a / (2 l_ij).
+\brief holds where the apex of a triangle is over its side ij: its foot is p / (2 l_ij) from i, its
+height a / (2 l_ij).
 \tparam FT a model of `Field`
 */
 template <class FT>
@@ -177,14 +178,16 @@ struct Apex {
 /*!
 \brief returns the apex of a triangle over its side ij, from values that are rounded.
 
-The values are redundant: c = a^2 - H is zero, where H = 4 L_ij L_ki - p^2. Rounding leaves a small c, and flips that are
-computed with it make it grow exponentially. So c is removed. Of all changes of the values that do so to first order
-these have the least sum of squares, each relative to its value, as rounding is:
+The values are redundant: c = a^2 - H is zero, where H = 4 L_ij L_ki - p^2. Rounding leaves a small
+c, and flips that are computed with it make it grow exponentially. So c is removed. Of all changes
+of the values that do so to first order these have the least sum of squares, each relative to its
+value, as rounding is:
 
-    da = -g a^3,   dL_e = g q_e L_e^2,   g = c / (2 (a^4 + sum of q_e^2 L_e^2)),   q_e = dH / (2 dL_e).
+    da = -g a^3,   dL_e = g q_e L_e^2,   q_e = dH / (2 dL_e),
+    g = c / (2 (a^4 + sum of q_e^2 L_e^2)).
 
-The shape of the triangle decides whether its lengths or its area give way. The change of L_ij is left out, as the
-triangle on the other side has another one.
+The shape of the triangle decides whether its lengths or its area give way. The change of L_ij is
+left out, as the triangle on the other side has another one.
 \tparam FT a floating point type
 */
 template <class FT>
@@ -199,7 +202,8 @@ Apex<FT> consistent_apex(const FT& ij, const FT& jk, const FT& ki, const FT& are
 }
 
 /*!
-\brief computes what `flipped()` does from values that are rounded, with the errors of rounding alone: see `consistent_apex()`.
+\brief computes what `flipped()` does from values that are rounded, with the errors of rounding
+alone: see `consistent_apex()`.
 \pre see `flipped()`
 */
 template <class FT>

@@ -118,8 +118,9 @@ public:
     return n;
   }
 
-  /// computes a flip so that rounding does not add up, see `flipped_consistently()`; for edges that may be Delaunay: others become
-  /// shorter, so that errors do not grow, and would take a quarter more time. \return see `compute_flip()`
+  /// computes a flip so that rounding does not add up, see `flipped_consistently()`; for edges that
+  /// may be Delaunay: others become shorter, so that errors do not grow, and would take a quarter
+  /// more time. \return see `compute_flip()`
   std::optional<Flipped>
   compute_consistent_flip(const Diamond& d) const requires internal::has_precision<FT> {
     const Flipped n = flipped_consistently(values(d));

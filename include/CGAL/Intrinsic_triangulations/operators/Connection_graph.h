@@ -30,7 +30,8 @@ template <class Triangulation>
 concept Connected_triangulation =
     MeasuredTriangulation<Triangulation> && NumberedTriangulation<Triangulation>;
 
-// Refuses the surface of a cloud of points: vectors on the sheets at a point have nothing in common.
+// Refuses the surface of a cloud of points: vectors on the sheets at a point have nothing in
+// common.
 template <class Triangulation>
 void expect_tangent_planes(const Triangulation& t) {
   const std::uint32_t sheets = t.input().names().sheets;

@@ -99,14 +99,15 @@ Eigen::SparseMatrix<double> galerkin_mass_matrix(const Triangulation& t) {
 }
 
 /*!
-\brief assembles the mass matrix of the Voronoi dual (§4.1 of the course; Meyer, Desbrun, Schroeder and Barr 2003): on the diagonal the
-area of the circumcentric cell of each vertex
+\brief assembles the mass matrix of the Voronoi dual (§4.1 of the course; Meyer, Desbrun, Schroeder
+and Barr 2003): on the diagonal the area of the circumcentric cell of each vertex
 
     M_ii = 1/4 sum over edges ij of w_ij |ij|^2,    w_ij the cotangent weight,
 
-as the dual of an edge has length w_ij |ij|. In a Delaunay triangulation these are the areas of the cells of the
-intrinsic Voronoi diagram: nonnegative but at a border edge that faces an obtuse angle. Elsewhere areas are signed where
-angles are obtuse, and can be negative. The trace is the area of the surface, up to rounding.
+as the dual of an edge has length w_ij |ij|. In a Delaunay triangulation these are the areas of the
+cells of the intrinsic Voronoi diagram: nonnegative but at a border edge that faces an obtuse angle.
+Elsewhere areas are signed where angles are obtuse, and can be negative. The trace is the area of
+the surface, up to rounding.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation, whose predicates may sharpen stored values
 \return a compressed diagonal matrix as that of `lumped_mass_matrix()`

@@ -84,16 +84,17 @@ struct Insertion_in_face : Star_of_vertex {
 struct Removal_from_face : Star_of_vertex {};
 
 /*!
-\brief records a vertex that moves to a place in one of the faces about it, where it still sees all others around: edges
-and faces stay, lengths and areas change.
+\brief records a vertex that moves to a place in one of the faces about it, where it still sees all
+others around: edges and faces stay, lengths and areas change.
 
-Only metrics that can do it, as `Euclidean_metric`, and correspondences that take the record make this move;
-elsewhere a vertex is inserted and the old one removed.
+Only metrics that can do it, as `Euclidean_metric`, and correspondences that take the record make
+this move; elsewhere a vertex is inserted and the old one removed.
 */
 struct Move_in_star {
-  std::uint32_t spoke;           ///< a halfedge from the vertex, at the face of the place
-  std::array<double, 3> weights; ///< barycentric coordinates of the place, from the source of `spoke`
-  std::uint32_t vertex;          ///< the vertex
+  std::uint32_t spoke; ///< a halfedge from the vertex, at the face of the place
+  /// barycentric coordinates of the place, from the source of `spoke`
+  std::array<double, 3> weights;
+  std::uint32_t vertex; ///< the vertex
 };
 
 /*!

@@ -289,7 +289,8 @@ TEST(Intrinsic_triangulation_format, other_arithmetic_is_refused) {
   EXPECT_NE(message_of(s).find("stored in double arithmetic"), std::string::npos);
 }
 
-// A file without one of its numbers: the word of a line of a section, counted from its end if negative.
+// A file without one of its numbers: the word of a line of a section, counted from its end if
+// negative.
 namespace {
 std::string with_other_value(const std::string& file, const std::string& section, unsigned line,
                              int word, double factor) {

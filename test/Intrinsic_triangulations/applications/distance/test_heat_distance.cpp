@@ -324,8 +324,9 @@ TEST(Heat_distance, is_in_the_units_of_the_input) {
   EXPECT_EQ(distances(s), d * std::ldexp(1.0, 500));
 }
 
-// A sheared square of n x n cells in the plane, moved at random inside, by its lengths alone: without
-// places, no chord hides errors. Its triangles have obtuse angles, with weights down to about -1.
+// A sheared square of n x n cells in the plane, moved at random inside, by its lengths alone:
+// without places, no chord hides errors. Its triangles have obtuse angles, with weights down to
+// about -1.
 double mean_error_on_sheared_square(unsigned seed, bool is_delaunay) {
   constexpr std::uint32_t n = 30;
   const Shape corners = grid(n);

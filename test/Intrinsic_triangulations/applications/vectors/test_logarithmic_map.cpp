@@ -315,7 +315,8 @@ TEST(Logarithmic_map, of_points_on_the_sphere_undoes_the_exponential_map) {
     }
 }
 
-/// Random surfaces: round trips by another mechanism, straight walks, which go on behind saddles where paths bend there.
+/// Random surfaces: round trips by another mechanism, straight walks, which go on behind saddles
+/// where paths bend there.
 TEST(Logarithmic_map, by_shortest_paths_is_undone_by_the_exponential_map) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
@@ -361,7 +362,8 @@ TEST(Logarithmic_map, near_a_vertex_is_that_of_the_whole_surface) {
   EXPECT_GT(known, 10U);
 }
 
-/// A cone of random height and number of sides, and a triangle beside it: no vector is shorter than the chord, none is known there.
+/// A cone of random height and number of sides, and a triangle beside it: no vector is shorter than
+/// the chord, none is known there.
 TEST(Logarithmic_map, says_where_it_does_not_know) {
   std::mt19937 random(4);
   for (int round = 0; round < 30; ++round) {
@@ -388,7 +390,8 @@ TEST(Logarithmic_map, says_where_it_does_not_know) {
           if ((i > n) != is_beside) {
             EXPECT_TRUE(std::isnan(log[i].real()) && std::isnan(log[i].imag())) << i;
           } else if (method == IT::Logarithm_method::exact || !std::isnan(log[i].real())) {
-            const double chord = log_test_distance(shape.points[t.input_vertex(v)], shape.points[i]);
+            const double chord =
+                log_test_distance(shape.points[t.input_vertex(v)], shape.points[i]);
             EXPECT_GE(std::abs(log[i]), chord * (1 - 1e-14)) << i; // rounding of two lengths
           }
         }

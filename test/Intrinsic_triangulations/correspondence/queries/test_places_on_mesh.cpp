@@ -126,8 +126,9 @@ TYPED_TEST(Queries, Places_on_my_mesh_go_there_and_back_at_every_scale) {
     }
 }
 
-/// Of a mesh and of the soup with the same triangles in random order, each beginning at a random corner: the weights that belong to the corners as
-/// listed name the same point, which is their combination.
+/// Of a mesh and of the soup with the same triangles in random order, each beginning at a random
+/// corner: the weights that belong to the corners as listed name the same point, which is their
+/// combination.
 TYPED_TEST(Queries, Weights_are_in_the_order_in_which_faces_list_their_vertices) {
   const unsigned seed = 23;
   SCOPED_TRACE("seed " + std::to_string(seed));

@@ -108,7 +108,8 @@ TYPED_TEST(Vector_field, That_is_constant_in_the_plane_stays_so_at_all_vertices)
   }
 }
 
-/// Crosses and their kin: at each vertex any of the directions is given, at each face all of them are found.
+/// Crosses and their kin: at each vertex any of the directions is given, at each face all of them
+/// are found.
 TYPED_TEST(Vector_field, Of_several_directions_does_not_depend_on_which_is_given) {
   using T = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, TypeParam>;
   const unsigned seed = 17;
@@ -138,8 +139,8 @@ TYPED_TEST(Vector_field, Of_several_directions_does_not_depend_on_which_is_given
           is_inside = is_inside && !CGAL::is_border(g, t.mesh());
       if (!is_inside) continue;
       ++inside;
-      // the one nearest to (1, 2, 0), then the others counterclockwise; vertices are where exact coordinates
-      // are after rounding, off by 1e-6 of small faces at most
+      // the one nearest to (1, 2, 0), then the others counterclockwise; vertices are where exact
+      // coordinates are after rounding, off by 1e-6 of small faces at most
       std::size_t first = 0;
       const auto along = [&](std::size_t k) {
         const auto& x = by_points[degree * f + k];

@@ -90,7 +90,8 @@ struct Twins {
     }
     return first.statuses == second.statuses;
   }
-  /// Signposts follow vertices within their stars, integer coordinates do not: both insert and remove.
+  /// Signposts follow vertices within their stars, integer coordinates do not: both insert and
+  /// remove.
   template <class T>
   static void move_alike(Mover<T>& mover, T& t) {
     mover.move(

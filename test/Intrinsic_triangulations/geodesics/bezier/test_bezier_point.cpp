@@ -79,8 +79,9 @@ TEST(Bezier_point, stays_at_control_points_that_are_one) {
 }
 
 TEST(Bezier_point, jumps_beside_a_peak) {
-  // The peak is between the curve of three points and their polygon: the shortest path between the points that divide the two sides leads
-  // round the peak on one side, then on the other, then on the first one again.
+  // The peak is between the curve of three points and their polygon: the shortest path between the
+  // points that divide the two sides leads round the peak on one side, then on the other, then on
+  // the first one again.
   meshes::Mesh plane = meshes::grid(12, 12), peak = plane;
   peak.points[vertex_at(peak, 6, 7)][2] = 20;
   const auto step = [](const meshes::Mesh& m, int n) {

@@ -110,7 +110,8 @@ TEST(Make_bezier_curve, is_the_planar_curve_in_a_plane) {
   }
 }
 
-// Whatever the triangulation, and whether the control polygon crosses itself: all geodesics of a convex part of a plane are unique.
+// Whatever the triangulation, and whether the control polygon crosses itself: all geodesics of a
+// convex part of a plane are unique.
 TEST(Make_bezier_curve, is_the_planar_curve_on_every_triangulation_of_a_square) {
   std::size_t crossings = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
@@ -132,7 +133,8 @@ TEST(Make_bezier_curve, is_the_planar_curve_on_every_triangulation_of_a_square) 
     ASSERT_EQ(at.size(), c.degree * (std::size_t{1} << c.rounds) + 1);
     for (std::size_t k = 0; k < at.size(); k += c.degree) {
       const double x = static_cast<double>(k) / static_cast<double>(at.size() - 1);
-      // a vertex beside an edge is 2^-40 of the height of a face off it, up to 15 times one after the other
+      // a vertex beside an edge is 2^-40 of the height of a face off it, up to 15 times one after
+      // the other
       EXPECT_LT(distance(at[k], planar(points, x)), 1e-10) << "point " << k;
     }
   }
@@ -152,7 +154,8 @@ Point spherical(std::vector<Point> b, double t) {
   return b.front();
 }
 
-// So the curve depends continuously on its control points, as far as the mesh is round: angles at its vertices lack 0.02.
+// So the curve depends continuously on its control points, as far as the mesh is round: angles at
+// its vertices lack 0.02.
 TEST(Make_bezier_curve, is_near_the_curve_of_great_circles_on_half_a_sphere) {
   const meshes::Mesh m = meshes::sphere(4);
   std::vector<std::uint32_t> upper;

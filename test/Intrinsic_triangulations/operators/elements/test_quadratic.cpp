@@ -31,7 +31,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Corresponding_triangulation;
 using Function = std::function<double(double, double)>;
 
-/// Values of a function of the plane at vertices and midpoints; in a convex part, edges are straight.
+/// Values of a function of the plane at vertices and midpoints; in a convex part, edges are
+/// straight.
 Eigen::VectorXd sampled(const Triangulation& t, const std::vector<meshes::Point>& points,
                         const Function& f) {
   Eigen::VectorXd u =
@@ -48,7 +49,8 @@ Eigen::VectorXd sampled(const Triangulation& t, const std::vector<meshes::Point>
   return u;
 }
 
-/// A square of side 1 with random points inside, and the intrinsic Delaunay triangulation of a bad one.
+/// A square of side 1 with random points inside, and the intrinsic Delaunay triangulation of a bad
+/// one.
 meshes::Mesh random_square(std::size_t n, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<meshes::Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
@@ -135,7 +137,8 @@ TEST(Quadratic_elements, contain_the_linear_ones_on_every_complex) {
   }
 }
 
-/// Error in the L2 norm of (-Laplace + 1) u = f on a square, u = cos(pi x) cos(pi y), on a jittered grid of n^2 cells.
+/// Error in the L2 norm of (-Laplace + 1) u = f on a square, u = cos(pi x) cos(pi y), on a jittered
+/// grid of n^2 cells.
 double helmholtz_error(std::uint32_t n) {
   meshes::Mesh m = meshes::scaled(meshes::grid(n, n), 1. / n); // n is a power of two
   std::mt19937 random(n);

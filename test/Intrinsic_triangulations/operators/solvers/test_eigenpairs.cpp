@@ -75,7 +75,8 @@ TEST(Eigenpairs, do_not_depend_on_units) {
   }
 }
 
-// Triangles that are nearly a line have eigenvalues of 1e22 and more, beside which rounding takes zero for any other.
+// Triangles that are nearly a line have eigenvalues of 1e22 and more, beside which rounding takes
+// zero for any other.
 TEST(Eigenpairs, of_slivers_begin_with_zero) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(-1, 1), exponent(-15, -3);

@@ -113,7 +113,8 @@ TEST(Delaunay_on_OpenMesh, reads_files_in_full) {
     IT::Intrinsic_triangulation<> expected(m.input());
     IT::Intrinsic_triangulation<OpenMesh_triangles> t(mesh);
     EXPECT_EQ(IT::flip_to_delaunay(t).flips, IT::flip_to_delaunay(expected).flips);
-    // edges have other numbers, so that flips come in another order and lengths are rounded differently
+    // edges have other numbers, so that flips come in another order and lengths are rounded
+    // differently
     SCOPED_TRACE(seed);
     properties::expect_same_tessellation(properties::tessellation(t),
                                          properties::tessellation(expected), 1e-13);

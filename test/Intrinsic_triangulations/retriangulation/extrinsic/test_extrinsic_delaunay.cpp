@@ -81,7 +81,8 @@ TEST(extrinsic_delaunay, all_edges_are_delaunay_on_the_same_surface) {
     ASSERT_EQ(d.input_face.size(), d.triangles.size()) << name;
     ASSERT_EQ(d.points.size(), m.points.size() + d.counts.inserted_vertices()) << name;
     EXPECT_TRUE(std::equal(m.points.begin(), m.points.end(), d.points.begin())) << name;
-    // coordinates are rounded by 2^-53 of a size below 64; angles by that over the least height, about 1e-2
+    // coordinates are rounded by 2^-53 of a size below 64; angles by that over the least height,
+    // about 1e-2
     EXPECT_NEAR(area(d.points, d.triangles) / area(m.points, m.triangles), 1, 1e-13) << name;
     for (const auto& [ends, angles] : opposite_angles(d)) {
       ASSERT_LE(angles.size(), 2u) << name;

@@ -269,7 +269,8 @@ std::vector<double> least_angles(const T& t) {
   return result;
 }
 
-// The moves alone leave angles of a few degrees. What the result tells is what there is, with the bound and without.
+// The moves alone leave angles of a few degrees. What the result tells is what there is, with the
+// bound and without.
 TYPED_TEST(Odt_optimize, Keeps_the_least_angle_that_is_asked_for) {
   for (const unsigned seed : {1U, 2U, 3U})
     for (const meshes::Mesh& m :

@@ -127,8 +127,8 @@ double least_angle(const Exact& t, Exact::face_descriptor f) {
   return std::atan2(4 * t.area(f), l[1] + l[2] - l[0]) * 180 / std::numbers::pi;
 }
 
-// The angle asked for everywhere but where it is said not to be. Where many faces meet at all edges, copies leave no place for a
-// vertex now and then.
+// The angle asked for everywhere but where it is said not to be. Where many faces meet at all
+// edges, copies leave no place for a vertex now and then.
 template <class Result>
 void expect_good(const Exact& t, const Result& r, double angle, const std::string& name) {
   std::set<std::uint32_t> unsatisfied;
@@ -178,7 +178,8 @@ std::size_t points_of_sheets(const Mesh& m) {
   return IT::delaunay_refine(t).counts.inserted_vertices();
 }
 
-// Random triangles in a cube, on a small grid of points, and in a plane: with few faces at an edge, and with many.
+// Random triangles in a cube, on a small grid of points, and in a plane: with few faces at an edge,
+// and with many.
 std::vector<std::pair<std::string, Mesh>> random_soups() {
   std::vector<std::pair<std::string, Mesh>> result;
   for (const unsigned seed : {1U, 2U})
@@ -239,8 +240,9 @@ TEST(Refinement_of_covers, is_delaunay_where_a_visitor_stops_it) {
   }
 }
 
-// Where sheets are refined one by one, a point is on one of them; else it is on two at least. Seams that were segments at small
-// angles took more than a hundred times as many, and some of these soups reached the cap of a million.
+// Where sheets are refined one by one, a point is on one of them; else it is on two at least. Seams
+// that were segments at small angles took more than a hundred times as many, and some of these
+// soups reached the cap of a million.
 TEST(Refinement_of_covers, needs_about_as_many_points_as_the_sheets_alone) {
   std::size_t points = 0, of_sheets = 0;
   for (const auto& [name, m] : random_soups()) {

@@ -35,8 +35,9 @@ inline bool is_polyline_extension(std::string_view extension) {
 /*!
 \brief writes polylines in the format of a file extension.
 
-VTP has lines with labels as cell data, OBJ elements `l` with labels in comments, PLY vertices and edges with labels as
-properties; polylines of one point are vertices without edges. Nothing is rounded.
+VTP has lines with labels as cell data, OBJ elements `l` with labels in comments, PLY vertices and
+edges with labels as properties; polylines of one point are vertices without edges. Nothing is
+rounded.
 \param out the stream, binary
 \param extension one of `polyline_extensions`, in any letter case, with or without its dot
 \param polylines the polylines

@@ -117,7 +117,8 @@ private:
     });
   }
 
-  // Lengths and area are redundant; rounding leaves differences of some 1e-16 of what is below, flips enlarge them a little.
+  // Lengths and area are redundant; rounding leaves differences of some 1e-16 of what is below,
+  // flips enlarge them a little.
   void check_area(std::uint32_t f) const {
     const auto sides = connectivity_.mesh.sides({f});
     double x = squared_lengths_[sides[0].index / 2], y = squared_lengths_[sides[1].index / 2],

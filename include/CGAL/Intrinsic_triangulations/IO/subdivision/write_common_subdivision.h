@@ -85,8 +85,8 @@ precision; the others are without loss.
 \param extension one of `common_subdivision_extensions`, in any letter case, with or without its dot
 \param s the subdivision
 \param points the position of each vertex, see `positions()`
-\param fields numbers or vectors to be written for each vertex or face, to PLY and VTP; where two have a number per vertex and the
-  names `u` and `v`, OBJ has them as texture coordinates
+\param fields numbers or vectors to be written for each vertex or face, to PLY and VTP; where two
+  have a number per vertex and the names `u` and `v`, OBJ has them as texture coordinates
 \param np optional named parameters:
   - `use_binary_mode(b)`: whether PLY is binary, little endian; the other formats have one encoding here.
     Default: true.

@@ -65,7 +65,8 @@ private:
     out_.text("</PointData>\n");
   }
 
-  // Writes the fields of a place: at the `first` elements, which have none, not a number or no vector.
+  // Writes the fields of a place: at the `first` elements, which have none, not a number or no
+  // vector.
   void write_fields(Subdivision_field::Place place, std::size_t first, std::size_t n) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const Subdivision_field& field : o_.fields) {

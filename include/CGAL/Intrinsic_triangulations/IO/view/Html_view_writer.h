@@ -30,8 +30,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The page with the program that draws and answers to the pointer; what stands between two @ is a place to
-// be filled. The file is HTML between the marks of a raw string.
+// The page with the program that draws and answers to the pointer; what stands between two @ is a
+// place to be filled. The file is HTML between the marks of a raw string.
 #ifndef DOXYGEN_RUNNING // which does not look for files here
 inline constexpr std::string_view html_view_page =
 #include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.html>

@@ -19,8 +19,9 @@ struct Three_js {
 
 /*!
 \brief finds three.js on this machine.
-\param directory a directory with `three.min.js` or `build/three.min.js`, and with `TrackballControls.js` or
-  `examples/js/controls/TrackballControls.js`; by default that of Debian's package libjs-three
+\param directory a directory with `three.min.js` or `build/three.min.js`, and with
+  `TrackballControls.js` or `examples/js/controls/TrackballControls.js`; by default that of Debian's
+  package libjs-three
 \return the texts of both; empty ones if they are not there
 */
 inline Three_js

@@ -23,15 +23,17 @@ namespace CGAL::Intrinsic_triangulations {
 network.
 
 Intrinsic faces have colours that differ between neighbours, intrinsic edges are dark, input edges
-light. A field replaces the colours; a texture darkens every other square of a checkerboard, and is shown in the plane beside the surface. On
-a cover, the fronts of the user's faces are shown, or their backs. Curves and marked points lie on top. The pointer shows the numbers of the faces
-under it. In the page, users choose the field, its range and map of colours, the number of isolines, and a plane that cuts the surface.
+light. A field replaces the colours; a texture darkens every other square of a checkerboard, and is
+shown in the plane beside the surface. On a cover, the fronts of the user's faces are shown, or
+their backs. Curves and marked points lie on top. The pointer shows the numbers of the faces
+under it. In the page, users choose the field, its range and map of colours, the number of isolines,
+and a plane that cuts the surface.
 \param out the stream
 \param s the common subdivision
 \param points the position of each vertex, see `positions()`
 \param view title, fields, curves
-\throws Invalid_input if `points`, a field or the texture do not have one value for each vertex, or if three.js is not given and
-  not found
+\throws Invalid_input if `points`, a field or the texture do not have one value for each vertex, or
+  if three.js is not given and not found
 \throws std::runtime_error if the stream fails
 \complexity linear
 */

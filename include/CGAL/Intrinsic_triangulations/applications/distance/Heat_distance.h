@@ -80,8 +80,8 @@ public:
     - `visitor(v)`: see `Heat_distance_visitor`. After it has stopped this constructor, there are no distances. It is kept for later calls: what
       `std::ref(v)` refers to must outlive this object.
   \throws Invalid_input if a face has no area
-  \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas of the
-    surface: then heat is even up to rounding
+  \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas
+    of the surface: then heat is even up to rounding
   \throws std::runtime_error if rounding has left no positive definite matrix (the message names a row)
   \complexity that of a sparse factorization: about n^1.5 for n vertices
   */

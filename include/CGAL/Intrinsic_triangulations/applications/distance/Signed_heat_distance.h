@@ -45,8 +45,8 @@ public:
     - `time_factor(x)`: the time is x times the mean of the squares of half the lengths of the
       edges, since the vectors are at their midpoints. Default: 1. More bridges wider gaps.
   \throws Invalid_input if a face has no area, or `t` is that of a cover, on which left and right are one row
-  \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas of the
-    surface: then heat is even up to rounding
+  \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas
+    of the surface: then heat is even up to rounding
   \throws std::runtime_error if rounding has left no positive definite matrix (the message names a row)
   \complexity that of a sparse factorization with three times as many rows as there are vertices
   */

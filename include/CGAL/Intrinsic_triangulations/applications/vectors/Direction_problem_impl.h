@@ -66,7 +66,8 @@ private:
 
   // The factored matrix, with ones for what is fixed; sets the right side.
   Cholesky_factorization<Complex> factored(const Direction_problem& problem) {
-    // so little that flat surfaces, with eigenvalue zero, are definite; so much that others are their guide to twelve digits
+    // so little that flat surfaces, with eigenvalue zero, are definite; so much that others are
+    // their guide to twelve digits
     const double shift = (std::min(problem.strength, 1e12) + 0x1p-26) / graph_.squared_mean_length;
     for (Eigen::Index i = 0; i < right_.size(); ++i) right_[i] = mass(i) * problem.guide[i];
     Eigen::VectorXcd values = Eigen::VectorXcd::Zero(right_.size());

@@ -66,7 +66,8 @@ Tangent_field Point_cloud_vectors::transport(
   internal::Vector_sources s(size());
   for (const auto& [i, z] : sources) {
     expect_plane(i);
-    if (!internal::is_known(z)) throw std::invalid_argument("the vectors of sources must be finite");
+    if (!internal::is_known(z))
+      throw std::invalid_argument("the vectors of sources must be finite");
     const auto row = static_cast<Eigen::Index>(i);
     s.weights[row] += 1;
     s.lengths[row] += std::abs(z);

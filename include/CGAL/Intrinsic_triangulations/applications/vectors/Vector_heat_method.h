@@ -31,9 +31,14 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// How a logarithmic map is found.
 enum class Logarithm_method {
-  exact,  ///< by exact distances and the shortest paths: `logarithmic_map()`, without heat
-  affine, ///< by heat that knows where it comes from: exact on flat surfaces, smooth, fast for many sources (Soliman and Sharp 2025)
-  polar ///< by the angle between a radial and a parallel field, and the distance of which that is the gradient (Sharp et al. 2019)
+  /// by exact distances and the shortest paths: `logarithmic_map()`, without heat
+  exact,
+  /// by heat that knows where it comes from: exact on flat surfaces, smooth, fast for many sources
+  /// (Soliman and Sharp 2025)
+  affine,
+  /// by the angle between a radial and a parallel field, and the distance of which that is the
+  /// gradient (Sharp et al. 2019)
+  polar
 };
 
 /*!

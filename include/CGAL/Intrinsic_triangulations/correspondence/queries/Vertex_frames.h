@@ -22,10 +22,12 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief holds a tangent vector per vertex `v`, at its row `t.input_vertex(v)` as in all operators; `vertex_of_row()` is its inverse.
+\brief holds a tangent vector per vertex `v`, at its row `t.input_vertex(v)` as in all operators;
+`vertex_of_row()` is its inverse.
 
-On a cover these are no rows: each copy of a vertex has a tangent plane and a vector of its own: at the number of the copy,
-`t.input().names().vertices.user(t.index(v))`; those of inserted vertices follow.
+On a cover these are no rows: each copy of a vertex has a tangent plane and a vector of its own: at
+the number of the copy, `t.input().names().vertices.user(t.index(v))`; those of inserted vertices
+follow.
 
 It is a complex number in the polar coordinates of the vertex (§2.4 of the course): the real axis runs along the first
 halfedge that starts there, `opposite(halfedge(v, t.mesh()), t.mesh())`, and angles from it counterclockwise are scaled
@@ -64,8 +66,9 @@ public:
     return at_start(walk, std::abs(z));
   }
 
-  // The vectors at the corners of a face, `at(v)`, in its frame, averaged with the weights of a point. Of `degree` vectors that differ
-  // by turns of a full turn by it, one is given: their common powers are averaged, and one root is returned.
+  // The vectors at the corners of a face, `at(v)`, in its frame, averaged with the weights of a
+  // point. Of `degree` vectors that differ by turns of a full turn by it, one is given: their
+  // common powers are averaged, and one root is returned.
   template <class At>
   Planar_vector<double> in_face(const Surface_point& p, const At& at, unsigned degree = 1) const {
     const Geodesic_face face(surface_, p.halfedge);

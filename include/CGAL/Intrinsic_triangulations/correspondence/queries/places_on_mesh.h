@@ -38,7 +38,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a face of a mesh and barycentric coordinates of its corners, from the source of `halfedge(face, mesh)`:
 `CGAL::Polygon_mesh_processing::Face_location<Mesh, double>`, without the headers of that package.
 
-That corner is the last one that the face, and the file it was read from, lists: see `place_in_face()`.
+That corner is the last one that the face, and the file it was read from, lists: see
+`place_in_face()`.
 */
 template <class Mesh>
 using Face_location =
@@ -171,10 +172,12 @@ const Input& kept_input(const Triangulation& t) {
 } // namespace internal
 
 /*!
-\brief returns the place in a triangle of a mesh at weights in the order in which the face lists its vertices.
+\brief returns the place in a triangle of a mesh at weights in the order in which the face lists its
+vertices.
 
-That is the order of `vertices_around_face(halfedge(f, mesh), mesh)`, of the file that the mesh was read from, and of
-`face:b0:b1:b2` on the command line; CGAL's `Face_location` begins at the last of them.
+That is the order of `vertices_around_face(halfedge(f, mesh), mesh)`, of the file that the mesh was
+read from, and of `face:b0:b1:b2` on the command line; CGAL's `Face_location` begins at the last of
+them.
 \param f the face
 \param weights weights of its corners
 \complexity constant
@@ -185,14 +188,16 @@ Face_location<Mesh> place_in_face(typename boost::graph_traits<Mesh>::face_descr
   return {f, {weights[2], weights[0], weights[1]}};
 }
 
-/// returns the weights of a place in the order in which its face lists its vertices; `place_in_face()` undoes it.
+/// returns the weights of a place in the order in which its face lists its vertices;
+/// `place_in_face()` undoes it.
 template <class Face>
 std::array<double, 3> weights_in_face(const std::pair<Face, std::array<double, 3>>& place) {
   return {place.second[1], place.second[2], place.second[0]};
 }
 
 /*!
-\brief returns the point of the input in a triangle of the user, for programs with a soup or a gluing instead of a mesh.
+\brief returns the point of the input in a triangle of the user, for programs with a soup or a
+gluing instead of a mesh.
 \param t the triangulation
 \param triangle the number of the triangle
 \param weights weights of its corners, in the order in which it lists them
@@ -213,10 +218,12 @@ Surface_point point_in_triangle(const Triangulation& t, std::uint32_t triangle,
 }
 
 /*!
-\brief returns the vertex of the intrinsic triangulation that has a row in matrices, functions and distances: the user's
-vertex of that number. For programs with a soup, a cloud of points or a gluing instead of a mesh.
+\brief returns the vertex of the intrinsic triangulation that has a row in matrices, functions and
+distances: the user's vertex of that number. For programs with a soup, a cloud of points or a gluing
+instead of a mesh.
 
-`Intrinsic_triangulation::input_vertex()` undoes it. Rows of inserted vertices follow those of the user's; they are not found here.
+`Intrinsic_triangulation::input_vertex()` undoes it. Rows of inserted vertices follow those of the
+user's; they are not found here.
 \param t the triangulation
 \param row the row
 \return the vertex; of a cover, the first of its copies

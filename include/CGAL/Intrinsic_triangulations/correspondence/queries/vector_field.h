@@ -107,8 +107,8 @@ vertex_vectors_in_space(const Triangulation& t, const Tangent_field& field, cons
   return result;
 }
 
-// The vectors at the centres of the faces of the common subdivision, in space. `named` tells where points of the input are,
-// `points` where the vertices of the subdivision are.
+// The vectors at the centres of the faces of the common subdivision, in space. `named` tells where
+// points of the input are, `points` where the vertices of the subdivision are.
 template <class Triangulation, class Named>
 std::vector<std::array<double, 3>>
 face_vectors_in_space(const Triangulation& t, const Tangent_field& field,
@@ -183,8 +183,10 @@ Between the corners of an intrinsic face the field is interpolated, in the frame
 \param field the vectors
 \param s the common subdivision
 \param mesh the mesh that `t` was built from
-\param degree how many directions, turned by equal angles, are alike: `field` has one of them at each vertex
-\return the vectors at the centres of the faces: `degree` of them for each face, one after the other, counterclockwise
+\param degree how many directions, turned by equal angles, are alike: `field` has one of them at
+  each vertex
+\return the vectors at the centres of the faces: `degree` of them for each face, one after the
+  other, counterclockwise
 \pre the faces of the mesh have an area
 \complexity linear in the size of the subdivision
 */
@@ -198,7 +200,8 @@ vectors_in_space(const Triangulation& t, const Tangent_field& field, const Commo
 }
 
 /*!
-\brief takes a tangent vector field to the faces of the common subdivision, for programs with a soup or a gluing instead of a mesh.
+\brief takes a tangent vector field to the faces of the common subdivision, for programs with a soup
+or a gluing instead of a mesh.
 
 See the overload with a mesh.
 \param points where the user's vertices are

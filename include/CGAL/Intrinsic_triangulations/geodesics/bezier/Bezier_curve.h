@@ -19,8 +19,8 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <class Triangulation>
 struct Bezier_curve {
-  /// `done`; `stalled` if control points are not connected or a vertex could not be inserted; or that of `Geodesic_finder`.
-  /// Unless it is `done`, there is no curve.
+  /// `done`; `stalled` if control points are not connected or a vertex could not be inserted; or
+  /// that of `Geodesic_finder`. Unless it is `done`, there is no curve.
   Status status = Status::done;
   /// Number of rounds.
   unsigned rounds = 0;
@@ -28,9 +28,11 @@ struct Bezier_curve {
   std::size_t degree = 0;
   /// Control points after all rounds, d 2^rounds + 1. Number k d is on the curve, at k / 2^rounds.
   std::vector<typename Triangulation::vertex_descriptor> control_points;
-  /// The way from the first control point to the last one, through all of them, along edges. It may cross itself.
+  /// The way from the first control point to the last one, through all of them, along edges. It may
+  /// cross itself.
   std::vector<typename Triangulation::halfedge_descriptor> halfedges;
-  /// Vertices where it crosses itself, but for control points. Like control points they are to be fixed in a network.
+  /// Vertices where it crosses itself, but for control points. Like control points they are to be
+  /// fixed in a network.
   std::vector<typename Triangulation::vertex_descriptor> crossings;
   /// Length of the control polygon, in the units of the input.
   double length = 0;

@@ -22,18 +22,23 @@ namespace CGAL::Intrinsic_triangulations {
 
 The sides of the control polygon are shortest paths. Each round subdivides it: of d + 1 control
 points de Casteljau's algorithm at 1/2, with midpoints of geodesics, makes twice as many, which share the point in the middle. The
-polygon converges to the curve. Every other geodesic is the one that halves of two others are shortened to, not a shortest
-path that is sought anew: those jump from one side of a bump to the other as the parameter grows, and the curve with them. Only where two
-halves cross, a shortest path takes their place.
+polygon converges to the curve. Every other geodesic is the one that halves of two others are
+shortened to, not a shortest path that is sought anew: those jump from one side of a bump to the
+other as the parameter grows, and the curve with them. Only where two halves cross, a shortest path
+takes their place.
 
-Each geodesic is found alone on the surface: no other line is in its way. So in a convex part of a plane all control points lie where
-they do in a plane. In the end the sides of the last polygon are made edges. Where the polygon crosses itself, a vertex is inserted.
+Each geodesic is found alone on the surface: no other line is in its way. So in a convex part of a
+plane all control points lie where they do in a plane. In the end the sides of the last polygon are
+made edges. Where the polygon crosses itself, a vertex is inserted.
 
-All edges are flipped to Delaunay before and between rounds. Midpoints are inserted as vertices, where half of the length is as a double; with exact traits they are rounded as in
-`Intrinsic_triangulation::insert_vertex()`. Between them the sides are geodesics that `is_geodesic()` and
-`certify_geodesic()` decide on exactly, once the control points and `Bezier_curve::crossings` are fixed in a network.
+All edges are flipped to Delaunay before and between rounds. Midpoints are inserted as vertices,
+where half of the length is as a double; with exact traits they are rounded as in
+`Intrinsic_triangulation::insert_vertex()`. Between them the sides are geodesics that
+`is_geodesic()` and `certify_geodesic()` decide on exactly, once the control points and
+`Bezier_curve::crossings` are fixed in a network.
 
-\tparam Triangulation a model of `GeodesicTriangulation`, of `RefinableTriangulation` and of `CorrespondingTriangulation`
+\tparam Triangulation a model of `GeodesicTriangulation`, of `RefinableTriangulation` and of
+  `CorrespondingTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation; vertices are inserted, and edges flipped
 \param control_points vertices, two at least
@@ -42,8 +47,8 @@ All edges are flipped to Delaunay before and between rounds. Midpoints are inser
   - `tolerance(x)`: stops when a round makes the control polygon shorter by at most this, in the units of the input. Default: 0.
 \return the curve
 \throws std::invalid_argument if there are less than two control points
-\complexity that of d shortest paths, of `flip_to_delaunay()` r + 1 times for r rounds, and d (d - 1) / 2 times 2^r - 1 that of
-  `shorten_curves()`
+\complexity that of d shortest paths, of `flip_to_delaunay()` r + 1 times for r rounds, and d
+  (d - 1) / 2 times 2^r - 1 that of `shorten_curves()`
 */
 template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
   requires RefinableTriangulation<Triangulation> Bezier_curve<Triangulation>

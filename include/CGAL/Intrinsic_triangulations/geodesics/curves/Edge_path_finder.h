@@ -75,8 +75,8 @@ public:
   std::vector<halfedge_descriptor> operator()(vertex_descriptor from, vertex_descriptor to) {
     return (*this)(std::vector{from}, std::vector{to});
   }
-  /// finds a shortest path along edges from one of several vertices to one of others, as between copies
-  /// of two vertices on a cover; see above.
+  /// finds a shortest path along edges from one of several vertices to one of others, as between
+  /// copies of two vertices on a cover; see above.
   std::vector<halfedge_descriptor> operator()(const std::vector<vertex_descriptor>& from,
                                               const std::vector<vertex_descriptor>& to) {
     start();
@@ -120,7 +120,8 @@ private:
     }
   }
 
-  // Finds a halfedge of each fan of a vertex but the one that its own halfedge is in. Flips keep the number of fans.
+  // Finds a halfedge of each fan of a vertex but the one that its own halfedge is in. Flips keep
+  // the number of fans.
   void find_other_fans() {
     if (is_manifold_) return;
     other_fans_.clear();

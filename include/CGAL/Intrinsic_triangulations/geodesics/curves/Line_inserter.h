@@ -33,12 +33,14 @@ struct Split_crossed_edges {
   Halfedges edges_along(const Halfedges& crossed) const { return crossed; } // there are none
 };
 
-// Makes straight lines paths of edges. A line starts at a vertex. Edges that it crosses are flipped away or split: the
-// vertex that splits an edge is joined to the vertex before by an edge. There the line goes on at the angle that it makes with
-// the edge, over what has become of the triangulation: it may come across edges again, and across lines that were inserted before. Edges of
-// these are always split.
-// \tparam Crossed says which edges may be flipped, by `may_flip(e)`, whether others may be split, and makes a line that crosses edges
-// a path of edges, by `edges_along(crossed)`: halfedges in order, each from its end on the right of the line to that on the left
+// Makes straight lines paths of edges. A line starts at a vertex. Edges that it crosses are flipped
+// away or split: the vertex that splits an edge is joined to the vertex before by an edge. There
+// the line goes on at the angle that it makes with the edge, over what has become of the
+// triangulation: it may come across edges again, and across lines that were inserted before. Edges
+// of these are always split.
+// \tparam Crossed says which edges may be flipped, by `may_flip(e)`, whether others may be split,
+//   and makes a line that crosses edges a path of edges, by `edges_along(crossed)`: halfedges in
+//   order, each from its end on the right of the line to that on the left
 template <class Triangulation, class Crossed = Split_crossed_edges<Triangulation>>
 class Line_inserter {
   using View = Accurate_view<Triangulation>;
@@ -154,7 +156,8 @@ private:
 
   // ---- on the way
 
-  // Crosses edges that may be flipped, up to one that may not, a vertex, or the end of the line. Returns the way out of the last face.
+  // Crosses edges that may be flipped, up to one that may not, a vertex, or the end of the line.
+  // Returns the way out of the last face.
   typename Walk::Exit cross_flippable(Walk& walk, std::uint32_t target, double& length,
                                       double distance) {
     crossed_.clear();
@@ -211,8 +214,9 @@ private:
     for (const std::uint32_t h : crossed_) crossed.push_back(t_.numbers().halfedge_at(h));
     for (const auto h : crossed_edges_.edges_along(crossed)) append_edge(t_.numbers().halfedge(h));
   }
-  // An edge, or the way by vertices beside it which rounding has moved off it: so that lines which touch have these, all of them. Ends
-  // at vertex `target`, if that is one of them, and tells whether it is.
+  // An edge, or the way by vertices beside it which rounding has moved off it: so that lines which
+  // touch have these, all of them. Ends at vertex `target`, if that is one of them, and tells
+  // whether it is.
   bool append_edge(std::uint32_t h, std::uint32_t target = Gluing::none) {
     for (const std::uint32_t g : {h, h ^ 1U}) {
       if (!crossed_edges_.may_flip(h / 2) || view_.is_border(g) || !is_at_apex(g)) continue;
@@ -242,7 +246,8 @@ private:
     }
     append_line();
   }
-  // whether two edges that are crossed one after the other have one end on the left, or on the right
+  // whether two edges that are crossed one after the other have one end on the left, or on the
+  // right
   bool shares_end(std::uint32_t g, std::uint32_t h, bool is_left) const {
     return (is_left ? last(g ^ 1U) : view_.next(g ^ 1U)) == h;
   }

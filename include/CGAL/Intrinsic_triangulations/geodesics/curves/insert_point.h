@@ -36,8 +36,8 @@ struct Vertex_at_point {
 
 namespace internal {
 
-// A vertex or an edge within rounding of a point that was located has the point: as a part of the height above the edge, or of
-// the longest side.
+// A vertex or an edge within rounding of a point that was located has the point: as a part of the
+// height above the edge, or of the longest side.
 template <class Complex>
 std::array<double, 3> without_rounding(const Complex& complex, const Surface_point& p) {
   const Geodesic_face face(complex, p.halfedge);

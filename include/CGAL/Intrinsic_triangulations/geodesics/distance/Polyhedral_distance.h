@@ -36,8 +36,8 @@ struct Shortest_path {
   /// led astray: the end of the path is there, its beginning is missing.
   Status status = Status::done;
   /// The source, a point on each edge that is crossed, the vertices that it goes through, and the end. The
-  /// piece that begins at a point lies in the face of its halfedge. Where a path on a cover passes from one copy of a
-  /// vertex to another, there are both.
+  /// piece that begins at a point lies in the face of its halfedge. Where a path on a cover passes
+  /// from one copy of a vertex to another, there are both.
   std::vector<Surface_point> points;
   /// Its length, in the units of the input: the distance.
   double length = 0;
@@ -66,8 +66,8 @@ rounding. The triangulation is read once, in doubles: only lengths and areas cou
 space. Any Delta-complex will do, with or without border; a shortest path may run along the border. The distances do
 not depend on the triangulation of a surface; the effort does.
 
-At a vertex that is not manifold, paths pass from any fan of faces to any other. On a cover the copies of a
-vertex are one point: paths start, end and pass from one side to the other there.
+At a vertex that is not manifold, paths pass from any fan of faces to any other. On a cover the
+copies of a vertex are one point: paths start, end and pass from one side to the other there.
 
 The search is that of Chen and Han (1990), by distance and pruned as by Xin and Wang (2009): intervals of edges that a source
 sees, *windows*, spread over the faces, 32 bytes each.
@@ -138,7 +138,8 @@ public:
   double distance(const Surface_point& p) const {
     return known(field_.at(point_in_face(p)).distance);
   }
-  /// returns the distances of all vertices, by their rows, see `Intrinsic_triangulation::input_vertex()`.
+  /// returns the distances of all vertices, by their rows, see
+  /// `Intrinsic_triangulation::input_vertex()`.
   std::vector<double> distances() const {
     std::vector<double> result(t_->number_of_vertices(), std::numeric_limits<double>::infinity());
     for (const vertex_descriptor v : vertices(t_->mesh())) {

@@ -71,8 +71,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::finish(std::uint32
     open_fan(v, other->second, is_source);
 }
 
-// On a cover, paths go on from any copy of a vertex. Where that gains no more than rounding makes, they
-// stay on their side.
+// On a cover, paths go on from any copy of a vertex. Where that gains no more than rounding makes,
+// they stay on their side.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::reach_copies(std::uint32_t v) {
   constexpr double least = 1 - 1e-12;
   const double distance = field_.vertices[v].distance;

@@ -70,8 +70,8 @@ public:
   copy of a vertex to another
   \param np named parameters of `shorten_curves()`, and:
     - `shortest(b)`: whether to look for the shortest path, or to start from one along edges.
-      Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the way from a
-      path along edges
+      Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the
+      way from a path along edges
   \return its way over the input. The status is that of `shorten_curves()`, `stalled` if no path
   leads from one to the other, `inaccurate` if it is geodesic but the search for the shortest one
   gave up, or `not_traceable`

@@ -46,8 +46,8 @@ flipped, constrain its edges.
 shortest path between any copies of them is found
 \param np named parameters of `shorten_curves()`, and:
   - `shortest(b)`: if false, the path is made of a shortest one along edges, see `Geodesic_finder`.
-    Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the way from
-    that path
+    Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the way
+    from that path
 \throws Invalid_input if a vertex is isolated
 \complexity that of the search by `Polyhedral_distance`, or along edges; of `shorten_curves()`, and
 linear in the number of edges

@@ -52,7 +52,8 @@ inline Place_on_curve place_on_curve(const Input& input, const Traced_curve& cur
 \tparam Triangulation a model of `NumberedTriangulation` that keeps its input
 \param t the triangulation
 \param curve what `trace_curve()` or a `Geodesic_finder` returned
-\param share the length up to the point as a part of the whole; beyond 0 and 1 it is the start or the end
+\param share the length up to the point as a part of the whole; beyond 0 and 1 it is the start or
+  the end
 \return the point, rounded, in the face where that part of the curve is straight
 \pre the curve has at least two points
 \complexity linear

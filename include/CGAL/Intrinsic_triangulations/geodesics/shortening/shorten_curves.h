@@ -95,7 +95,8 @@ finitely many geodesic edges below a length. With inexact ones caps on the numbe
 \param np optional named parameters:
   - `relative_length(x)`: stops when the length of all curves is at most this part of what it was; the angles
     so far are those of a flow that shortens curves (Fig. 37 of the course). Default: 0.
-  - `minimum_joint_angle(x)`: stops when all joints that can be straightened have at least this angle, in degrees. Default: 180.
+  - `minimum_joint_angle(x)`: stops when all joints that can be straightened have at least this
+    angle, in degrees. Default: 180.
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100 per edge and a million.
   - `visitor(v)`: see `Shortening_visitor`
 \return status and counts; lengths are told by the network. `done`, `stopped`, `cancelled`, `cap`; `stalled` if there are faces without

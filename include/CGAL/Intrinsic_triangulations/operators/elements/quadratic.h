@@ -21,10 +21,11 @@
 
 /*!
 \file
-Quadratic elements (§4.10 of the course: "higher-order basis can likewise be constructed"): continuous functions that are quadratic polynomials in each
-intrinsic face, with values at the vertices and at the midpoints of the edges. Vertex `v` has row `t.input_vertex(v)`, edge `e` the row
-`t.number_of_vertices() + t.index(e)`. Where solutions are smooth their error falls with the third power of
-the lengths of edges, that of linear functions with the second.
+Quadratic elements (§4.10 of the course: "higher-order basis can likewise be constructed"):
+continuous functions that are quadratic polynomials in each intrinsic face, with values at the
+vertices and at the midpoints of the edges. Vertex `v` has row `t.input_vertex(v)`, edge `e` the row
+`t.number_of_vertices() + t.index(e)`. Where solutions are smooth their error falls with the third
+power of the lengths of edges, that of linear functions with the second.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -35,8 +36,9 @@ namespace internal {
 using Quadratic_block = Eigen::Matrix<double, 6, 6>;
 
 /*
-With barycentric coordinates b_k, the functions are b_k (2 b_k - 1) at corners and 4 b_i b_j at the side opposite corner k. The
-integrals of their gradients are multiples of S_ij, those of grad b_i grad b_j: S_ij = -cot_k / 2, and rows of S have sum zero.
+With barycentric coordinates b_k, the functions are b_k (2 b_k - 1) at corners and 4 b_i b_j at the
+side opposite corner k. The integrals of their gradients are multiples of S_ij, those of grad b_i
+grad b_j: S_ij = -cot_k / 2, and rows of S have sum zero.
 */
 inline Quadratic_block quadratic_stiffness(const Table_face& f) {
   const std::array<double, 3> half = checked_half_cotangents(f); // at the corner opposite side k
@@ -109,11 +111,13 @@ Eigen::SparseMatrix<double> quadratic_matrix(const Triangulation& t, double fact
 } // namespace internal
 
 /*!
-\brief assembles the Laplacian of quadratic elements: x^T L x is the integral of |grad x|^2 for the function x that is quadratic
-in each face, exactly. Symmetric bit by bit, positive semidefinite, with constants in its kernel; the natural border condition is Neumann's.
+\brief assembles the Laplacian of quadratic elements: x^T L x is the integral of |grad x|^2 for the
+function x that is quadratic in each face, exactly. Symmetric bit by bit, positive semidefinite,
+with constants in its kernel; the natural border condition is Neumann's.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
-\return a compressed matrix with a row per vertex, and after them one per number of an edge, without dimension; of a cover divided by the number of sheets. Rows of numbers that no edge has are zero
+\return a compressed matrix with a row per vertex, and after them one per number of an edge, without
+  dimension; of a cover divided by the number of sheets. Rows of numbers that no edge has are zero
 \throws Invalid_input if a face has no area
 \complexity linear
 */
@@ -123,7 +127,8 @@ Eigen::SparseMatrix<double> quadratic_laplacian(const Triangulation& t) {
 }
 
 /*!
-\brief assembles the Galerkin mass matrix of quadratic elements: x^T M y is the integral of x y, exactly.
+\brief assembles the Galerkin mass matrix of quadratic elements: x^T M y is the integral of x y,
+exactly.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \return a matrix as that of `quadratic_laplacian()`, in units of area of the input

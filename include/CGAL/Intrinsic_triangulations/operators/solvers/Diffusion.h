@@ -27,8 +27,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The time of a flow, a factor times a unit. Above 1e8 areas of the surface, heat is so even that
-// rounding hides its gradients, and distances are those of 1e6 areas to six digits. Much below 1e-100
-// units, heat falls by 2^-800 along single edges.
+// rounding hides its gradients, and distances are those of 1e6 areas to six digits. Much below
+// 1e-100 units, heat falls by 2^-800 along single edges.
 // \throws std::invalid_argument if the factor is out of these limits
 inline double flow_time(double factor, double unit, double area) {
   const double greatest = 1e8 * std::max(area / unit, 1.0);

@@ -178,8 +178,8 @@ inline Eigen::MatrixXd constants_of_components(const Eigen::SparseMatrix<double>
   return c * gram.matrixU().solve(Eigen::MatrixXd::Identity(columns, columns)).eval();
 }
 
-// Constants in components have the eigenvalue zero. Beside the greatest eigenvalue rounding would leave them any other one: they
-// are lifted above it, and put to the front in the end.
+// Constants in components have the eigenvalue zero. Beside the greatest eigenvalue rounding would
+// leave them any other one: they are lifted above it, and put to the front in the end.
 inline Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                              const Eigen::SparseMatrix<double>& m,
                                              Eigen::Index count) {

@@ -94,8 +94,8 @@ public:
     return exist() ? sheets_->others(places()->location(vertex)) : std::vector<Surface_point>();
   }
 
-  // Whether the copies of a vertex that are still to be inserted will be at a distance, squared, from the vertices of the faces that
-  // they are in, and of those beside, but not beyond segments.
+  // Whether the copies of a vertex that are still to be inserted will be at a distance, squared,
+  // from the vertices of the faces that they are in, and of those beside, but not beyond segments.
   template <class Is_segment>
   bool keep_distance(std::uint32_t vertex, double distance, const Is_segment& is_segment) const {
     return std::ranges::all_of(missing(vertex), [&](const Surface_point& place) {

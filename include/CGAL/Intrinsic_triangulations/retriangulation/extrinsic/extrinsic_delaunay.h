@@ -57,7 +57,8 @@ public:
   }
 
 private:
-  // A face without area lies in the long one of its sides; a flip gives both halves to the neighbour.
+  // A face without area lies in the long one of its sides; a flip gives both halves to the
+  // neighbour.
   bool is_base_of_cap(std::uint32_t h) const {
     if (input_.quadruple_area(input_.face(h)) > 0) return false;
     const std::uint32_t n = input_.next(h), l = input_.next(n);
@@ -77,8 +78,8 @@ private:
 } // namespace internal
 
 /*!
-\brief tells for each edge of an input whether the surface is bent there: the border, and edges between
-faces that do not lie in one plane side by side.
+\brief tells for each edge of an input whether the surface is bent there: the border, and edges
+between faces that do not lie in one plane side by side.
 
 Exact: an edge that is not bent may be flipped, and its faces stay straight in space.
 \throws Invalid_input if lengths are not those of points in space
@@ -96,21 +97,23 @@ inline std::vector<char> bent_edges(const Input& input) {
 }
 
 /*!
-\brief computes an ordinary mesh in space that keeps the surface of another one and is Delaunay in the intrinsic sense: the
-extrinsic construction of §4.9.2 of the course, by splits of edges and planar flips (Dyer, Zhang and Moeller 2007).
+\brief computes an ordinary mesh in space that keeps the surface of another one and is Delaunay in
+the intrinsic sense: the extrinsic construction of §4.9.2 of the course, by splits of edges and
+planar flips (Dyer, Zhang and Moeller 2007).
 
-Edges where the surface is bent are never flipped, only split until they are Delaunay; in flat parts edges
-flip. The mesh therefore has more vertices than the intrinsic Delaunay triangulation, which
-`flip_to_delaunay()` finds on the same vertices, and keeps the small angles of the input. It is for programs that
-take nothing but triangles in space.
+Edges where the surface is bent are never flipped, only split until they are Delaunay; in flat parts
+edges flip. The mesh therefore has more vertices than the intrinsic Delaunay triangulation, which
+`flip_to_delaunay()` finds on the same vertices, and keeps the small angles of the input. It is for
+programs that take nothing but triangles in space.
 
-New vertices lie on edges of the user's mesh or in its flat parts; their coordinates are rounded to doubles, all
-decisions before are exact.
+New vertices lie on edges of the user's mesh or in its flat parts; their coordinates are rounded to
+doubles, all decisions before are exact.
 \tparam FaceGraph a model of `FaceListGraph` with a point map of its own
 \tparam NP a chain of named parameters
 \param mesh the mesh
 \param np optional named parameters:
-  - `minimum_angle(x)`: least angle of faces, in degrees; the input's own small angles stay. Default: 0.
+  - `minimum_angle(x)`: least angle of faces, in degrees; the input's own small angles stay.
+    Default: 0.
   - `maximum_edge_length(x)`: largest length of edges. Default: any.
   - `maximum_insertions(n)`: cap on the number of insertions. Default: as for `delaunay_refine()`.
 \throws Invalid_input as `Intrinsic_input`, such as for a side of length zero

@@ -25,7 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Refines faces that moves have left with smaller angles than asked for, with the parts of constrained edges kept.
+// Refines faces that moves have left with smaller angles than asked for, with the parts of
+// constrained edges kept.
 template <class Triangulation, class Optimizer>
 Constrained_segments restore_angles(Triangulation& t, const Refinement_settings& asked,
                                     const Optimizer& optimizer, Odt_result& result) {
@@ -51,17 +52,19 @@ Delaunay triangulations, 2011).
 Each iteration splits the edges that are too long at their midpoints, then moves every
 inserted vertex to the mean of the circumcenters of the faces about it, weighted by their areas, or part of
 the way where that is outside of its star, and flips edges to Delaunay. Areas become even, at the cost of
-some smaller angles than `delaunay_refine()` leaves: unless a least angle is asked for, then `delaunay_refine()` follows, which
-also splits edges that are still too long. The vertices of the input stay, and the surface is
-what it was; so do vertices inserted on the border and on constrained edges. Moved vertices get new
-descriptors. With inexact traits the result is checked, see `delaunay_refine()`.
+some smaller angles than `delaunay_refine()` leaves: unless a least angle is asked for, then
+`delaunay_refine()` follows, which also splits edges that are still too long. The vertices of the
+input stay, and the surface is what it was; so do vertices inserted on the border and on constrained
+edges. Moved vertices get new descriptors. With inexact traits the result is checked, see
+`delaunay_refine()`.
 
 \tparam Triangulation a model of `RefinableTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation; it may have been refined before
 \param np optional named parameters:
   - `maximum_edge_length(x)`: edges that are longer are split, in the units of the input. Default: none is.
-  - `minimum_angle(x)`: least angle of faces in the end, in degrees, kept by inserting vertices. Default: 0, any.
+  - `minimum_angle(x)`: least angle of faces in the end, in degrees, kept by inserting vertices.
+    Default: 0, any.
   - `number_of_iterations(n)`: cap on the number of iterations. Default: 100.
   - `maximum_insertions(n)`: cap on the number of vertices inserted. Default: a million and ten per face.
   - `convergence(x)`: it is done when an iteration without splits lowers the energy by less than this

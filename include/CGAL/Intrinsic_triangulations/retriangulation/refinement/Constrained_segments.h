@@ -44,7 +44,8 @@ public:
   \param complex the surface
   \param h a halfedge of the edge
   \param is_constrained false for an edge of the border that is nothing else
-  \param is_seam whether the edge runs along a seam of a cover: it is split until it is locally Delaunay
+  \param is_seam whether the edge runs along a seam of a cover: it is split until it is locally
+    Delaunay
   */
   template <NumberedComplex Complex>
   void add(const Complex& complex, std::uint32_t h, bool is_constrained, bool is_seam = false) {

@@ -53,15 +53,18 @@ struct Refinement_settings {
 /*!
 Refines a triangulation: Chew's second algorithm, intrinsically (§4.3 of the course, Algorithm 5).
 
-See `delaunay_refine()`; a segment is an edge of the border, a constrained one, or on a cover one along a wide seam. Vertices that
-are removed near a split one are those in a Dijkstra ball, with their copies. For a bound of at most 30 degrees the
-circumradius of such a face is at least its shortest side: new vertices keep this distance from all others.
+See `delaunay_refine()`; a segment is an edge of the border, a constrained one, or on a cover one
+along a wide seam. Vertices that are removed near a split one are those in a Dijkstra ball, with
+their copies. For a bound of at most 30 degrees the circumradius of such a face is at least its
+shortest side: new vertices keep this distance from all others.
 
-On a cover, copies must keep it, too. To change sides is an isometry of what is left when a cover is cut along its seams, see
-`Sheets`, and it maps the vertices to vertices: across no seam a copy is as far from others as the circumcenter. Seams that make
-wide angles with each other are segments: splits do not lead from one to the next without end (Ruppert). Small angles
-between seams are no angles of the surface, and a seam is no edge that anyone asked for: those are crossed like other edges. There
-the distances of copies are measured, and a vertex is put where all keep theirs, or nowhere.
+On a cover, copies must keep it, too. To change sides is an isometry of what is left when a cover is
+cut along its seams, see `Sheets`, and it maps the vertices to vertices: across no seam a copy is as
+far from others as the circumcenter. Seams that make wide angles with each other are segments:
+splits do not lead from one to the next without end (Ruppert). Small angles
+between seams are no angles of the surface, and a seam is no edge that anyone asked for: those are
+crossed like other edges. There the distances of copies are measured, and a vertex is put where all
+keep theirs, or nowhere.
 */
 template <class Triangulation, class Visitor>
 class Delaunay_refiner : public Refinement_moves<Triangulation> {
@@ -174,8 +177,8 @@ private:
     return insert_near(approximation(bad), h, c.point, view);
   }
 
-  // Inserts a circumcenter. On a cover a copy may be close to other vertices: then other points of a disk about the circumcenter are
-  // tried.
+  // Inserts a circumcenter. On a cover a copy may be close to other vertices: then other points of
+  // a disk about the circumcenter are tried.
   template <class Complex>
   bool insert_near(const Face_values<double>& v, std::uint32_t h, const Surface_point& center,
                    const Complex& view) {
@@ -251,7 +254,8 @@ private:
 
   // ---- the end
 
-  // Seams that are not Delaunay are split until they are. Where that is stopped, they are flipped, and every face is Delaunay.
+  // Seams that are not Delaunay are split until they are. Where that is stopped, they are flipped,
+  // and every face is Delaunay.
   void flip_over_seams() {
     for (const auto e : edges(mesh_))
       if (segments_.is_seam(t_.index(e))) flipper_.push(halfedge(e, mesh_));
@@ -272,7 +276,8 @@ private:
   static constexpr int number_of_tries = 6; // directions, all around
 
   Refinement_test test_;
-  // Faces by their corners, in order: an insertion at the circumcenter was refused, and would be again.
+  // Faces by their corners, in order: an insertion at the circumcenter was refused, and would be
+  // again.
   std::set<std::array<std::uint32_t, 3>> refused_;
   Visitor& visitor_;
   Refinement_order order_;

@@ -25,9 +25,9 @@ enum class Refinement_order {
 enum class Unsatisfied_reason {
   needle,      ///< it wraps around a vertex of degree one, whose total angle is below the bound
   small_angle, ///< it lies between constrained or border edges that make a small angle
-  refused, ///< an insertion was refused or lost by rounding; or, on a cover, a copy would have come too close to a vertex of
-           ///< a third face at an edge
-  stopped ///< refinement was stopped before
+  refused,     ///< an insertion was refused or lost by rounding; or, on a cover, a copy would have
+               ///< come too close to a vertex of a third face at an edge
+  stopped      ///< refinement was stopped before
 };
 
 /*!
@@ -65,9 +65,9 @@ struct Refinement_counts {
 */
 template <class Face>
 struct Refinement_result {
-  /// `done`, `cap` or `cancelled`: every face meets the criteria, except needles and small angles that are listed, if it is
-  /// `done`. `stalled`: some do not, and nothing more could be inserted, by rounding. `inaccurate`: the triangulation must not
-  /// be used.
+  /// `done`, `cap` or `cancelled`: every face meets the criteria, except needles and small angles
+  /// that are listed, if it is `done`. `stalled`: some do not, and nothing more could be inserted,
+  /// by rounding. `inaccurate`: the triangulation must not be used.
   Status status = Status::done;
   /// What was done.
   Refinement_counts counts;
@@ -84,7 +84,8 @@ struct Refinement_visitor {
   /*!
   \brief is called now and then: about every 256 insertions, and before the first one every 65536 edges and 16384 faces that
   are looked at.
-  \return whether to go on; if not before the first insertion, some edges may not be locally Delaunay yet, except on covers
+  \return whether to go on; if not before the first insertion, some edges may not be locally
+    Delaunay yet, except on covers
   */
   bool progress(const Refinement_counts&) { return true; }
   /*!

@@ -143,9 +143,10 @@ inline double squared_circumradius(const Face_values<double>& v) {
   return l[0] / a * l[1] * (l[2] / a);
 }
 
-// How near a vertex for a face, and its copies on other sheets, may come to others: were they nearer, refinement might go on
-// for ever. The circumcenter of a face of a Delaunay triangulation is a circumradius from all vertices, which for bounds up to
-// 30 degrees is not below the shortest side of a thin face; for a face that is only too large, half of it is enough. Squared,
+// How near a vertex for a face, and its copies on other sheets, may come to others: were they
+// nearer, refinement might go on for ever. The circumcenter of a face of a Delaunay triangulation
+// is a circumradius from all vertices, which for bounds up to 30 degrees is not below the shortest
+// side of a thin face; for a face that is only too large, half of it is enough. Squared,
 // and a little less.
 inline double least_distance(const Face_values<double>& v, bool is_thin) {
   const auto& l = v.squared_lengths;

@@ -34,9 +34,10 @@ where rounding has spoilt them.
 
 On a cover (see `make_domain()`), the copies of a vertex on all sheets are inserted together and share a row of matrices, if the
 triangulation knows the places of vertices, `Intrinsic_triangulation::places()`. Edges over edges of one face of the user, or of more
-than two, are segments like constrained edges, and `conforming`, where they make angles of at least 60 degrees: those that were
-flipped away before are put back first. If refinement stops before its end, they are flipped like others: every edge is
-locally Delaunay unless it is constrained, whatever the status.
+than two, are segments like constrained edges, and `conforming`, where they make angles of at least
+60 degrees: those that were flipped away before are put back first. If refinement stops before its
+end, they are flipped like others: every edge is locally Delaunay unless it is constrained, whatever
+the status.
 
 \tparam Triangulation a model of `RefinableTriangulation`
 \tparam NP a chain of named parameters
