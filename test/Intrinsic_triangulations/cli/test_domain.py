@@ -205,6 +205,40 @@ class Domain(Cli_test):
         self.assertEqual(stats["geodesic"]["status"], "geodesic")
         self.assertTrue(stats["geodesic"]["certified"])
 
+    def assert_lengths(self, mesh, *curves):
+        """Of curves, each an option, its points, other options, and the length."""
+        for *arguments, length in curves:
+            for kind in ("integer", "crossings"):
+                g = self.stats("geodesic", mesh, "--domain", "tufted", "--correspondence", kind,
+                               *arguments, "-o", "c.vtp")["geodesic"]
+                self.assertEqual((g["status"], g["certified"]), ("geodesic", True), arguments)
+                self.assertEqual(len(g["curves"]), 1, arguments)
+                self.assert_close(g["length"], length, 1e-11)
+
+    def test_paths_on_covers_go_between_any_copies_of_their_points(self):
+        points = [(0, 0, 0)] + [tuple(s * (k == axis) for k in range(3))
+                                for axis in range(3) for s in (1, -1)]
+        faces = [(0, i, j) for i in range(1, 7) for j in range(i + 1, 7) if i % 2 == 0 or j > i + 1]
+        axes = self.write_off("a.off", points, faces)
+        inside = "0:0.2:0.4:0.4"
+        self.assert_lengths(
+            axes, ("--path", "0,1", 1), ("--path", "1,0", 1), ("--path", "1,2", 2),
+            ("--path", "2,0,4", math.sqrt(2)), ("--path", "2,0,4", "--waypoints", 2),
+            ("--path", inside + ",0", math.sqrt(0.32)),
+            # face 0 is in the first quadrant, face 1 beside the fourth
+            ("--path", inside + ",1:0.2:0.4:0.4", 2 * math.sqrt(0.32)),
+            ("--loop", "1,3,2,4", 4 * math.sqrt(2)))
+
+    def test_paths_on_covers_pass_a_vertex_at_which_parts_meet(self):
+        corner = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        points = [(0, 0, 0)] + corner + [tuple(-x for x in p) for p in corner]
+        faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+        faces += [tuple(v + 3 if v else 0 for v in reversed(f)) for f in faces]
+        self.assert_lengths(
+            self.write_off("t.off", points, faces), ("--path", "1,4", 2), ("--path", "1,0,4", 2),
+            ("--path", "1,4,2", "--waypoints", 4), ("--path", "1,5,2", math.sqrt(2)),
+            ("--path", "0:0.2:0.4:0.4,4:0.4:0.4:0.2", 2 * math.sqrt(0.32)))
+
     @unittest.skipUnless(MESHES and os.path.isdir(MESHES), "CGAL's data set is not installed")
     def test_tufted_covers_of_closed_meshes_have_their_laplacian(self):
         # blobby-shuffled.off has faces that disagree

@@ -18,7 +18,9 @@
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/insert_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/certify_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/solve_with_fixed_values.h>
@@ -37,11 +39,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <set>
 #include <span>
@@ -272,18 +276,25 @@ TEST(Cover, keeps_harmonic_functions_in_the_range_of_what_is_given) {
   }
 }
 
-// Between any copies of two vertices, and from one copy of a vertex to another on the way. Errors
-// of sums of fewer than 100 lengths of doubles stay below 1e-12 of the sum; paths that pass from
-// one copy to another gain 1e-12 at least.
-TEST(Cover, has_shortest_paths_as_brute_force_tells) {
+// Those of all kinds, the triangles through the origin and two of the axes, and random ones.
+std::vector<std::pair<std::string, Mesh>> soups_of_short_cuts() {
   Mesh axes{{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
-  for (std::uint32_t i = 1; i < 7; i += 2) // the triangles through the origin
+  for (std::uint32_t i = 1; i < 7; i += 2)
     for (std::uint32_t j = i + 2; j < 7; j += 2)
       for (std::uint32_t k = 0; k < 4; ++k) axes.triangles.push_back({0, i + k % 2, j + k / 2});
   auto soups = soups_of_all_kinds();
   soups.emplace_back("axes", axes);
   for (unsigned seed = 0; seed < 4; ++seed)
-    soups.emplace_back("random " + std::to_string(seed), soups::random(7, 12, seed));
+    soups.emplace_back("random " + std::to_string(seed),
+                       soups::random_without_repetition(7, 12, seed));
+  return soups;
+}
+
+// Between any copies of two vertices, and from one copy of a vertex to another on the way. Errors
+// of sums of fewer than 100 lengths of doubles stay below 1e-12 of the sum; paths that pass from
+// one copy to another gain 1e-12 at least.
+TEST(Cover, has_shortest_paths_as_brute_force_tells) {
+  const auto soups = soups_of_short_cuts();
   for (const auto& [name, m] : soups) {
     SCOPED_TRACE(name);
     for (const Domain_kind kind : {Domain_kind::automatic, Domain_kind::tufted_cover}) {
@@ -312,6 +323,91 @@ TEST(Cover, has_shortest_paths_as_brute_force_tells) {
       IT::Geodesic_finder<Integer> find(t);
       EXPECT_NEAR(find(from, to).length, 1, 1e-12);
       EXPECT_NEAR(find(from, to, IT::parameters::shortest(false)).length, 1, 1e-12);
+    }
+  }
+}
+
+// Curves that stay at their vertices are as long as the shortest paths between these, wherever they
+// pass from one copy of a vertex to another; others are not longer.
+TEST(Cover, has_curves_through_any_copies_of_vertices) {
+  using Curve = IT::Curve_through_vertices<Integer>;
+  std::mt19937 random(7);
+  for (const auto& [name, m] : soups_of_short_cuts())
+    for (const Domain_kind kind : {Domain_kind::automatic, Domain_kind::tufted_cover})
+      for (int k = 0; k < 8; ++k) {
+        auto t = delaunay<Integer>(m, kind);
+        const straight_segments::Distances distance(t.input());
+        Curve curve{{}, k % 4 == 3, k % 2 == 1};
+        std::vector<std::uint32_t> rows;
+        for (const auto v : vertices(t.mesh()))
+          if (!is_isolated(t, v) && !std::count(rows.begin(), rows.end(), t.input_vertex(v)) &&
+              distance(rows.empty() ? t.input_vertex(v) : rows[0], t.input_vertex(v)) < 1e300)
+            rows.push_back(t.input_vertex(v));
+        std::shuffle(rows.begin(), rows.end(), random);
+        rows.resize(curve.is_loop ? 3 : 2 + random() % 3);
+        for (const std::uint32_t r : rows) {
+          const auto copies = IT::internal::copies_of_row(t, r);
+          curve.vertices.push_back(copies[random() % copies.size()]);
+        }
+        SCOPED_TRACE(name + " " + ::testing::PrintToString(rows));
+        double expected = 0;
+        for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < rows.size(); ++i)
+          expected += std::ldexp(distance(rows[i], rows[(i + 1) % rows.size()]),
+                                 -t.metric().scale_exponent());
+        IT::Curve_network<Integer> network(t);
+        const auto added = IT::add_geodesics(network, std::vector{curve});
+        ASSERT_EQ(added.status, IT::Status::done);
+        ASSERT_EQ(network.number_of_curves(), 1U);
+        EXPECT_NEAR(added.initial[0].length, expected, 1e-11 * expected);
+        if (curve.stays_at_vertices || rows.size() == 2)
+          EXPECT_NEAR(network.length(), expected, 1e-11 * expected);
+        else
+          EXPECT_LE(network.length(), expected * (1 + 1e-11));
+        EXPECT_TRUE(IT::certify_geodesic(network).is_geodesic());
+      }
+}
+
+// A point inside of a face is on both sides of it: as if the face had a vertex there.
+TEST(Cover, has_shortest_paths_between_points_of_faces_on_any_side) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(0.1, 1);
+  for (const auto& [name, m] : soups_of_short_cuts()) {
+    if (name == "random soup")
+      continue; // where faces coincide, the order around edges would change
+    for (int k = 0; k < 4; ++k) {
+      SCOPED_TRACE(name + " " + std::to_string(k));
+      auto t = delaunay<Integer>(m);
+      Mesh split = m; // with the points as vertices
+      std::vector<IT::Surface_point> points;
+      std::vector<std::uint32_t> f(m.triangles.size());
+      std::iota(f.begin(), f.end(), 0U);
+      std::shuffle(f.begin(), f.end(), random);
+      f.resize(2);
+      for (const std::uint32_t triangle : f) {
+        std::array<double, 3> w{uniform(random), uniform(random), uniform(random)};
+        const double sum = w[0] + w[1] + w[2];
+        for (double& x : w) x /= sum;
+        const IT::Surface_point p = IT::point_in_triangle(t, 2 * triangle + random() % 2, w);
+        points.push_back(p);
+        const auto v = static_cast<std::uint32_t>(split.points.size());
+        split.points.push_back(IT::point_in_space(t, p, m.points));
+        const auto corners = m.triangles[triangle];
+        split.triangles[triangle][2] = v;
+        split.triangles.push_back({corners[1], corners[2], v});
+        split.triangles.push_back({corners[2], corners[0], v});
+      }
+      const auto u = delaunay<Integer>(split);
+      const straight_segments::Distances distance(u.input());
+      const auto n = static_cast<std::uint32_t>(m.points.size());
+      const double d = std::ldexp(distance(n, n + 1), -u.metric().scale_exponent());
+      IT::Geodesic_finder<Integer> find(t);
+      const auto path = find(points);
+      ASSERT_EQ(path.status, d < 1e300 ? IT::Status::done : IT::Status::stalled);
+      // exact traits round a point by 2^-45 or so of its face
+      if (path.status == IT::Status::done) {
+        EXPECT_NEAR(path.length, d, 1e-11 * (1 + d));
+      }
+      EXPECT_EQ(t.number_of_vertices(), m.points.size()); // they are removed again
     }
   }
 }

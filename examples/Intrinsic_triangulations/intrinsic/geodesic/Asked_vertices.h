@@ -5,10 +5,10 @@
 #define INTRINSIC_GEODESIC_ASKED_VERTICES_H
 
 #include "../options.h"
+#include "Copies_of_curve.h"
 #include "asked_curves.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
@@ -38,17 +38,16 @@ public:
     std::vector<Vertices> copies; // of each point
     for (const Asked_point& p : curve.points) {
       copies.push_back(p.is_vertex ? IT::internal::copies_of_row(t_, p.element)
-                                   : Vertices{vertex_in_face(p, curve)});
+                                   : vertices_in_face(p, curve));
       for (const Vertex v : copies.back())
         if (halfedge(v, t_.mesh()).index == IT::Gluing::none)
           throw std::runtime_error(curve.source + ": " + name(v) +
                                    " is isolated: no face has it; choose another");
     }
+    if (t_.input().names().sheets > 1 && curve.kind != Curve_kind::source)
+      return Copies_of_curve<Triangulation>(t_, copies, curve.is_loop).chosen();
     Vertices result;
-    if (t_.input().names().sheets == 1)
-      for (const Vertices& v : copies) result.push_back(v.front());
-    else
-      choose_copies(copies, curve.is_loop, result);
+    for (const Vertices& v : copies) result.push_back(v.front());
     return result;
   }
 
@@ -60,29 +59,8 @@ public:
   }
 
 private:
-  // On a cover, the copy of each point that is nearest to the one before. A loop that comes to
-  // another copy of its start than it left goes around again.
-  void choose_copies(const std::vector<Vertices>& copies, bool is_loop, Vertices& result) const {
-    IT::Edge_path_finder<Triangulation> find(t_);
-    const auto next = [&](const Vertices& from, const Vertices& to) {
-      const auto way = find(from, to);
-      if (!way.empty())
-        return std::pair(source(way.front(), t_.mesh()), target(way.back(), t_.mesh()));
-      // the same point again, or none that edges lead to
-      const auto same = std::find(to.begin(), to.end(), from.front());
-      return std::pair(from.front(), same == to.end() ? to.front() : *same);
-    };
-    result = {copies.size() > 1 ? next(copies[0], copies[1]).first : copies[0].front()};
-    const std::size_t n = copies.size(), most = is_loop ? n * copies[0].size() : n;
-    for (std::size_t i = 1; i <= most; ++i) {
-      if (i == n && !is_loop) return;
-      const Vertex v = next({result.back()}, copies[i % n]).second;
-      if (i % n == 0 && (v == result.front() || i == most)) return;
-      result.push_back(v);
-    }
-  }
-
-  Vertex vertex_in_face(const Asked_point& p, const Asked_curve& curve) {
+  // On a cover, one on each sheet.
+  Vertices vertices_in_face(const Asked_point& p, const Asked_curve& curve) {
     const std::string face =
         curve.source + ": face " + std::to_string(p.element) + " of " + options_.input;
     std::uint32_t triangle = p.element;
@@ -97,10 +75,13 @@ private:
       triangle = static_cast<std::uint32_t>(begin - polygon.begin());
     }
     const std::uint32_t first = t_.input().halfedge_of_face(names.faces.here(triangle));
-    const auto v = IT::insert_point(t_, IT::Surface_point{first, p.weights});
-    if (v.status != IT::Move_status::done)
-      throw std::runtime_error(face + " has no room for a vertex at that point; choose another");
-    return v.vertex;
+    Vertices result;
+    for (const auto& v : IT::insert_point_on_sheets(t_, IT::Surface_point{first, p.weights})) {
+      if (v.status != IT::Move_status::done)
+        throw std::runtime_error(face + " has no room for a vertex at that point; choose another");
+      result.push_back(v.vertex);
+    }
+    return result;
   }
 
   Triangulation& t_;

@@ -162,7 +162,7 @@ private:
   void expect_different_neighbors(const Vertices& vertices, const Asked_curve& curve) const {
     const std::size_t n = vertices.size();
     for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < n; ++i)
-      if (vertices[i] == vertices[(i + 1) % n])
+      if (IT::internal::are_copies(t_, vertices[i], vertices[(i + 1) % n]))
         throw std::runtime_error(curve.source + ": " + points_.name(vertices[i]) +
                                  " follows itself; give it once");
   }
@@ -174,7 +174,10 @@ private:
     const std::size_t n = vertices.size();
     for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < n; ++i) {
       const Vertex from = vertices[i], to = vertices[(i + 1) % n];
-      const std::vector<Halfedge> piece = find(from, to);
+      std::vector<Halfedge> piece = find(from, to);
+      if (piece.empty()) // from another copy, and to one
+        piece =
+            find(IT::internal::copies_of_vertex(t_, from), IT::internal::copies_of_vertex(t_, to));
       if (piece.empty())
         throw std::runtime_error(curve.source + ": no path leads from " + points_.name(from) +
                                  " to " + points_.name(to) +

@@ -102,7 +102,7 @@ std::vector<Asked_curve> asked_points(const Options& options, std::size_t vertic
                                       std::size_t faces) {
   std::vector<Asked_curve> lists;
   for (const std::string& text : options.application.sources) {
-    lists.push_back({points_of(text), false, "--source " + text});
+    lists.push_back({points_of(text), false, "--source " + text, Curve_kind::source});
     expect_elements(lists.back(), options.input, vertices, faces);
   }
   for (const std::string& text : options.application.curves) {

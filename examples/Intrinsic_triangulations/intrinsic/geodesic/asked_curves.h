@@ -27,7 +27,7 @@ struct Asked_point {
 enum class Curve_kind {
   joined,         ///< a path or a loop leads through them
   control_points, ///< they are those of a Bezier curve
-  source          ///< geodesics lead from the first one to all vertices
+  source          ///< something leads from each one to all vertices
 };
 
 /// A path or a loop through points, or what else they stand for.

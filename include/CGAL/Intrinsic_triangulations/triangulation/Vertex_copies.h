@@ -13,6 +13,15 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// Whether two vertices are one point of the user's surface: the same, or copies on a cover.
+template <class Triangulation>
+bool are_copies(const Triangulation& t, typename Triangulation::vertex_descriptor v,
+                typename Triangulation::vertex_descriptor w) {
+  if constexpr (requires { t.input().names().row_of_vertex; })
+    if (!t.input().names().row_of_vertex.empty()) return t.input_vertex(v) == t.input_vertex(w);
+  return v == w;
+}
+
 // The vertices of the triangulation that are one vertex of the user: several on a cover.
 template <class Triangulation>
 std::vector<typename Triangulation::vertex_descriptor> copies_of_row(const Triangulation& t,

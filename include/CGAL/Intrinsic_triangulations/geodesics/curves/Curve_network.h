@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_order.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_segments.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
 #include <CGAL/Interval_nt.h>
@@ -72,7 +73,8 @@ public:
   \brief adds a path.
 
   Pieces that go out and come back the same way are left out, up to fixed vertices.
-  \param halfedges its halfedges, each from the target of the one before
+  \param halfedges its halfedges, each from the target of the one before, or on a cover from a copy
+    of it: such a joint is not free
   \return its number, which counts from 0
   \throws Invalid_input if the halfedges are not connected, there are none, or the path crosses a curve; nothing has been
   added then. A path may end on another curve, and cross it at a fixed vertex.
@@ -250,7 +252,7 @@ private:
     for (std::size_t i = 0; i < way.size(); ++i) {
       if (i + 1 == way.size() && !is_loop) return;
       const halfedge_descriptor next = way[(i + 1) % way.size()];
-      if (target(way[i], t_->mesh()) != source(next, t_->mesh()))
+      if (!internal::are_copies(*t_, target(way[i], t_->mesh()), source(next, t_->mesh())))
         throw Invalid_input(Element_kind::edge, t_->index(edge(next, t_->mesh())),
                             "halfedge " + std::to_string(i) +
                                 " of a curve does not lead to the source of the one after it");

@@ -5,8 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_INSERT_POINT_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/covers/Sheet_copies.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
@@ -17,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -54,6 +57,25 @@ std::array<double, 3> without_rounding(const Complex& complex, const Surface_poi
   return weights;
 }
 
+// Finds the vertex at a point of the input, or inserts one by a function of a halfedge and weights.
+template <class Triangulation, class Insert>
+Vertex_at_point<Triangulation> insert_point_by(Triangulation& t, const Surface_point& p,
+                                               const Insert& insert) {
+  const std::optional<Surface_point> q = locate_on_intrinsic(t, p);
+  if (!q) return {Move_status::not_traceable};
+  const std::array<double, 3> weights = without_rounding(Intrinsic_view<Triangulation>(t), *q);
+  typename Triangulation::halfedge_descriptor h = t.numbers().halfedge_at(q->halfedge);
+  for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
+    if (weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};
+  auto inserted = insert(h, weights);
+  // a point that is rounded off its edge may be beyond a vertex close by
+  for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
+    if (inserted.status != Move_status::done && weights[(k + 2) % 3] == 0)
+      inserted = insert(opposite(h, t.mesh()), {1 - weights[k], weights[k], 0});
+  if (inserted.status != Move_status::done) inserted = insert(h, q->weights);
+  return {inserted.status, inserted.vertex, inserted.status == Move_status::done};
+}
+
 } // namespace internal
 
 /*!
@@ -68,20 +90,42 @@ A vertex or an edge at the point up to rounding has it. With exact traits the ne
 */
 template <RefinableTriangulation Triangulation>
 Vertex_at_point<Triangulation> insert_point(Triangulation& t, const Surface_point& p) {
-  const std::optional<Surface_point> q = locate_on_intrinsic(t, p);
-  if (!q) return {Move_status::not_traceable};
-  const std::array<double, 3> weights =
-      internal::without_rounding(Intrinsic_view<Triangulation>(t), *q);
-  typename Triangulation::halfedge_descriptor h = t.numbers().halfedge_at(q->halfedge);
-  for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
-    if (weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};
-  auto inserted = t.insert_vertex(h, weights);
-  // a point that is rounded off its edge may be beyond a vertex close by
-  for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
-    if (inserted.status != Move_status::done && weights[(k + 2) % 3] == 0)
-      inserted = t.split_edge(opposite(h, t.mesh()), weights[k]);
-  if (inserted.status != Move_status::done) inserted = t.insert_vertex(h, q->weights);
-  return {inserted.status, inserted.vertex, inserted.status == Move_status::done};
+  return internal::insert_point_by(t, p, [&](auto h, const std::array<double, 3>& weights) {
+    return t.insert_vertex(h, weights);
+  });
+}
+
+/*!
+\brief finds the vertices at a point of the user's faces, and inserts those that are missing: on a
+cover, one on each sheet.
+
+The first is that of `insert_point()`; a point at a vertex of the user has this one only. The others
+are exactly at the same point, and have the same row in matrices, if the correspondence knows places
+on the input (see `Intrinsic_triangulation::places()`).
+\tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
+\param t the triangulation
+\param p the point on one of the sheets
+\complexity that of `insert_point()` for each; on a cover, linear in the size of the input
+*/
+template <RefinableTriangulation Triangulation>
+std::vector<Vertex_at_point<Triangulation>> insert_point_on_sheets(Triangulation& t,
+                                                                   const Surface_point& p) {
+  std::vector<Vertex_at_point<Triangulation>> result{insert_point(t, p)};
+  const Vertex_at_point<Triangulation> first = result.front();
+  if (t.input().names().sheets == 1 || first.status != Move_status::done ||
+      !t.is_inserted(first.vertex))
+    return result;
+  Surface_point place = p;
+  if constexpr (internal::Knows_places<Triangulation>)
+    if (t.places() != nullptr) place = t.places()->location(t.index(first.vertex));
+  const internal::Sheets sheets(t.input());
+  if (!sheets.is_cover()) return result;
+  for (const Surface_point& other : sheets.others(place))
+    result.push_back(
+        internal::insert_point_by(t, other, [&](auto h, const std::array<double, 3>& weights) {
+          return typename Triangulation::Session(t).insert_copy(h, weights, other);
+        }));
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

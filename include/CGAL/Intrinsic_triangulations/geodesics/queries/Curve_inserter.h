@@ -157,15 +157,16 @@ public:
 
   // Inserts a geodesic from one vertex to another, at the end of the last path.
   Move_status insert(const Traced_curve& curve, Vertex from, Vertex to) {
+    const Laid_out_line line(t_.correspondence().input(), curve);
     const std::size_t n = curve.points.size();
     if (n < 2) return from == to ? Move_status::done : Move_status::not_traceable;
     for (std::size_t first = 0, last = 1; first + 1 < n; first = last++) {
       while (last + 1 < n && !is_vertex(curve.points[last])) ++last;
-      Vertex end = to;
-      if (last + 1 < n) end = vertex_at(curve.points[last]);
-      const Move_status s = insert(curve, first, last, from, end);
+      // on a cover, a part may begin at another copy of the vertex where the one before ends
+      const Surface_point begin = line.point(first, first), end = line.point(last, last - 1);
+      const Move_status s = insert(line, first, last, is_vertex(begin) ? vertex_at(begin) : from,
+                                   is_vertex(end) ? vertex_at(end) : to);
       if (s != Move_status::done) return s;
-      from = end;
     }
     return Move_status::done;
   }
@@ -183,9 +184,8 @@ private:
   }
 
   // a straight part
-  Move_status insert(const Traced_curve& curve, std::size_t first, std::size_t last, Vertex from,
+  Move_status insert(const Laid_out_line& line, std::size_t first, std::size_t last, Vertex from,
                      Vertex to) {
-    const Laid_out_line line(t_.correspondence().input(), curve);
     const double length = line.length(first, last);
     if (!(length > 0)) return from == to ? Move_status::done : Move_status::not_traceable;
     const auto d = direction_at_vertex(t_, t_.index(from),

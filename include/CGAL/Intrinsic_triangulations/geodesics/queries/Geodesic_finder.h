@@ -101,7 +101,8 @@ public:
   /*!
   \brief finds shortest paths from each of several points to the next one, as one path. Vertices are
   inserted for them, and removed again.
-  \param points points of the input, two at least; `surface_point()` finds those of the user's mesh
+  \param points points of the input, two at least; `surface_point()` finds those of the user's
+  mesh. On a cover, they are on all sheets
   \param np see above
   \return see above; `stalled`, too, if a vertex cannot be inserted
   */
@@ -110,17 +111,17 @@ public:
                            const NP& np = parameters::default_values()) requires
       RefinableTriangulation<Triangulation> {
     std::vector<vertex_descriptor> vertices, inserted;
-    for (const Surface_point& p : points) {
-      const Vertex_at_point<Triangulation> v = insert_point(t_, p);
-      if (v.status != Move_status::done) break;
-      vertices.push_back(v.vertex);
-      if (v.is_new) inserted.push_back(v.vertex);
-    }
     Geodesic_path result;
-    if (vertices.size() == points.size())
-      result = (*this)(vertices, np);
-    else
-      result.status = Status::stalled;
+    for (const Surface_point& p : points) {
+      const auto copies = insert_point_on_sheets(t_, p);
+      vertices.push_back(copies.front().vertex);
+      for (const Vertex_at_point<Triangulation>& v : copies)
+        if (v.status != Move_status::done)
+          result.status = Status::stalled;
+        else if (v.is_new)
+          inserted.push_back(v.vertex);
+    }
+    if (result.status == Status::done) result = (*this)(vertices, np);
     for (; !inserted.empty(); inserted.pop_back()) t_.remove_vertex(inserted.back());
     return result;
   }
@@ -138,11 +139,10 @@ private:
       path.status = way.status;
       return;
     }
-    internal::add_connected_paths(network_, way.halfedges);
+    network_.add_path(way.halfedges);
     path.initial_length += way.length;
     r += internal::shorten_curves(network_, &log, np);
-    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c)
-      for (const halfedge_descriptor h : network_.halfedges(c)) internal::append_edge(t_, h, path);
+    for (const halfedge_descriptor h : network_.halfedges(0)) internal::append_edge(t_, h, path);
     network_.clear();
     typename Triangulation::Session session(t_);
     log.undo(session);

@@ -8,13 +8,15 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/Curve_inserter.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/starting_path.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <utility>
 #include <vector>
@@ -37,12 +39,16 @@ class Lone_curve_finder {
 public:
   explicit Lone_curve_finder(Triangulation& t) : t_(t), find_(t), network_(t) {}
 
-  // A shortest path; where the search for that gives up, another geodesic.
+  // A shortest path between any copies of two vertices, which become the ends of the side; where
+  // the search for that gives up, another geodesic.
   Status find(Vertex from, Vertex to, Side& side, Shortening_result& counts) {
-    Geodesic_path path = find_(from, to);
-    counts += path.shortening;
-    const Status status = path.status == Status::inaccurate ? Status::done : path.status;
-    side = {from, to, std::move(path)};
+    side = {from, to, {}};
+    if (are_copies(t_, from, to)) return Status::done;
+    Flip_log<Triangulation> log;
+    const auto way = starting_path(t_, from, to, find_, &log, counts, parameters::default_values());
+    Status status = way.status;
+    if (!way.halfedges.empty()) status = shorten(way.halfedges, false, log, side, counts);
+    take_back(log);
     return status;
   }
 
@@ -57,13 +63,17 @@ public:
     Side result{sides.front().from, sides.back().to, {}};
     if (insert(sides, inserter)) status = shorten(inserter.path(), is_loop, log, result, counts);
     joined = std::move(result);
-    network_.clear();
-    typename Triangulation::Session session(t_);
-    log.undo(session);
+    take_back(log);
     return status;
   }
 
 private:
+  void take_back(Flip_log<Triangulation>& log) {
+    network_.clear();
+    typename Triangulation::Session session(t_);
+    log.undo(session);
+  }
+
   static bool insert(const std::vector<Side>& sides,
                      Curve_inserter<Triangulation, false>& inserter) {
     for (const Side& s : sides)
@@ -81,14 +91,15 @@ private:
     }
     const Shortening_result r = shorten_curves(network_, log);
     counts += r;
+    const auto halfedges = network_.halfedges(0);
     joined.from = network_.start(0);
-    joined.way = trace_curve(t_, network_.halfedges(0));
-    if (is_loop) joined.to = joined.from;
+    joined.to = halfedges.empty() ? joined.from : target(halfedges.back(), t_.mesh());
+    joined.way = trace_curve(t_, halfedges);
     return r.status != Status::done ? r.status : joined.way.status;
   }
 
   Triangulation& t_;
-  Geodesic_finder<Triangulation> find_;
+  Edge_path_finder<Triangulation> find_;
   Curve_network<Triangulation> network_;
 };
 

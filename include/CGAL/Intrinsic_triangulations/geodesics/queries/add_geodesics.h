@@ -28,7 +28,8 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <class Triangulation>
 struct Curve_through_vertices {
-  /// The vertices, two at least; none follows itself.
+  /// The vertices, two at least; none follows itself. On a cover, a side is a shortest path between
+  /// any copies of its ends; where the next one starts from another copy, the curve cannot move.
   std::vector<typename Triangulation::vertex_descriptor> vertices;
   /// Whether it goes on from the last vertex to the first one.
   bool is_loop = false;
@@ -101,8 +102,8 @@ private:
     const std::size_t n = c.vertices.size();
     for (std::size_t i = 0; i + (c.is_loop ? 0 : 1) < n; ++i) {
       Curve_side<Triangulation> side;
-      result_.status =
-          finder_.find(c.vertices[i], c.vertices[(i + 1) % n], side, result_.shortening);
+      result_.status = finder_.find(i == 0 ? c.vertices[0] : sides.back().to,
+                                    c.vertices[(i + 1) % n], side, result_.shortening);
       if (result_.status != Status::done) return false;
       append(side.way, initial);
       sides.push_back(std::move(side));
@@ -138,7 +139,8 @@ private:
 
   void add(const Curve& c, std::size_t i) {
     if (c.stays_at_vertices)
-      for (const Vertex v : c.vertices) network_.fix(v);
+      for (const Curve_side<Triangulation>& s : found_[i])
+        for (const Vertex v : {s.from, s.to}) network_.fix(v);
     auto way = inserter_.path(i);
     if (way.empty()) way = there_and_back(found_[i].front().from);
     const auto crossings = add_crossing_curve(network_, way, c.is_loop);

@@ -64,12 +64,9 @@ Inserted_geodesic<Triangulation> insert_geodesic(Triangulation& t,
   const auto way = internal::starting_path(t, from, to, find, no_log, result, np);
   if (way.halfedges.empty()) return {way.status, {}};
   Curve_network<Triangulation> network(t);
-  internal::add_connected_paths(network, way.halfedges);
+  network.add_path(way.halfedges);
   const Status status = internal::shorten_curves(network, no_log, np).status;
-  Inserted_geodesic<Triangulation> inserted{status == Status::done ? way.status : status, {}};
-  for (std::uint32_t c = 0; c < network.number_of_curves(); ++c)
-    for (const auto h : network.halfedges(c)) inserted.halfedges.push_back(h);
-  return inserted;
+  return {status == Status::done ? way.status : status, network.halfedges(0)};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
@@ -21,7 +20,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -60,7 +58,9 @@ std::vector<Straight_piece<Triangulation>> straight_pieces(const Triangulation& 
     const Halfedge h = t.numbers().halfedge_at(p.halfedge);
     if (p.weights[0] != 1) {
       result.back().crossed.push_back(opposite(h, mesh));
-    } else if (result.back().crossed.empty()) { // both sides of a face may lead there
+    } else if (result.back().crossed.empty() &&
+               !are_copies(t, source(start, mesh), source(h, mesh))) {
+      // both sides of a face may lead there
       const Halfedge other = opposite(next(next(start, mesh), mesh), mesh);
       const bool is_first = target(start, mesh) == source(h, mesh);
       const bool is_other = target(other, mesh) == source(h, mesh);
@@ -87,15 +87,6 @@ bool are_disjoint(const Triangulation& t,
   return std::adjacent_find(entered.begin(), entered.end()) == entered.end();
 }
 
-// Whether two vertices are one point of the user's surface: the same, or copies on a cover.
-template <class Triangulation>
-bool are_copies(const Triangulation& t, typename Triangulation::vertex_descriptor v,
-                typename Triangulation::vertex_descriptor w) {
-  if constexpr (requires { t.input().names().row_of_vertex; })
-    if (!t.input().names().row_of_vertex.empty()) return t.input_vertex(v) == t.input_vertex(w);
-  return v == w;
-}
-
 // Whether halfedges follow each other from one vertex to another, or to copies of them.
 template <class Triangulation>
 bool leads(const Triangulation& t, typename Triangulation::vertex_descriptor from,
@@ -106,20 +97,6 @@ bool leads(const Triangulation& t, typename Triangulation::vertex_descriptor fro
     from = target(h, t.mesh());
   }
   return are_copies(t, from, to);
-}
-
-// Adds halfedges to a network: a path, or several where they pass from one copy of a vertex to
-// another.
-template <class Triangulation>
-void add_connected_paths(Curve_network<Triangulation>& network,
-                         const std::vector<typename Triangulation::halfedge_descriptor>& way) {
-  const auto& mesh = network.triangulation().mesh();
-  for (auto first = way.begin(); first != way.end();) {
-    auto last = std::next(first);
-    while (last != way.end() && source(*last, mesh) == target(*std::prev(last), mesh)) ++last;
-    network.add_path(std::vector(first, last));
-    first = last;
-  }
 }
 
 // Flips edges until a shortest path between two vertices is one of edges, up to rounding: where it

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_GEODESIC_COPIES_OF_CURVE_H
+#define INTRINSIC_GEODESIC_COPIES_OF_CURVE_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+/*!
+\brief chooses copies of the points of a curve on a cover: so that the shortest paths from each to the next are as short
+as can be, and among these change from one copy of a vertex to another as rarely as can be.
+*/
+template <class Triangulation>
+class Copies_of_curve {
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Vertices = std::vector<Vertex>;
+
+public:
+  /// finds shortest paths between all copies of points that follow each other. \param copies those of each point
+  Copies_of_curve(const Triangulation& t, const std::vector<Vertices>& copies, bool is_loop)
+      : t_(t), copies_(copies), is_loop_(is_loop) {
+    const std::size_t n = copies.size();
+    for (std::size_t i = 0; i + (is_loop ? 0 : 1) < n; ++i) {
+      legs_.emplace_back();
+      for (const Vertex v : copies[i]) legs_.back().push_back(ways(v, copies[(i + 1) % n]));
+    }
+  }
+
+  /// returns the copies. A loop that comes to another copy of its start than it left goes around again.
+  Vertices chosen() const {
+    if (is_loop_) return chosen_loop();
+    Layers layers{std::vector<Cost>(copies_[0].size(), Cost{0, 0, 0})};
+    for (const Legs& legs : legs_) layers.push_back(next_layer(layers.back(), legs));
+    const std::vector<Cost>& last = layers.back();
+    return along(layers, static_cast<std::size_t>(
+                             std::min_element(last.begin(), last.end(), is_less) - last.begin()));
+  }
+
+private:
+  // what it costs to come to a copy, and from which copy of the point before
+  struct Cost {
+    double length = std::numeric_limits<double>::infinity();
+    std::size_t passages = 0, before = 0;
+  };
+  using Legs = std::vector<std::vector<Cost>>; // from each copy of a point to each of the next one
+  using Layers = std::vector<std::vector<Cost>>;
+
+  static bool is_less(const Cost& a, const Cost& b) {
+    constexpr double rounding = 1e-11;
+    if (a.length < b.length * (1 - rounding)) return true;
+    return a.length * (1 - rounding) <= b.length && a.passages < b.passages;
+  }
+
+  std::vector<Cost> ways(Vertex from, const Vertices& to) const {
+    const IT::Polyhedral_distance<Triangulation> distance(t_, from, IT::parameters::targets(to));
+    std::vector<Cost> result;
+    for (const Vertex v : to)
+      result.push_back({distance.distance(v), passages(distance.shortest_path(v).points), 0});
+    return result;
+  }
+
+  std::size_t passages(const std::vector<IT::Surface_point>& points) const {
+    const auto vertex = [&](const IT::Surface_point& p) {
+      return source(t_.numbers().halfedge_at(p.halfedge), t_.mesh());
+    };
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      if (points[i].weights[0] == 1 && points[i + 1].weights[0] == 1 &&
+          vertex(points[i]) != vertex(points[i + 1]) &&
+          IT::internal::are_copies(t_, vertex(points[i]), vertex(points[i + 1])))
+        ++count;
+    return count;
+  }
+
+  static std::vector<Cost> next_layer(const std::vector<Cost>& layer, const Legs& legs) {
+    std::vector<Cost> result(legs.front().size());
+    for (std::size_t k = 0; k < layer.size(); ++k)
+      for (std::size_t j = 0; j < result.size(); ++j)
+        if (const Cost c{layer[k].length + legs[k][j].length,
+                         layer[k].passages + legs[k][j].passages, k};
+            is_less(c, result[j]))
+          result[j] = c;
+    return result;
+  }
+
+  // the copies of all points up to one in the last layer
+  Vertices along(const Layers& layers, std::size_t last) const {
+    Vertices result(layers.size());
+    for (std::size_t i = layers.size(); i-- > 0; last = layers[i].at(last).before)
+      result[i] = copies_[i % copies_.size()][last];
+    return result;
+  }
+
+  Vertices chosen_loop() const {
+    const std::size_t starts = copies_[0].size();
+    Vertices best;
+    Cost least;
+    least.passages = std::numeric_limits<std::size_t>::max();
+    for (std::size_t start = 0; start < starts; ++start) {
+      Layers layers{std::vector<Cost>(starts)};
+      layers[0][start].length = 0;
+      for (std::size_t round = 0; round < starts; ++round) {
+        for (const Legs& legs : legs_) layers.push_back(next_layer(layers.back(), legs));
+        const Cost& c = layers.back()[start];
+        const bool is_found = std::isfinite(c.length);
+        if (best.empty() || (is_found && (c.passages < least.passages ||
+                                          (c.passages == least.passages && is_less(c, least))))) {
+          if (is_found) least = c;
+          best = along(layers, start);
+          best.pop_back();
+        }
+        if (is_found && c.passages == 0) break;
+      }
+    }
+    return best;
+  }
+
+  const Triangulation& t_;
+  const std::vector<Vertices>& copies_;
+  bool is_loop_;
+  std::vector<Legs> legs_;
+};
+
+} // namespace program
+
+#endif // INTRINSIC_GEODESIC_COPIES_OF_CURVE_H
