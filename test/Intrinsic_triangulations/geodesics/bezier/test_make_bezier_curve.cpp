@@ -39,14 +39,16 @@ using planar_bezier::vertex_at;
 // Lengths up to 20 are told to 1e-12 of them, and so are midpoints.
 constexpr double midpoint_error = 2e-11;
 
-Exact::vertex_descriptor vertex_of_input(const Exact& t, std::uint32_t i) {
+template <class T>
+typename T::vertex_descriptor vertex_of_input(const T& t, std::uint32_t i) {
   for (const auto v : vertices(t.mesh()))
     if (t.input_vertex(v) == i) return v;
   throw i;
 }
 
-Curve curve_of(Exact& t, const std::vector<std::uint32_t>& control, unsigned rounds) {
-  std::vector<Exact::vertex_descriptor> v;
+template <class T>
+IT::Bezier_curve<T> curve_of(T& t, const std::vector<std::uint32_t>& control, unsigned rounds) {
+  std::vector<typename T::vertex_descriptor> v;
   for (const std::uint32_t i : control) v.push_back(vertex_of_input(t, i));
   return IT::make_bezier_curve(t, v, IT::parameters::maximum_rounds(rounds));
 }
@@ -139,6 +141,44 @@ TEST(Make_bezier_curve, is_the_planar_curve_on_every_triangulation_of_a_square) 
     }
   }
   EXPECT_GT(crossings, 0U);
+}
+
+// Length of the control polygon of a planar curve after rounds of halving its parameter.
+double length_after(const std::vector<Point>& b, unsigned rounds) {
+  double length = 0;
+  if (rounds == 0) {
+    for (std::size_t i = 0; i + 1 < b.size(); ++i) length += distance(b[i], b[i + 1]);
+    return length;
+  }
+  std::vector<Point> left, right;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    left.push_back(planar({b.begin(), b.begin() + static_cast<std::ptrdiff_t>(i) + 1}, 0.5));
+    right.push_back(planar({b.begin() + static_cast<std::ptrdiff_t>(i), b.end()}, 0.5));
+  }
+  return length_after(left, rounds - 1) + length_after(right, rounds - 1);
+}
+
+// Many vertices are on one line: at a joint there, rounding makes both angles less than pi.
+TEST(Make_bezier_curve, is_the_planar_curve_in_doubles_where_vertices_are_collinear) {
+  using Rounded = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
+                                              IT::Integer_coordinates>;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const meshes::Mesh square = planar_bezier::random_square(10 + seed, random);
+    std::vector<std::uint32_t> control(square.points.size());
+    std::iota(control.begin(), control.end(), 0U);
+    std::shuffle(control.begin(), control.end(), random);
+    control.resize(3 + seed % 4);
+    std::vector<Point> points;
+    for (const std::uint32_t i : control) points.push_back(square.points[i]);
+    const meshes::Mesh m = meshes::subdivided(square);
+    Rounded t(m.input());
+    const auto c = curve_of(t, control, seed % 6);
+    ASSERT_EQ(c.status, IT::Status::done);
+    // the bound of the points in the test above, for a length below 10
+    EXPECT_NEAR(c.length, length_after(points, c.rounds), 1e-9);
+  }
 }
 
 // de Casteljau's algorithm on great circles of the unit sphere

@@ -216,7 +216,15 @@ private:
     const bool is_turn = side.is_turn(t_, segments_);
     if (!is_turn && !flip_out(side.in, side.out)) return;
     const std::vector<Halfedge> way = is_turn ? std::vector<Halfedge>() : arc(side.in, side.out);
-    replace(side, way);
+    if (is_turn || is_shorter(way, length(side.in) + length(side.out))) replace(side, way);
+  }
+  // With inexact traits an angle near pi may be below it on both sides of a joint, and flips that
+  // open it may be refused: the joint is straight up to rounding if nothing is gained there.
+  bool is_shorter(const std::vector<Halfedge>& way, double before) const {
+    if (Triangulation::Metric::is_exact) return true;
+    double after = 0;
+    for (const Halfedge h : way) after += length(h);
+    return after < before;
   }
 
   void shorten_loop(const Side& side) {
@@ -232,7 +240,7 @@ private:
       const std::vector<Halfedge> beyond = arc(opposite(first, mesh), last);
       if (session_.compare_angle_to_pi(opposite(beyond.front(), mesh),
                                        opposite(beyond.back(), mesh)) != SMALLER) {
-        replace(side, beyond);
+        if (is_shorter(beyond, length(side.in))) replace(side, beyond);
         return;
       }
       if (!flip_first(first)) return;

@@ -87,7 +87,8 @@ end each free joint has an angle of at least pi on both sides, except on sides w
 pi is straight. A loop that can be shrunk to a vertex ends there: `Curve_network::is_point()`.
 
 With exact traits it ends by proof, loops of one edge included: the length of all curves decreases in every step, and there are
-finitely many geodesic edges below a length. With inexact ones caps on the numbers of flips and of shortenings make it end.
+finitely many geodesic edges below a length. With inexact ones a joint where nothing is gained counts as straight, whatever rounding
+makes of its angles, and caps on the numbers of flips and of shortenings make it end.
 
 \tparam Triangulation a model of `GeodesicTriangulation`
 \tparam NP a chain of named parameters
