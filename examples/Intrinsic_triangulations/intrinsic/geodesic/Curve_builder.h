@@ -122,9 +122,11 @@ private:
     named(asked.source, [&] {
       const auto curve = IT::make_bezier_curve(t_, control_points);
       if (curve.status != IT::Status::done)
-        throw std::runtime_error(asked.source +
-                                 ": no geodesics join the control points, or no vertex can be "
-                                 "inserted in the middle of one; choose other points");
+        throw std::runtime_error(
+            asked.source +
+            ": no geodesics join the control points, or no vertex can be "
+            "inserted in the middle of one; choose other points" +
+            (Triangulation::Metric::is_exact ? "" : ", or --arithmetic exact"));
       for (const Vertices& fixed : {curve.control_points, curve.crossings})
         for (const Vertex v : fixed) network_.fix(v);
       network_.add_path(curve.halfedges);
