@@ -54,6 +54,8 @@ The C++20 concept asks for what flips and Laplacians need; \ref ::RefinableMetri
 - Areas and squared lengths are not negative.
 - The quadruple area of a face belongs to the squared lengths of its sides, up to the accuracy of `FT`.
 - If `is_exact`, predicates decide on the exact values, and `compute_flip()` never refuses.
+- Where `is_locally_delaunay()` is false and a flip is stored, it is true for the flipped edge:
+  else its test would fail after flips that are done.
 
 \cgalHeading{Complexity}
 

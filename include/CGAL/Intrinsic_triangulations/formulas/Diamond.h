@@ -155,7 +155,7 @@ template <class FT>
 Flipped_values<FT> flipped(const Diamond_values<FT>& d) {
   const FT p_k = d.ij + d.ki - d.jk;
   const FT p_m = d.ij + d.im - d.mj;
-  const FT x = p_k - p_m;
+  const FT x = (d.ki - d.jk) + (d.mj - d.im); // p_k - p_m, rounded alike from either side
   const FT y = d.area_f + d.area_g;
   const FT twice = d.ij + d.ij;
   const FT quarter = FT(1) / (twice + twice);

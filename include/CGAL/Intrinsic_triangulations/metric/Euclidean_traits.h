@@ -73,7 +73,7 @@ public:
       : scale_exponent_(scale_exponent), squared_length_(std::move(squared_lengths)),
         quadruple_area_(std::move(quadruple_areas)) {}
 
-  /// tells whether the angles opposite the edge sum to at most pi.
+  /// tells whether the angles opposite the edge sum to at most pi, or rounding hides it.
   BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
     ++statistics_.checks;
     const FT& ij = squared_length_[d.ij];
@@ -82,13 +82,26 @@ public:
     // both angles at most a right one: areas do not matter
     if (q_f >= FT(0) && q_g >= FT(0)) return true;
     const FT value = q_f * quadruple_area_[d.g] + q_g * quadruple_area_[d.f];
-    return !(value < FT(0));
+    return !(value < FT(0)) || is_tie_of_rounding(d);
   }
 
   /// returns the sign of an expression in the values of a diamond.
   template <class Expression>
   Sign sign(const Diamond& d, const Expression& expression) const {
     return CGAL::sign(expression(values(d)));
+  }
+
+  /*!
+  \brief returns the sign of `Delaunay_expression`, zero where rounding hides it.
+
+  A flip changes the sign: the value after it is minus the value before. If stored values make
+  both negative, they do not know the sign, and neither edge counts as one that is not Delaunay.
+  So every edge that a flip makes passes the test, whatever the errors of stored values are, and no
+  bound on them is needed.
+  */
+  Sign sign(const Diamond& d, const Delaunay_expression& expression) const {
+    const Sign s = CGAL::sign(expression(values(d)));
+    return s == NEGATIVE && is_tie_of_rounding(d) ? ZERO : s;
   }
 
   /*!
@@ -295,6 +308,16 @@ protected:
   }
 
 private:
+  // Whether an edge that seems not to be Delaunay would seem so after a flip, too. Inlined by
+  // force: a flip that follows computes the same values.
+  BOOST_FORCEINLINE bool is_tie_of_rounding(const Diamond& d) const {
+    if constexpr (is_exact) return false;
+    const Diamond_values<FT> v = values(d);
+    const Flipped n = flipped(v);
+    const Diamond_values<FT> after{n.km, v.mj, v.jk, v.ki, v.im, n.area_f, n.area_g};
+    return certainly(Delaunay_expression()(after) < FT(0));
+  }
+
   static bool is_length(const FT& squared) {
     if constexpr (std::numeric_limits<FT>::has_infinity)
       if (!(squared < std::numeric_limits<FT>::infinity())) return false;

@@ -3,19 +3,24 @@
 
 #include "meshes.h"
 #include "properties.h"
+#include "soups.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -98,6 +103,76 @@ TEST(Is_delaunay, a_lone_triangle_is) {
   Exact t(meshes::Mesh{{{0, 0, 0}, {9, 0, 0}, {8, 1, 0}}, {{0, 1, 2}}}.input());
   EXPECT_TRUE(IT::is_delaunay(t));
   EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
+}
+
+// ---- doubles: edges within rounding
+
+using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
+
+// A sheared grid, turned about an axis: nearly all edges of its Delaunay triangulation are ties, up
+// to rounding.
+meshes::Mesh turned_grid(std::mt19937& random) {
+  std::uniform_int_distribution<std::uint32_t> size(3, 12);
+  std::uniform_real_distribution<double> real(-1, 1);
+  meshes::Mesh m = meshes::sheared_grid(size(random), size(random), 4 * real(random));
+  const double angle = std::numbers::pi * real(random), tilt = std::numbers::pi * real(random);
+  for (meshes::Point& p : m.points) {
+    const double x = std::cos(angle) * p[0] - std::sin(angle) * p[1],
+                 y = std::sin(angle) * p[0] + std::cos(angle) * p[1];
+    p = {x, std::cos(tilt) * y, std::sin(tilt) * y};
+  }
+  return m;
+}
+
+void expect_agreement(Double t) {
+  const auto r = IT::flip_to_delaunay(t);
+  EXPECT_EQ(r.status, IT::Status::done);
+  EXPECT_EQ(r.refused_flips, 0U);
+  EXPECT_TRUE(IT::is_delaunay(t));
+  EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
+  EXPECT_EQ(IT::flip_to_delaunay(t).flips, 0U);
+}
+
+TEST(Is_delaunay,
+     in_doubles_agrees_with_flips_that_are_done_however_many_edges_are_within_rounding) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const meshes::Mesh m = turned_grid(random);
+    expect_agreement(Double(m.input()));
+    for (const meshes::Mesh& soup : {m, soups::random(12, 30, seed)})
+      expect_agreement(
+          Double(IT::make_domain(soups::soup(soup), IT::Domain_kind::tufted_cover).input));
+  }
+}
+
+// The sine of what the angles opposite an edge exceed pi by, from points in the plane.
+double sine_of_excess(const meshes::Mesh& m, const Double& t, Double::halfedge_descriptor h) {
+  const auto angle = [&](auto side) {
+    const auto at = [&](auto g) { return m.points[t.index(source(g, t.mesh()))]; };
+    const auto i = at(side), j = at(next(side, t.mesh())),
+               k = at(next(next(side, t.mesh()), t.mesh()));
+    const double ax = i[0] - k[0], ay = i[1] - k[1], bx = j[0] - k[0], by = j[1] - k[1];
+    return std::atan2(std::abs(ax * by - ay * bx), ax * bx + ay * by);
+  };
+  return -std::sin(angle(h) + angle(opposite(h, t.mesh())));
+}
+
+// Lengths and areas of these faces, the thinnest of which are some 1e-3 times as high as long, are
+// right to about 1e-13 of themselves: sines of sums of angles are right to 1e-9. Points of integer
+// coordinates make ties or sines above that.
+TEST(Is_delaunay, in_doubles_takes_no_edge_for_a_tie_that_is_none) {
+  for (unsigned seed = 1; seed <= 60; ++seed)
+    for (const unsigned size : {6U, 100U}) {
+      const meshes::Mesh m = meshes::random_planar(40, size, seed);
+      IT::Intrinsic_input input = m.input();
+      input.may_renumber = false;
+      Double t(std::move(input));
+      IT::flip_to_delaunay(t);
+      EXPECT_TRUE(IT::is_delaunay(t)) << seed << ' ' << size;
+      for (const auto h : properties::flippable_by_connectivity(t))
+        EXPECT_LE(sine_of_excess(m, t, h), 1e-9) << seed << ' ' << size;
+    }
 }
 
 } // namespace

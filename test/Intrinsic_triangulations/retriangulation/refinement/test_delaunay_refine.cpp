@@ -372,8 +372,11 @@ std::multimap<std::set<std::uint32_t>, double> chains(const T& t, const Constrai
   return result;
 }
 
+// Constraints keep slivers as they are, and doubles lose a factor of r^4 of their digits to slivers
+// of ratio r: 40^4 here. Of columns whose edges are all constrained none with up to 53 sides is
+// spoilt by that, a quarter of those with up to 75, most with 100: `inaccurate`.
 TEST(Delaunay_refine_constraints, Among_slivers_refinement_ends_and_keeps_every_edge) {
-  for (const std::uint32_t sides : {40U, 90U})
+  for (const std::uint32_t sides : {40U, 50U})
     for (const double angle : {25., 30.})
       for (const std::size_t n : {std::size_t{7}, std::size_t{41}, std::size_t{3} * sides}) {
         SCOPED_TRACE(testing::Message()
@@ -393,7 +396,6 @@ TEST(Delaunay_refine_constraints, Among_slivers_refinement_ends_and_keeps_every_
         ASSERT_EQ(after.size(), before.size());
         for (auto b = before.begin(), a = after.begin(); b != before.end(); ++a, ++b) {
           EXPECT_EQ(a->first, b->first);
-          // slivers of ratio r: their splits lose a factor of r^4, here at most 72^4, of u
           EXPECT_NEAR(a->second, b->second, 1e-8 * b->second);
         }
       }
