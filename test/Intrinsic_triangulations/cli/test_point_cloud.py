@@ -119,6 +119,56 @@ class Point_cloud(Cli_test):
         stored = self.stats("laplacian", "t.idt")
         self.assertEqual(stored["laplacian"]["trace"], drawn["laplacian"]["trace"])
 
+    def rows(self, name):
+        with open(self.path(name), encoding="ascii") as file:
+            return [list(map(float, line.split())) for line in file]
+
+    def in_space(self, row):
+        """The vector of a row in space: two coordinates before two axes."""
+        x, y = row[-8:-6]
+        return [x * a + y * b for a, b in zip(row[-6:-3], row[-3:])]
+
+    def test_transport_over_points_of_a_sphere_turns_vectors_along_great_circles(self):
+        points = sphere(1000)
+        cloud = self.write_xyz("s.xyz", points)
+        self.write("v.txt", "0 30 2\n")
+        stats = self.stats("transport", cloud, "--vectors", self.path("v.txt"), "-o", "t.txt")
+        self.assertEqual(stats["transport"]["unknown_vertices"], 0)
+        rows = self.rows("t.txt")
+        p, v = points[0], self.in_space(rows[0])
+        self.assertAlmostEqual(sum(a * b for a, b in zip(v, rows[0][-6:-3])),
+                               2 * math.cos(math.pi / 6), 6)
+        errors = []
+        for q, row in zip(points, rows):
+            cosine = sum(a * b for a, b in zip(p, q))
+            if cosine < 0.3:  # at most 72 degrees away
+                continue
+            # by the least rotation that takes p to q
+            along = sum(a * b for a, b in zip(v, q)) / (1 + cosine)
+            turned = [a - along * (b + c) for a, b, c in zip(v, p, q)]
+            errors.append(math.dist(turned, self.in_space(row)) / 2)
+        # edges are 0.11 long, so that tangent planes are 0.03 off; heat errs as much
+        self.assertLess(sum(errors) / len(errors), 0.05)
+        self.stats("transport", cloud, "--vectors", self.path("v.txt"), "-o", "t.vtp",
+                   "--view", "t.html")
+
+    def test_fields_of_points_in_a_plane_are_constant(self):
+        generator = random.Random(5)
+        points = [(generator.uniform(0, 1), generator.uniform(0, 1), 0.0) for _ in range(300)]
+        cloud = self.write_xyz("p.xyz", points)
+        for degree in (1, 4):
+            stats = self.stats("field", cloud, "--degree", str(degree), "-o", "f.txt")["field"]
+            self.assertEqual((stats["degree"], stats["seam_edges"]), (degree, 0))
+            vectors = [self.in_space(row) for row in self.rows("f.txt")]
+            angles = [math.atan2(y, x) for x, y, _ in vectors]
+            for angle in angles: # equal but for quarters of a turn
+                difference = degree * (angle - angles[0]) / (2 * math.pi)
+                self.assertAlmostEqual(difference, round(difference), 6)
+        self.assert_fails(self.run_program("field", cloud, "--degree", "2", "--align", "1", "-o",
+                                           "f.txt"), "p.xyz", "curvature", "--align")
+        self.assert_fails(self.run_program("field", cloud, "--singularities", "q.vtp"), "p.xyz",
+                          "--singularities")
+
     def test_duplicated_isolated_and_collinear_points_are_reported(self):
         points = rough_grid(6)[0]
         n = len(points)

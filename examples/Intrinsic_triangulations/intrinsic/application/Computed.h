@@ -7,6 +7,7 @@
 #include "../statistics.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
+#include <CGAL/Intrinsic_triangulations/applications/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 
 #include <Eigen/Core>
@@ -33,6 +34,8 @@ struct Direction_field {
   /// Number of the vector of each row: of a cover, that of the first copy of the vertex; `Gluing::none` where there is none.
   std::vector<std::uint32_t> of_row;
   std::vector<int> index{}; ///< of each face of the intrinsic triangulation, at its number; or none
+  /// On a cloud of points, the axes of the tangent plane of each row; else none.
+  std::vector<IT::Point_cloud_vectors::Axes> axes{};
 };
 
 /// Points that a page and files show with a number each: sources, or singularities with their

@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <numbers>
 #include <ostream>
 #include <span>
 #include <stdexcept>
@@ -54,10 +55,10 @@ void expect_writable_results(const Options& options) {
         "the common subdivision with --on subdivision, or values to a file .txt");
 }
 
-// The values of each row; of directions one of them in polar coordinates, and the unit vector in
-// space along the real axis there.
-void write_functions(std::ostream& out, const Computed& computed, const std::vector<Point>& axes,
-                     Eigen::Index rows) {
+// The values of each row; of directions one of them in polar coordinates, and the unit vectors in
+// space along the axes there: along the real one, on a cloud along both.
+void write_functions(std::ostream& out, const Computed& computed,
+                     const std::vector<std::vector<Point>>& axes, Eigen::Index rows) {
   Number_rows numbers(out);
   for (Eigen::Index i = 0; i < rows; ++i) {
     for (const Function& f : computed.functions) numbers.put(f.values[i]);
@@ -69,8 +70,8 @@ void write_functions(std::ostream& out, const Computed& computed, const std::vec
       const std::complex<double> z = is_vertex ? computed.directions->vectors[copy] : 0;
       numbers.put(z.real());
       numbers.put(z.imag());
-      if (!axes.empty())
-        for (const double x : is_vertex ? axes[copy] : Point{0, 0, 0}) numbers.put(x);
+      for (const std::vector<Point>& axis : axes)
+        for (const double x : is_vertex ? axis[copy] : Point{0, 0, 0}) numbers.put(x);
     }
     numbers.end_row();
   }
@@ -166,12 +167,34 @@ IT::Tangent_field known_vectors(IT::Tangent_field vectors) {
   return vectors;
 }
 
+// At the points of a cloud: their planes are not those of faces.
+template <class Triangulation>
+Drawn_directions drawn_at_points(const Triangulation& t, const Direction_field& d,
+                                 const Drawn_subdivision& drawn) {
+  const IT::Tangent_field vectors = known_vectors(d.vectors);
+  Drawn_directions result;
+  for (unsigned k = 0; k < d.degree; ++k) {
+    result.at_vertices.emplace_back(drawn.s.number_of_vertices(), Point{0, 0, 0});
+    for (std::size_t v = 0; v < drawn.s.vertices.size(); ++v) {
+      const std::uint32_t row =
+          t.input_vertex(t.numbers().vertex_at(drawn.s.vertices[v].intrinsic));
+      const std::complex<double> z =
+          vectors[row] * std::polar(1., 2 * std::numbers::pi * k / d.degree);
+      const auto& [x, y] = d.axes[row];
+      for (std::size_t c = 0; c < 3; ++c)
+        result.at_vertices[k][v][c] = z.real() * x[c] + z.imag() * y[c];
+    }
+  }
+  return result;
+}
+
 template <class Triangulation>
 Drawn_directions drawn_directions(const Loaded<Triangulation>& loaded,
                                   const Loaded<Triangulation>& surface, const Computed& computed,
                                   const Drawn_subdivision& drawn) {
   if (!computed.directions) return {};
   const Direction_field& d = *computed.directions;
+  if (!d.axes.empty()) return drawn_at_points(surface.triangulation, d, drawn);
   const bool is_on_input = &surface != &loaded;
   const IT::Tangent_field vectors = known_vectors(d.vectors);
   Drawn_directions result =
@@ -187,13 +210,21 @@ Drawn_directions drawn_directions(const Loaded<Triangulation>& loaded,
   return result;
 }
 
-// The unit vector in space along the real axis of each tangent plane; none if there are no points.
+// The unit vectors in space along the real axes of tangent planes, on a cloud along both; none if
+// there are no points.
 template <class Triangulation>
-std::vector<Point> axes_in_space(const Loaded<Triangulation>& loaded, const Computed& computed) {
+std::vector<std::vector<Point>> axes_in_space(const Loaded<Triangulation>& loaded,
+                                              const Computed& computed) {
   if (!computed.directions || loaded.scaled_points().empty()) return {};
-  return IT::vectors_in_space(loaded.triangulation,
-                              IT::Tangent_field(computed.directions->vectors.size(), 1),
-                              input_points(loaded));
+  if (const auto& axes = computed.directions->axes; !axes.empty()) {
+    std::vector<std::vector<Point>> result(2);
+    for (const IT::Point_cloud_vectors::Axes& a : axes)
+      for (const std::size_t k : {0U, 1U}) result[k].push_back(a[k]);
+    return result;
+  }
+  return {IT::vectors_in_space(loaded.triangulation,
+                               IT::Tangent_field(computed.directions->vectors.size(), 1),
+                               input_points(loaded))};
 }
 
 /// writes what was computed to files that show it on a surface: that of a triangulation, or the
@@ -372,7 +403,8 @@ void append_fields(std::vector<IT::Subdivision_field>& fields, const std::string
   for (std::size_t k = 0; k < degree; ++k) {
     const std::string numbered = degree == 1 ? name : name + "_" + std::to_string(k);
     fields.push_back({numbered, directions.at_vertices[k]});
-    fields.push_back({numbered, directions.at_faces[k], Place::faces});
+    if (!directions.at_faces.empty())
+      fields.push_back({numbered, directions.at_faces[k], Place::faces});
   }
   if (!directions.index.empty()) fields.push_back({"index", directions.index, Place::faces});
 }

@@ -103,17 +103,48 @@ std::pair<double, std::size_t> greatest_known(const Eigen::VectorXd& values) {
   return result;
 }
 
+// Vectors at the points of a cloud, in their planes; none at points that were inserted.
+template <class Triangulation>
+Direction_field directions_of_points(const Triangulation& t, const std::string& name,
+                                     const IT::Point_cloud_vectors& cloud,
+                                     IT::Tangent_field vectors, unsigned degree) {
+  const std::size_t rows = t.number_of_vertices();
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  vectors.resize(rows, {unknown, unknown});
+  Direction_field field{name, std::move(vectors), degree, all_rows(t)};
+  for (std::size_t i = 0; i < cloud.size(); ++i) field.axes.push_back(cloud.axes(i));
+  field.axes.resize(rows, {});
+  return field;
+}
+
+// Vectors by the numbers of their points.
+std::vector<std::pair<std::size_t, std::complex<double>>>
+vectors_at_points(const std::vector<Asked_vector>& asked) {
+  std::vector<std::pair<std::size_t, std::complex<double>>> result;
+  for (const Asked_vector& v : asked) result.push_back({v.row, v.z});
+  return result;
+}
+
+template <class Triangulation>
+Direction_field transported(const Triangulation& t, const std::vector<Asked_vector>& asked,
+                            const Options& options, const Points& points) {
+  if (is_cloud(t)) {
+    const IT::Point_cloud_vectors cloud = cloud_vectors(options, points);
+    return directions_of_points(t, "vector", cloud, cloud.transport(vectors_at_points(asked)), 1);
+  }
+  std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> sources;
+  for (const Asked_vector& v : asked) sources.push_back({IT::vertex_of_row(t, v.row), v.z});
+  const IT::Vector_heat_method<Triangulation> heat(t, options.application.time_factor);
+  return {"vector", heat.transport(sources), 1, first_copies(t)};
+}
+
 template <class Triangulation>
 Computed transport(const Triangulation& t, const Options& options, const Points& points) {
-  std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> sources;
+  const std::vector<Asked_vector> sources = read_vectors(options, t.input().number_of_rows());
   Marks marks{"sources"};
-  for (const Asked_vector& v : read_vectors(options, t.input().number_of_rows())) {
-    sources.push_back({IT::vertex_of_row(t, v.row), v.z});
-    marks.points.push_back({{points[v.row]}, false, 0});
-  }
-  const IT::Vector_heat_method<Triangulation> heat(t, options.application.time_factor);
+  for (const Asked_vector& v : sources) marks.points.push_back({{points[v.row]}, false, 0});
   Computed computed{"transport", {}, {}};
-  computed.directions = {"vector", heat.transport(sources), 1, first_copies(t)};
+  computed.directions = transported(t, sources, options, points);
   computed.functions.push_back(
       {"length", by_rows(computed.directions->of_row, computed.directions->vectors,
                          [](const std::complex<double>& z) { return std::abs(z); })});
@@ -257,8 +288,35 @@ std::vector<IT::Polyline> centres(const Triangulation& t, const std::vector<int>
   return result;
 }
 
+// On a cloud there are no faces in which a field could be singular.
+template <class Triangulation>
+Computed field_of_points(const Triangulation& t, const Options& options, const Points& points) {
+  const Application_options& o = options.application;
+  if (o.alignment)
+    throw std::runtime_error(options.input +
+                             ": the curvature of a cloud of points is not known; leave --align "
+                             "out");
+  if (!o.singularities.empty())
+    throw std::runtime_error(options.input +
+                             ": singularities are in faces, and points have none of their own; "
+                             "leave --singularities out");
+  std::vector<Asked_vector> fixed;
+  if (!o.vectors.empty()) fixed = read_vectors(options, points.size());
+  const IT::Point_cloud_vectors cloud = cloud_vectors(options, points);
+  const IT::Direction_field field =
+      cloud.smoothest_direction_field(static_cast<int>(o.degree), vectors_at_points(fixed));
+  Computed computed{"field", {}, {}};
+  computed.directions = directions_of_points(t, "direction", cloud, field.directions(), o.degree);
+  computed.json = {{"degree", field.degree},
+                   {"fixed", fixed.size()},
+                   {"alignment", nullptr},
+                   {"seam_edges", cloud.seam_edges()}};
+  return computed;
+}
+
 template <class Triangulation>
 Computed direction_field(const Triangulation& t, const Options& options, const Points& points) {
+  if (is_cloud(t)) return field_of_points(t, options, points);
   std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> fixed;
   if (!options.application.vectors.empty())
     for (const Asked_vector& v : read_vectors(options, t.input().number_of_rows()))

@@ -198,8 +198,22 @@ template <class... Tags, class... P>
 constexpr void expect_names(const parameters::Parameters<P...>&) {
   (expect_name<typename P::tag, Tags...>(), ...);
 }
+template <class Tag>
+struct Name_of_cgal {
+  using type = Tag; // there is none
+};
+template <class Tag>
+  requires requires { cgal_name(Tag()); }
+struct Name_of_cgal<Tag> {
+  using type = decltype(cgal_name(Tag()));
+};
 template <class... Tags, class T, class Tag, class Base>
-constexpr void expect_names(const Named_function_parameters<T, Tag, Base>&) {}
+constexpr void expect_names(const Named_function_parameters<T, Tag, Base>& np) {
+  if constexpr (!std::is_same_v<Tag, CGAL::internal_np::all_default_t>)
+    expect_name<Tag, typename Name_of_cgal<Tags>::type...>();
+  if constexpr (!std::is_same_v<Base, CGAL::internal_np::No_property>)
+    expect_names<Tags...>(static_cast<const Base&>(np));
+}
 
 } // namespace internal
 
