@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "doc" / "Intrinsic_triangulations"
 MOST_WORDS = 2400
 # Pages that are looked up, not read.
-LONG = ("command_line", "measurements", "distance")
+LONG = ("command_line", "measurements")
 TITLE = "Geometry Processing with Intrinsic Triangulations"
 
 

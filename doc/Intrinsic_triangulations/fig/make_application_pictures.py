@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the pictures of the page of applications: runs the program, and photographs its pages with Chromium.
+"""Makes the pictures of the page of applications, and those of Delaunay meshes in space: runs the
+program, and photographs its pages with Chromium.
 
-usage: make_application_pictures.py INTRINSIC MESH_DIRECTORY
+usage: make_application_pictures.py INTRINSIC MESH_DIRECTORY EXTRINSIC_DELAUNAY
 
-MESH_DIRECTORY has the meshes of CGAL's data set (Debian: libcgal-demo). Needs Chromium and the Python package PIL.
+MESH_DIRECTORY has the meshes of CGAL's data set (Debian: libcgal-demo), EXTRINSIC_DELAUNAY is an
+example. Needs Chromium and the Python package PIL.
 """
 
 import os
@@ -30,6 +32,8 @@ PICTURES = {
     "harmonic_map": ("parametrize", "lion-head.off"),
     "conformal_map": ("parametrize", "lion-head.off", "--method", "spectral"),
     "eigenfunction": ("eigen", "elephant.off", "--count", "6", "--refine"),
+    "delaunay_by_flips": ("delaunay", "anchor.off"),
+    "delaunay_in_space": ("delaunay", "{in_space}"), # nothing is flipped
     "deformation": ("edit", "elephant.off", "--handles", "{handles}", "--on", "input"),
 }
 FILES = {
@@ -58,9 +62,9 @@ def photograph(chromium, page, picture):
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
-    program, meshes = sys.argv[1:]
+    program, meshes, extrinsic = sys.argv[1:]
     chromium = shutil.which("chromium") or shutil.which("chromium-browser")
     if chromium is None:
         sys.exit("Chromium is not found (Debian: chromium)")
@@ -70,9 +74,13 @@ def main():
             paths[name] = os.path.join(directory, name + ".txt")
             with open(paths[name], "w", encoding="ascii") as file:
                 file.write(text)
+        paths["in_space"] = os.path.join(directory, "in_space.off")
+        subprocess.run([extrinsic, os.path.join(meshes, "anchor.off"), paths["in_space"]],
+                       check=True, stdout=subprocess.DEVNULL)
         for name, (command, mesh, *options) in PICTURES.items():
             page = os.path.join(directory, name + ".html")
-            subprocess.run([program, command, os.path.join(meshes, mesh), "--view", page,
+            subprocess.run([program, command, os.path.join(meshes, mesh.format(**paths)),
+                            "--view", page,
                             *(o.format(**paths) for o in options)], check=True)
             photograph(chromium, page, os.path.join(HERE, name + ".png"))
             print(name)
