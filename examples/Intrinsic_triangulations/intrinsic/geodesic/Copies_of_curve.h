@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,8 +21,9 @@ namespace program {
 namespace IT = CGAL::Intrinsic_triangulations;
 
 /*!
-\brief chooses copies of the points of a curve on a cover: so that the shortest paths from each to the next are as short
-as can be, and among these change from one copy of a vertex to another as rarely as can be.
+\brief chooses copies of the points of a curve on a cover: so that the shortest paths from each to
+the next are as short as can be, and among these change from one copy of a vertex to another as
+rarely as can be.
 */
 template <class Triangulation>
 class Copies_of_curve {
@@ -29,21 +31,22 @@ class Copies_of_curve {
   using Vertices = std::vector<Vertex>;
 
 public:
-  /// finds shortest paths between all copies of points that follow each other. \param copies those of each point
+  /// prepares a choice. \param copies those of each point
   Copies_of_curve(const Triangulation& t, const std::vector<Vertices>& copies, bool is_loop)
-      : t_(t), copies_(copies), is_loop_(is_loop) {
-    const std::size_t n = copies.size();
-    for (std::size_t i = 0; i + (is_loop ? 0 : 1) < n; ++i) {
-      legs_.emplace_back();
-      for (const Vertex v : copies[i]) legs_.back().push_back(ways(v, copies[(i + 1) % n]));
-    }
+      : t_(t), copies_(copies), is_loop_(is_loop), legs_(copies.size() - (is_loop ? 0 : 1)) {
+    for (std::size_t i = 0; i < legs_.size(); ++i) legs_[i].resize(copies[i].size());
   }
 
-  /// returns the copies. A loop that comes to another copy of its start than it left goes around again.
-  Vertices chosen() const {
+  /// returns the copies. A loop that comes to another copy of its start than it left goes around
+  /// again.
+  Vertices chosen() {
+    for (std::size_t k = 0; k < copies_[0].size() && are_linked(); ++k) {
+      if (is_loop_ || k == 0) is_dead_end_.assign(legs_.size(), {});
+      if (std::vector<std::size_t> way{k}; find_direct(way)) return along(way);
+    }
     if (is_loop_) return chosen_loop();
     Layers layers{std::vector<Cost>(copies_[0].size(), Cost{0, 0, 0})};
-    for (const Legs& legs : legs_) layers.push_back(next_layer(layers.back(), legs));
+    for (std::size_t i = 0; i < legs_.size(); ++i) layers.push_back(next_layer(layers.back(), i));
     const std::vector<Cost>& last = layers.back();
     return along(layers, static_cast<std::size_t>(
                              std::min_element(last.begin(), last.end(), is_less) - last.begin()));
@@ -55,7 +58,6 @@ private:
     double length = std::numeric_limits<double>::infinity();
     std::size_t passages = 0, before = 0;
   };
-  using Legs = std::vector<std::vector<Cost>>; // from each copy of a point to each of the next one
   using Layers = std::vector<std::vector<Cost>>;
 
   static bool is_less(const Cost& a, const Cost& b) {
@@ -64,12 +66,48 @@ private:
     return a.length * (1 - rounding) <= b.length && a.passages < b.passages;
   }
 
-  std::vector<Cost> ways(Vertex from, const Vertices& to) const {
-    const IT::Polyhedral_distance<Triangulation> distance(t_, from, IT::parameters::targets(to));
-    std::vector<Cost> result;
-    for (const Vertex v : to)
-      result.push_back({distance.distance(v), passages(distance.shortest_path(v).points), 0});
+  // Whether the copies of each point are one point for distances: then all are equally far.
+  bool are_linked() const {
+    return std::ranges::all_of(copies_, [this](const Vertices& copies) {
+      return std::ranges::all_of(
+          copies, [&](Vertex v) { return IT::internal::are_copies(t_, v, copies.front()); });
+    });
+  }
+
+  // Goes on to the end, or around, without a change of copies, if that is possible.
+  bool find_direct(std::vector<std::size_t>& way) {
+    const std::size_t i = way.size() - 1;
+    if (i == legs_.size()) {
+      if (is_loop_) way.pop_back();
+      return true;
+    }
+    if (!is_dead_end_[i].insert(way.back()).second) return false;
+    const std::vector<Cost>& all = ways(i, way.back());
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (!std::isfinite(all[j].length) || all[j].passages > 0 ||
+          (is_loop_ && i + 1 == legs_.size() && j != way.front()))
+        continue;
+      way.push_back(j);
+      if (find_direct(way)) return true;
+      way.pop_back();
+    }
+    return false;
+  }
+  Vertices along(const std::vector<std::size_t>& way) const {
+    Vertices result;
+    for (std::size_t i = 0; i < way.size(); ++i) result.push_back(copies_[i][way[i]]);
     return result;
+  }
+
+  // from a copy of a point to all of the next one
+  const std::vector<Cost>& ways(std::size_t i, std::size_t k) {
+    if (std::vector<Cost>& found = legs_[i][k]; !found.empty()) return found;
+    const Vertices& to = copies_[(i + 1) % copies_.size()];
+    const IT::Polyhedral_distance<Triangulation> distance(t_, copies_[i][k],
+                                                          IT::parameters::targets(to));
+    for (const Vertex v : to)
+      legs_[i][k].push_back({distance.distance(v), passages(distance.shortest_path(v).points), 0});
+    return legs_[i][k];
   }
 
   std::size_t passages(const std::vector<IT::Surface_point>& points) const {
@@ -85,14 +123,15 @@ private:
     return count;
   }
 
-  static std::vector<Cost> next_layer(const std::vector<Cost>& layer, const Legs& legs) {
-    std::vector<Cost> result(legs.front().size());
+  // \param i number of a point, whose costs are in a layer
+  std::vector<Cost> next_layer(const std::vector<Cost>& layer, std::size_t i) {
+    std::vector<Cost> result(copies_[(i + 1) % copies_.size()].size());
     for (std::size_t k = 0; k < layer.size(); ++k)
-      for (std::size_t j = 0; j < result.size(); ++j)
-        if (const Cost c{layer[k].length + legs[k][j].length,
-                         layer[k].passages + legs[k][j].passages, k};
-            is_less(c, result[j]))
-          result[j] = c;
+      for (std::size_t j = 0; std::isfinite(layer[k].length) && j < result.size(); ++j) {
+        const Cost& way = ways(i, k)[j];
+        const Cost c{layer[k].length + way.length, layer[k].passages + way.passages, k};
+        if (is_less(c, result[j])) result[j] = c;
+      }
     return result;
   }
 
@@ -104,7 +143,7 @@ private:
     return result;
   }
 
-  Vertices chosen_loop() const {
+  Vertices chosen_loop() {
     const std::size_t starts = copies_[0].size();
     Vertices best;
     Cost least;
@@ -113,7 +152,8 @@ private:
       Layers layers{std::vector<Cost>(starts)};
       layers[0][start].length = 0;
       for (std::size_t round = 0; round < starts; ++round) {
-        for (const Legs& legs : legs_) layers.push_back(next_layer(layers.back(), legs));
+        for (std::size_t i = 0; i < legs_.size(); ++i)
+          layers.push_back(next_layer(layers.back(), i));
         const Cost& c = layers.back()[start];
         const bool is_found = std::isfinite(c.length);
         if (best.empty() || (is_found && (c.passages < least.passages ||
@@ -131,7 +171,9 @@ private:
   const Triangulation& t_;
   const std::vector<Vertices>& copies_;
   bool is_loop_;
-  std::vector<Legs> legs_;
+  std::vector<std::set<std::size_t>> is_dead_end_; // copies of each point
+  // of each point, from each copy; empty: unknown
+  std::vector<std::vector<std::vector<Cost>>> legs_;
 };
 
 } // namespace program

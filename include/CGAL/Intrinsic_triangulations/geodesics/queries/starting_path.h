@@ -136,6 +136,7 @@ Edge_way<Triangulation>
 starting_path(Triangulation& t, typename Triangulation::vertex_descriptor from,
               typename Triangulation::vertex_descriptor to, Edge_path_finder<Triangulation>& find,
               Flip_log<Triangulation>* log, Shortening_result& result, const NamedParameters& np) {
+  expect_shortening_names<tags::shortest>(np);
   expect_no_isolated_vertex(t, from);
   expect_no_isolated_vertex(t, to);
   constexpr bool is_flow = Has_parameter<tags::relative_length, NamedParameters> ||

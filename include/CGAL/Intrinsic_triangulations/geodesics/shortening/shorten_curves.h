@@ -44,6 +44,13 @@ std::uint64_t maximum_flips(const Triangulation& t, const NamedParameters& np) {
   return value_or<tags::maximum_number>(np, default_cap(t));
 }
 
+// \tparam More names that a function has beside those of `shorten_curves()`
+template <class... More, class NamedParameters>
+constexpr void expect_shortening_names(const NamedParameters& np) {
+  expect_names<tags::relative_length, tags::minimum_joint_angle, tags::maximum_number,
+               tags::visitor, More...>(np);
+}
+
 template <class Triangulation, class NamedParameters>
 Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
                                     const NamedParameters& np) {
@@ -66,8 +73,6 @@ Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
 template <class Triangulation, class NamedParameters>
 Shortening_result shorten_curves(Curve_network<Triangulation>& network,
                                  Flip_log<Triangulation>* log, const NamedParameters& np) {
-  expect_names<tags::relative_length, tags::minimum_joint_angle, tags::maximum_number,
-               tags::visitor, tags::shortest>(np);
   auto stored_visitor = object_or<tags::visitor>(np, Shortening_visitor());
   auto& observed = unwrapped(stored_visitor);
   const Shortening_limits limits = shortening_limits(network, np);
@@ -108,6 +113,7 @@ area and nothing is gained any more: their angles of zero may not be opened by f
 template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Shortening_result shorten_curves(Curve_network<Triangulation>& network,
                                  const NP& np = parameters::default_values()) {
+  internal::expect_shortening_names(np);
   return internal::shorten_curves(network, static_cast<Flip_log<Triangulation>*>(nullptr), np);
 }
 
@@ -121,6 +127,7 @@ template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::
 Shortening_result shorten_curves(Curve_network<Triangulation>& network,
                                  Flip_log<Triangulation>& log,
                                  const NP& np = parameters::default_values()) {
+  internal::expect_shortening_names(np);
   return internal::shorten_curves(network, &log, np);
 }
 
