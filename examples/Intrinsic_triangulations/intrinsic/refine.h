@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iostream>
 #include <numbers>
 #include <string>
 #include <type_traits>
@@ -136,6 +137,11 @@ void refine(Triangulation& t, const Constrained& constrained, const Options& opt
   const IT::Refinement_counts& counts = result.counts;
   std::array<std::size_t, 4> reasons{};
   for (const auto& u : result.unsatisfied) ++reasons[static_cast<std::size_t>(u.reason)];
+  if (result.status == IT::Status::stalled)
+    std::cerr << options.input << ": no vertex could be inserted for " << reasons[2]
+              << " faces that do not meet the criteria: "
+              << (t.input().names().sheets > 1 ? "copies of it come too close to other vertices\n"
+                                               : "rounding hides its place\n");
   json["refine"] = {{"status", name(result.status)},
                     {"asked_angle_deg", options.refinement.minimum_angle},
                     {"insertions", counts.inserted_vertices()},

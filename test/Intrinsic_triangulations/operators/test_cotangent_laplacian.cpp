@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -360,6 +361,57 @@ TEST(Cotangent_laplacian, refuses_a_face_without_area_by_name) {
 TEST(Cotangent_laplacian, refuses_a_face_whose_cotangents_overflow) {
   expect_refusal_of_the_last_face<Exact>(-1e-315);
   expect_refusal_of_the_last_face<Double>(-1e-315);
+}
+
+// A bipyramid over a regular polygon. With the chord c and the height h the angles opposite the
+// edges at an apex have the cotangent (c / 2) / m, where m^2 = h^2 + cos^2(pi / n) is the height of
+// a face.
+Shape bipyramid(int n, double height) {
+  Shape s;
+  for (int k = 0; k < n; ++k) {
+    const double angle = 2 * std::numbers::pi * k / n;
+    s.points.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  s.points.push_back({0, 0, height});
+  s.points.push_back({0, 0, -height});
+  for (int k = 0; k < n; ++k) {
+    const auto i = static_cast<std::uint32_t>(k), j = static_cast<std::uint32_t>((k + 1) % n),
+               apex = static_cast<std::uint32_t>(n);
+    s.triangles.push_back({i, j, apex});
+    s.triangles.push_back({j, i, apex + 1});
+  }
+  return s;
+}
+
+// Doubles know chords by the squares of sides, h^2, to u h^2: their cotangents are right to some u
+// h^2 / c^2, and lost beyond 1.
+TEST(Cotangent_laplacian, has_no_zero_row_of_a_vertex_with_thin_faces) {
+  constexpr unsigned seed = 7;
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> sides(50, 500);
+  std::uniform_real_distribution<double> exponent(1, 8);
+  int refused = 0;
+  for (int k = 0; k < 30; ++k) {
+    const int n = sides(random);
+    const double height = std::pow(10, exponent(random));
+    SCOPED_TRACE(testing::Message() << seed << ": " << n << " sides, height " << height);
+    const Shape s = bipyramid(n, height);
+    const double half = std::sin(std::numbers::pi / n), cosine = std::cos(std::numbers::pi / n);
+    const double expected = n * half / std::hypot(height, cosine);
+    const Exact exact(s.input());
+    EXPECT_NEAR(IT::cotangent_laplacian(exact).coeff(n, n), expected, 1e-9 * expected);
+    const double error = 16 * epsilon * height * height / (half * half);
+    const Double rounded(s.input());
+    try {
+      EXPECT_NEAR(IT::cotangent_laplacian(rounded).coeff(n, n), expected, error * expected);
+    } catch (const IT::Invalid_input& e) {
+      ++refused;
+      EXPECT_GT(error, 1);
+      EXPECT_EQ(e.kind(), IT::Element_kind::vertex);
+      EXPECT_GE(e.index(), static_cast<std::size_t>(n));
+    }
+  }
+  EXPECT_GT(refused, 2);
 }
 
 TEST(Cotangent_laplacian, of_caps_is_finite_once_they_are_flipped_away) {

@@ -95,9 +95,8 @@ public:
   \brief returns the sign of `Delaunay_expression`, zero where rounding hides it.
 
   A flip changes the sign: the value after it is minus the value before. If stored values make
-  both negative, they do not know the sign, and neither edge counts as one that is not Delaunay.
-  So every edge that a flip makes passes the test, whatever the errors of stored values are, and no
-  bound on them is needed.
+  both negative, they do not know it, and neither edge counts as one that is not Delaunay. So every
+  edge that a flip makes passes the test, without any bound on errors.
   */
   Sign sign(const Diamond& d, const Delaunay_expression& expression) const {
     const Sign s = CGAL::sign(expression(values(d)));

@@ -79,6 +79,24 @@ std::vector<Symmetric_entry> cotangent_entries(const Triangulation& t) {
   return entries;
 }
 
+// Refuses zero rows of vertices that have edges to others: they have the Dirichlet energy of a
+// function that is not constant.
+template <class Triangulation>
+void expect_no_lost_row(const Triangulation& t, const std::vector<char>& is_zero) {
+  const auto& mesh = t.mesh();
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const std::uint32_t i = t.input_vertex(source(halfedge(e, mesh), mesh)),
+                        j = t.input_vertex(target(halfedge(e, mesh), mesh));
+    if (i == j || (is_zero[i] == 0 && is_zero[j] == 0)) continue;
+    const std::uint32_t row = is_zero[i] != 0 ? i : j;
+    throw Invalid_input(
+        Element_kind::vertex, row,
+        "the row of vertex " + std::to_string(row) +
+            " in the Laplacian is zero: rounding hides the angles of the faces about "
+            "it; exact traits keep them");
+  }
+}
+
 } // namespace internal
 
 /*!
@@ -108,18 +126,24 @@ others in its column, in their order.
 \param t the triangulation, whose predicates may sharpen stored values
 \return a compressed matrix with a row and column per vertex, in the numbering of the input, without
   dimension
-\throws Invalid_input if a face has no area; flips to Delaunay remove caps, mollification the rest
+\throws Invalid_input if a face has no area; flips to Delaunay remove caps, mollification the rest;
+  or if rounding has left the row of a vertex with faces zero, not with exact traits
 \complexity linear
 */
 template <MeasuredTriangulation Triangulation>
 Eigen::SparseMatrix<double> cotangent_laplacian(const Triangulation& t) {
   const int size = checked_matrix_size(t);
-  return internal::Symmetric_columns(internal::cotangent_entries(t), size)
-      .matrix([](int, auto begin, auto end) {
-        double sum = 0;
-        for (auto i = begin; i != end; ++i) sum -= i->value;
-        return sum;
-      });
+  std::vector<char> is_zero(static_cast<std::size_t>(size), 0);
+  bool has_zero = false;
+  auto result = internal::Symmetric_columns(internal::cotangent_entries(t), size)
+                    .matrix([&](int column, auto begin, auto end) {
+                      double sum = 0;
+                      for (auto i = begin; i != end; ++i) sum -= i->value;
+                      if (sum == 0) is_zero[static_cast<std::size_t>(column)] = has_zero = true;
+                      return sum;
+                    });
+  if (has_zero) internal::expect_no_lost_row(t, is_zero);
+  return result;
 }
 
 /// \cond

@@ -237,6 +237,16 @@ TEST(Vector_heat_method,
   for (std::uint32_t x = 100; x < 1900; ++x) EXPECT_NEAR(log[x + 1] - log[x], fall, 1e-6) << x;
 }
 
+// Above 1e8 areas of the surface heat is even. In squares of the mean edge length, which is below
+// the area of this surface.
+TEST(Vector_heat_method, refuses_times_in_which_heat_is_even_or_does_not_spread) {
+  const Exact t(meshes::potato(2, 3).input());
+  for (const double time : {1e-90, 1e-3, 1., 1e6}) EXPECT_NO_THROW(Heat(t, time)) << time;
+  for (const double time : {0., -1., 1e-200, 1e20, 1e300, std::numeric_limits<double>::infinity(),
+                            std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(Heat(t, time), std::invalid_argument) << time;
+}
+
 TEST(Vector_heat_method, extends_scalars_between_their_extremes_and_by_the_nearest_source) {
   Exact t(meshes::grid(10, 4).input());
   const Heat heat(t);

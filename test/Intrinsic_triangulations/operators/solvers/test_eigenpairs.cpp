@@ -94,6 +94,33 @@ TEST(Eigenpairs, of_slivers_begin_with_zero) {
   }
 }
 
+// Of a triangle with masses A / 3 the eigenvalues are 0, a and b: a b = 27 / (4 A^2), as sums of
+// products of cotangents are one, and a + b = (3 / A) (sum of cotangents) = 3 (sum of squared
+// sides) / (4 A^2). Thin ones have a near 1 and b near 1 / A^2: beyond 1e15, a is rounding's.
+TEST(Eigenpairs, of_slivers_are_right_to_a_digit_or_refused) {
+  constexpr unsigned seed = 8;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-1, 1), exponent(-11, 0);
+  int refused = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double x = 1 + 0.4 * place(random), height = std::pow(10, exponent(random));
+    const Shape s{{{0, 0, 0}, {x, height, 0}, {2, 0, 0}}, {{0, 1, 2}}};
+    const Exact t(s.input());
+    const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);
+    const double squares = x * x + (2 - x) * (2 - x) + 2 * height * height + 4;
+    const double sum = 3 * squares / (4 * height * height), product = 27 / (4 * height * height);
+    const double greater = (sum + std::sqrt(sum * sum - 4 * product)) / 2;
+    try {
+      const IT::Eigenpairs pairs = IT::smallest_eigenpairs(l, m, 2);
+      EXPECT_NEAR(pairs.values[1], product / greater, 0.1 * product / greater) << seed << ' ' << k;
+    } catch (const std::runtime_error&) {
+      ++refused;
+      EXPECT_LT(height, 1e-5) << seed << ' ' << k;
+    }
+  }
+  EXPECT_GT(refused, 20);
+}
+
 TEST(Eigenpairs, count_components_by_zeros) {
   const Shape two = two_tetrahedra();
   const Exact t(two.input());

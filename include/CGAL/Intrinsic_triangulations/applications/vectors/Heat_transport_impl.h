@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
 
 #include <Eigen/Core>
 
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,7 +29,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Heat_transport::Heat_transport(Connection_graph graph, double time_scale)
     : graph_(std::move(graph)), part_(graph_parts(graph_)),
-      time_(time_scale * graph_.squared_mean_length), masses_(positive_masses(graph_)) {
+      time_(flow_time(time_scale, graph_.squared_mean_length,
+                      std::accumulate(graph_.areas.begin(), graph_.areas.end(), 0.))),
+      masses_(positive_masses(graph_)) {
   at_source_.reserve(graph_.edges.size());
   at_target_.reserve(graph_.edges.size());
   for (const Connection_edge& e : graph_.edges) {

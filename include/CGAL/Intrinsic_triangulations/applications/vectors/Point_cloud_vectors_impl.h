@@ -27,9 +27,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Point_cloud_vectors::Point_cloud_vectors(const std::vector<std::array<double, 3>>& points,
                                          std::size_t neighbours, double time_scale)
     : points_(points) {
-  if (!(time_scale > 0) || !std::isfinite(time_scale))
-    throw std::invalid_argument("the time of diffusion must be positive, not " +
-                                std::to_string(time_scale));
   const internal::Cloud_connection connection(points, neighbours);
   exponent_ = connection.exponent();
   const auto vector = [](const Eigen::Vector3d& v) { return std::array{v[0], v[1], v[2]}; };

@@ -76,12 +76,12 @@ public:
   \param t the triangulation, which must outlive this and not change
   \param time_scale the time of diffusion, in squares of the mean length of the edges of `t`
   \throws Invalid_input if a face has no area
-  \throws std::invalid_argument if the time is not positive, or the surface is that of a cloud of
-    points, see `Point_cloud_vectors`
+  \throws std::invalid_argument if the time is not positive, or so long that heat is even
+    everywhere, or the surface is that of a cloud of points, see `Point_cloud_vectors`
   \complexity linear; the first question factors matrices
   */
   explicit Vector_heat_method(const Triangulation_& t, double time_scale = 1)
-      : frames_(t), heat_(internal::connection_graph(t, frames_.angles()), checked(time_scale)) {}
+      : frames_(t), heat_(internal::connection_graph(t, frames_.angles()), time_scale) {}
 
   /*!
   \brief factors the matrices that are factored at the first question otherwise: what takes long, so that it can be followed and stopped.
@@ -253,13 +253,6 @@ public:
 private:
   std::uint32_t part(const Surface_point& p) const {
     return heat_.parts()[static_cast<std::size_t>(frames_.corners(p)[0].vertex)];
-  }
-
-  static double checked(double time_scale) {
-    if (!(time_scale > 0) || !std::isfinite(time_scale))
-      throw std::invalid_argument("the time of diffusion must be positive, not " +
-                                  std::to_string(time_scale));
-    return time_scale;
   }
 
   std::uint32_t number(vertex_descriptor v) const {

@@ -25,8 +25,9 @@ enum class Refinement_order {
 enum class Unsatisfied_reason {
   needle,      ///< it wraps around a vertex of degree one, whose total angle is below the bound
   small_angle, ///< it lies between constrained or border edges that make a small angle
-  refused,     ///< an insertion was refused or lost by rounding; or, on a cover, a copy would have
-               ///< come too close to a vertex of a third face at an edge
+  refused,     ///< no vertex could be inserted: on a cover its copies come too close to other
+               ///< vertices, as where faces make a small angle at an edge; elsewhere rounding hides
+               ///< its place
   stopped      ///< refinement was stopped before
 };
 
@@ -66,8 +67,8 @@ struct Refinement_counts {
 template <class Face>
 struct Refinement_result {
   /// `done`, `cap` or `cancelled`: every face meets the criteria, except needles and small angles
-  /// that are listed, if it is `done`. `stalled`: some do not, and nothing more could be inserted,
-  /// by rounding. `inaccurate`: the triangulation must not be used.
+  /// that are listed, if it is `done`. `stalled`: those listed as `refused` do not, and no vertex
+  /// could be inserted for them. `inaccurate`: the triangulation must not be used.
   Status status = Status::done;
   /// What was done.
   Refinement_counts counts;
