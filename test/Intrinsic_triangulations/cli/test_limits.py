@@ -78,6 +78,12 @@ class Limits(Cli_test):
             for source in (["--source", "0"], ["--signed", "--curve", "0,5"]):
                 self.assert_fails(self.run_program("distance", mesh, "--time", time, *source),
                                   "g.off", "time factor", "between")
+            vectors = self.write("v.txt", "0 30\n")
+            for arguments in (["transport", mesh, "--vectors", vectors],
+                              ["logmap", mesh, "--source", "0", "--method", "polar"],
+                              ["logmap", mesh, "--source", "0", "--method", "affine"]):
+                self.assert_fails(self.run_program(*arguments, "--time", time),
+                                  "g.off", "time factor", "between")
 
     def test_fields_that_follow_curvature_closely_tend_to_it(self):
         points, faces = icosphere(2)

@@ -94,9 +94,8 @@ public:
   /*!
   \brief returns the sign of `Delaunay_expression`, zero where rounding hides it.
 
-  A flip changes the sign: the value after it is minus the value before. If stored values make
-  both negative, they do not know it, and neither edge counts as one that is not Delaunay. So every
-  edge that a flip makes passes the test, without any bound on errors.
+  A flip changes the sign. If stored values make it negative before and after, they do not know it,
+  and neither edge counts as not Delaunay: every edge that a flip makes passes the test.
   */
   Sign sign(const Diamond& d, const Delaunay_expression& expression) const {
     const Sign s = CGAL::sign(expression(values(d)));
@@ -307,8 +306,7 @@ protected:
   }
 
 private:
-  // Whether an edge that seems not to be Delaunay would seem so after a flip, too. Inlined by
-  // force: a flip that follows computes the same values.
+  // Whether the flipped edge seems not to be Delaunay. Inlined: a flip computes the same values.
   BOOST_FORCEINLINE bool is_tie_of_rounding(const Diamond& d) const {
     if constexpr (is_exact) return false;
     const Diamond_values<FT> v = values(d);

@@ -93,7 +93,7 @@ void expect_no_lost_row(const Triangulation& t, const std::vector<char>& is_zero
         Element_kind::vertex, row,
         "the row of vertex " + std::to_string(row) +
             " in the Laplacian is zero: rounding hides the angles of the faces about "
-            "it; exact traits keep them");
+            "it; exact arithmetic keeps them");
   }
 }
 
