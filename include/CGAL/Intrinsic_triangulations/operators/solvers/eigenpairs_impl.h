@@ -188,6 +188,8 @@ inline Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& 
   Eigenpairs others =
       dense_eigenpairs(Eigen::MatrixXd(a) + 4 * greatest * images * images.transpose(), m);
   const double rounding = 0x1p-50 * static_cast<double>(a.rows()) * greatest;
+  for (double& value : others.values) // weights that are not negative have no negative ones
+    if (value < 0 && value > -rounding) value = 0;
   const Eigen::Index zeros = constants.cols(), rest = a.rows() - zeros;
   for (Eigen::Index i = 0; i < std::min(rest, count - zeros); ++i)
     if (!(others.values[i] > 16 * rounding)) // a digit is left
