@@ -40,11 +40,11 @@ void expect_accurate(const std::optional<IT::Inaccuracy>& inaccuracy, const Opti
   throw std::runtime_error(message.str());
 }
 
-void expect_area(double input_area, double area, const char* surface, const Options& options) {
-  if (std::isnan(input_area) || std::abs(area - input_area) <= 1e-6 * input_area) return;
+void expect_covered(double input_area, double area, const Options& options) {
+  if (std::abs(area - input_area) <= 1e-6 * input_area) return;
   std::ostringstream message;
   message.precision(10);
-  message << options.input << ": rounding has spoilt the " << surface << ": its area is " << area
+  message << options.input << ": rounding has spoilt the common subdivision: its area is " << area
           << ", that of the input " << input_area
           << "; nothing was written; use --arithmetic exact";
   throw std::runtime_error(message.str());

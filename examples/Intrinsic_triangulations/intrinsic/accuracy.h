@@ -16,9 +16,8 @@ namespace program {
 void expect_accurate(const std::optional<CGAL::Intrinsic_triangulations::Inaccuracy>& inaccuracy,
                      const Options& options);
 
-/// checks that a surface has the area of the input, unless that is not known.
-/// \throws std::runtime_error if rounding has spoilt it
-void expect_area(double input_area, double area, const char* surface, const Options& options);
+/// checks that the common subdivision covers the input once. \throws std::runtime_error if rounding has spoilt it
+void expect_covered(double input_area, double area, const Options& options);
 
 } // namespace program
 

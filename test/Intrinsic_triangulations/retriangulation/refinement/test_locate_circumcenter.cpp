@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <utility>
 
 namespace {
@@ -113,28 +112,6 @@ TEST(Locate_circumcenter, Of_a_face_without_area_is_nowhere) {
                      ? 1
                      : 0;
   EXPECT_EQ(nowhere, 1U);
-}
-
-// Isosceles needles of sides l, l, s and height h: with l^2 = h^2 + s^2 / 4 the circumcenter is l^2
-// / (2 h) below the apex, so that its weights are 1 - l^2 / (2 h^2) = 1/2 - s^2 / (8 h^2) at the
-// apex, and half of the rest at the others. All but the differences of long sides, zero here, are
-// computed with a handful of roundings of numbers below 1.
-TEST(Locate_circumcenter, Of_a_needle_has_weights_that_sum_to_one) {
-  constexpr unsigned seed = 11;
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> exponent(-9, 0), side(0.5, 2);
-  for (int k = 0; k < 1000; ++k) {
-    const double h = side(random), s = h * std::pow(10, exponent(random)), height = h * h;
-    const double l = height + s * s / 4; // squared
-    const double apex = 0.5 - s * s / (8 * height), base = 0.25 + s * s / (16 * height);
-    std::array<double, 3> lengths{l, s * s, l}, expected{apex, base, base};
-    for (int turn = 0; turn < 3; ++turn) {
-      const std::array<double, 3> w = IT::circumcenter(lengths, 2 * s * h);
-      for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(w[c], expected[c], 1e-15) << seed << ' ' << k;
-      std::rotate(lengths.begin(), lengths.begin() + 1, lengths.end());
-      std::rotate(expected.begin(), expected.begin() + 1, expected.end());
-    }
-  }
 }
 
 } // namespace

@@ -22,25 +22,15 @@ namespace CGAL::Intrinsic_triangulations {
 \brief returns the barycentric coordinates of the circumcenter of a face: in order, of the corners where
 the sides start.
 
-L_jk (L_ij + L_ki - L_jk) / a^2 for the corner i, as these products sum to a^2 (Heron). In a needle
-the products at the ends of its shortest side cancel. There only their difference is computed, in
-which L_ij - L_ki is a factor: the sum is one whatever rounding has made of lengths and area.
+L_jk (L_ij + L_ki - L_jk) / a^2 for the corner i, as these products sum to a^2 (Heron).
 \param squared_lengths of the sides ij, jk, ki
 \param area the quadruple area a \pre it is not zero
 */
 inline std::array<double, 3> circumcenter(const std::array<double, 3>& squared_lengths,
                                           double area) {
-  const std::size_t j = static_cast<std::size_t>(std::ranges::min_element(squared_lengths) -
-                                                 squared_lengths.begin()),
-                    k = (j + 1) % 3, i = (j + 2) % 3;
-  const double jk = squared_lengths[j], ki = squared_lengths[k], ij = squared_lengths[i];
-  const double numerator = (ij + ki - jk) / area;
-  const double w_i = jk / area * numerator, difference = (ij - ki) / area * numerator;
-  std::array<double, 3> w;
-  w[i] = w_i;
-  w[j] = (1 - w_i + difference) / 2;
-  w[k] = (1 - w_i - difference) / 2;
-  return w;
+  const auto& [ij, jk, ki] = squared_lengths;
+  return {jk / area * ((ij + ki - jk) / area), ki / area * ((jk + ij - ki) / area),
+          ij / area * ((ki + jk - ij) / area)};
 }
 
 /// Where the way from a face to its circumcenter ends.
