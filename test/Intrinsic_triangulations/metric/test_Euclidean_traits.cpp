@@ -20,6 +20,7 @@
 
 #include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -92,6 +93,30 @@ TEST(Euclidean_traits,
     for (const auto e : edges(t.mesh()))
       ASSERT_NEAR(session.cotangent_weight(e), first.cotangent_weight(e), 1e-9) << "seed " << seed;
   }
+}
+
+// Vertices on lines: rounding alone would make faces there.
+TEST(Euclidean_traits, flips_in_doubles_are_possible_in_truth) {
+  std::size_t flips = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    meshes::Mesh m = seed % 2 == 0 ? meshes::sheared_grid(6, 6, seed % 5) : meshes::grid(6, 6, 3, 7);
+    for (meshes::Point& p : m.points) // a plane in space, whose lengths are rounded
+      p = {0.1 * p[0] + 0.3 * p[1], 0.7 * p[0] - 0.2 * p[1], 1. / 3 * p[0] + 0.6 * p[1]};
+    Triangulation<double> t(m.input());
+    Exact exact(m.input());
+    for (int i = 0; i < 400; ++i) { // errors grow with the length of edges
+      const auto e = static_cast<std::uint32_t>(random() % num_edges(t.mesh()));
+      if (t.flip_edge(t.numbers().halfedge_at(2 * e)) != IT::Move_status::done) continue;
+      ++flips;
+      ASSERT_EQ(exact.flip_edge(exact.numbers().halfedge_at(2 * e)), IT::Move_status::done) << i;
+      // errors of lengths are some units of rounding, times that of the faces passed
+      const double length = exact.length(edge(exact.numbers().halfedge_at(2 * e), exact.mesh()));
+      ASSERT_NEAR(t.length(edge(t.numbers().halfedge_at(2 * e), t.mesh())) / length, 1, 1e-11);
+    }
+  }
+  EXPECT_GT(flips, 10000U);
 }
 
 TEST(Euclidean_traits, of_rationals_are_exact_where_areas_are_rational) {

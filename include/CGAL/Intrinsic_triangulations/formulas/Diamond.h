@@ -215,6 +215,19 @@ Flipped_values<FT> flipped_consistently(const Diamond_values<FT>& d) {
           (m.p * k.area + k.p * m.area) * half};
 }
 
+/*!
+\brief bounds the error of the areas of `flipped()` for values with relative errors below `e`: an area
+that is not larger may have any sign in truth.
+
+Either area is a sum of two products (p a) / (2 L_ij), where p adds three lengths and a is the area of
+a face. When p is small, the error of the lengths remains: `e` times their sum.
+\tparam FT a floating point type
+*/
+template <class FT>
+FT flipped_area_error(const Diamond_values<FT>& d, const FT& e) {
+  return e * ((d.ij + d.jk + d.ki) * d.area_g + (d.ij + d.im + d.mj) * d.area_f) / (2 * d.ij);
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DIAMOND_H

@@ -131,11 +131,14 @@ public:
 
   /// computes a flip so that rounding does not add up, see `flipped_consistently()`; for edges that
   /// may be Delaunay: others become shorter, so that errors do not grow, and would take a quarter
-  /// more time. \return see `compute_flip()`
+  /// more time. \return see `compute_flip()`; nothing, too, if an area may be that of rounding alone:
+  /// by then values may have errors of some units of rounding
   std::optional<Flipped>
   compute_consistent_flip(const Diamond& d) const requires internal::has_precision<FT> {
-    const Flipped n = flipped_consistently(values(d));
-    if (!(n.area_f > FT(0)) || !(n.area_g > FT(0)) || !is_length(n.km)) return std::nullopt;
+    const Diamond_values<FT> v = values(d);
+    const Flipped n = flipped_consistently(v);
+    const FT error = flipped_area_error(v, 16 * std::numeric_limits<FT>::epsilon());
+    if (!(n.area_f > error) || !(n.area_g > error) || !is_length(n.km)) return std::nullopt;
     return n;
   }
 
