@@ -14,6 +14,7 @@
 #include "../../../benchmark/Intrinsic_triangulations/synthetic_meshes.h"
 #include "meshes.h"
 #include "numbered_as_mesh.h"
+#include "planar_bezier.h"
 #include "straight_segments.h"
 #include "unfolded_paths.h"
 
@@ -432,6 +433,28 @@ TEST(Geodesic_finder, finds_in_doubles_the_lengths_that_exact_traits_find) {
     ASSERT_EQ(found.status, Status::done) << "seed " << seed;
     ASSERT_NEAR(found.length, expected.length, 1e-9 * expected.length)
         << "seed " << seed << ": from " << from << " to " << to;
+  }
+}
+
+// Many vertices are on lines: shortening went round there until its cap.
+TEST(Geodesic_finder, finds_segments_in_doubles_where_vertices_are_collinear) {
+  using Doubles = IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>,
+                                              IT::Integer_coordinates>;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const meshes::Mesh m =
+        meshes::subdivided(meshes::subdivided(planar_bezier::random_square(10 + seed, random)));
+    Doubles t(m.input());
+    IT::Geodesic_finder find(t);
+    for (int i = 0; i < 20; ++i) {
+      const auto from = static_cast<std::uint32_t>(random() % m.points.size());
+      const auto to = static_cast<std::uint32_t>(random() % m.points.size());
+      const Geodesic_path found = find(t.numbers().vertex_at(from), t.numbers().vertex_at(to));
+      ASSERT_EQ(found.status, Status::done);
+      // a piece for each of some hundred faces passed, to some units of rounding
+      ASSERT_NEAR(found.length, planar_bezier::distance(m.points[from], m.points[to]), 1e-12);
+    }
   }
 }
 

@@ -249,10 +249,10 @@ TYPED_TEST(ShortenCurvesOn, DeltaComplexesMakesNetworksGeodesic) {
       const double before = network.length();
       const Shortening_result r = shorten_curves(network);
       ASSERT_EQ(r.status, Status::done) << s.name << ", network " << i;
-      EXPECT_EQ(r.refused_flips, 0U);
       EXPECT_LE(network.length(), before * (1 + 1e-12));
       EXPECT_FALSE(has_crossing(t, network)) << s.name << ", network " << i;
       if (TypeParam::Metric::is_exact) {
+        EXPECT_EQ(r.refused_flips, 0U);
         EXPECT_TRUE(is_geodesic(network).is_geodesic()) << s.name;
       }
     }

@@ -23,7 +23,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -49,20 +49,12 @@ public:
     typename Triangulation::Session session(*t_);
     Wedge_flipper<Triangulation> flip(*t_, session, log_);
     Shortening_result counts;
+    const bool may_flip_all = pass_faces_once(*t_, std::array{crossed});
     return Segment_flipper<Triangulation>(*t_, session, flip)(
-        crossed, has_face_twice(crossed) ? 0 : std::numeric_limits<std::uint64_t>::max(), counts,
-        [](auto) {});
+        crossed, may_flip_all ? std::numeric_limits<std::uint64_t>::max() : 0, counts, [](auto) {});
   }
 
 private:
-  bool has_face_twice(const Halfedges& crossed) const {
-    std::vector<std::uint32_t> faces;
-    for (const auto h : crossed) faces.push_back(t_->index(face(h, t_->mesh())));
-    faces.push_back(t_->index(face(opposite(crossed.back(), t_->mesh()), t_->mesh())));
-    std::sort(faces.begin(), faces.end());
-    return std::adjacent_find(faces.begin(), faces.end()) != faces.end();
-  }
-
   Triangulation* t_;
   Flip_log<Triangulation>* log_;
 };
@@ -161,25 +153,23 @@ public:
     const std::size_t n = curve.points.size();
     if (n < 2) return from == to ? Move_status::done : Move_status::not_traceable;
     for (std::size_t first = 0, last = 1; first + 1 < n; first = last++) {
-      while (last + 1 < n && !is_vertex(curve.points[last])) ++last;
+      while (last + 1 < n && corner_of(curve.points[last]) == 3) ++last;
       // on a cover, a part may begin at another copy of the vertex where the one before ends
-      const Surface_point begin = line.point(first, first), end = line.point(last, last - 1);
-      const Move_status s = insert(line, first, last, is_vertex(begin) ? vertex_at(begin) : from,
-                                   is_vertex(end) ? vertex_at(end) : to);
+      const Move_status s = insert(line, first, last, vertex_at(line.point(first, first), from),
+                                   vertex_at(line.point(last, last - 1), to));
       if (s != Move_status::done) return s;
     }
     return Move_status::done;
   }
 
 private:
-  static bool is_vertex(const Surface_point& p) {
-    return std::count(p.weights.begin(), p.weights.end(), 0.0) == 2;
-  }
-
-  // the vertices of the input have the same numbers
-  Vertex vertex_at(const Surface_point& p) const {
+  // The vertex at a point, or another where there is none. The vertices of the input have the same
+  // numbers.
+  Vertex vertex_at(const Surface_point& p, Vertex other) const {
+    const unsigned corner = corner_of(p);
+    if (corner == 3) return other;
     std::uint32_t h = p.halfedge;
-    for (std::size_t k = 0; p.weights[k] == 0; ++k) h = t_.correspondence().input().next(h);
+    for (unsigned k = 0; k < corner; ++k) h = t_.correspondence().input().next(h);
     return t_.numbers().vertex_at(t_.correspondence().input().source(h));
   }
 

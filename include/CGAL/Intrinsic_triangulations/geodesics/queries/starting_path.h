@@ -17,7 +17,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -72,21 +71,6 @@ std::vector<Straight_piece<Triangulation>> straight_pieces(const Triangulation& 
   return result;
 }
 
-// Whether pieces pass through no face twice, which they may do only where a triangulation winds
-// about the surface.
-template <class Triangulation>
-bool are_disjoint(const Triangulation& t,
-                  const std::vector<Straight_piece<Triangulation>>& pieces) {
-  std::vector<std::uint32_t> entered;
-  for (const Straight_piece<Triangulation>& piece : pieces) {
-    for (const auto h : piece.crossed) entered.push_back(t.index(face(h, t.mesh())));
-    if (!piece.crossed.empty())
-      entered.push_back(t.index(face(opposite(piece.crossed.back(), t.mesh()), t.mesh())));
-  }
-  std::sort(entered.begin(), entered.end());
-  return std::adjacent_find(entered.begin(), entered.end()) == entered.end();
-}
-
 // Whether halfedges follow each other from one vertex to another, or to copies of them.
 template <class Triangulation>
 bool leads(const Triangulation& t, typename Triangulation::vertex_descriptor from,
@@ -112,7 +96,7 @@ flip_to_shortest_path(Triangulation& t, typename Triangulation::vertex_descripto
   Edge_way<Triangulation> way{path.status, {}, path.length};
   if (path.status != Status::done) return way;
   const auto pieces = straight_pieces(t, path.points);
-  if (are_disjoint(t, pieces)) {
+  if (pass_faces_once(t, pieces, &Straight_piece<Triangulation>::crossed)) {
     typename Triangulation::Session session(t);
     Wedge_flipper<Triangulation> flip(t, session, log);
     Segment_flipper<Triangulation> flip_to_segment(t, session, flip);

@@ -9,12 +9,29 @@
 
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// Whether segments pass through no face twice, which they may do only where a triangulation winds
+// about the surface. `crossed` projects a segment to the edges that it crosses, in order.
+template <class Triangulation, class Segments, class Crossed = std::identity>
+bool pass_faces_once(const Triangulation& t, const Segments& segments, Crossed crossed = {}) {
+  const auto& mesh = t.mesh();
+  std::vector<std::uint32_t> faces;
+  for (const auto& segment : segments) {
+    const auto& edges = std::invoke(crossed, segment);
+    for (const auto h : edges) faces.push_back(t.index(face(h, mesh)));
+    if (!edges.empty()) faces.push_back(t.index(face(opposite(edges.back(), mesh), mesh)));
+  }
+  std::sort(faces.begin(), faces.end());
+  return std::adjacent_find(faces.begin(), faces.end()) == faces.end();
+}
 
 // Flips edges that a straight segment between two vertices crosses until the segment is an edge
 // (§4.4 of the course).
