@@ -130,16 +130,15 @@ public:
   }
 
   /// computes a flip so that rounding does not add up, see `flipped_consistently()`; for edges that
-  /// may be Delaunay: others become shorter, so that errors do not grow, and would take a quarter
-  /// more time. \return see `compute_flip()`; nothing, too, if an area may be that of rounding alone:
-  /// by then values may have errors of some units of rounding
+  /// may be Delaunay: on others errors do not grow, and it takes a quarter more time.
+  /// \return see `compute_flip()`; nothing, too, if an area may be rounding alone
   std::optional<Flipped>
   compute_consistent_flip(const Diamond& d) const requires internal::has_precision<FT> {
     const Diamond_values<FT> v = values(d);
     const Flipped n = flipped_consistently(v);
     const FT error = flipped_area_error(v, 16 * std::numeric_limits<FT>::epsilon());
-    if (!(n.area_f > error) || !(n.area_g > error) || !is_length(n.km)) return std::nullopt;
-    return n;
+    const bool is_sure = n.area_f > error && n.area_g > error && is_length(n.km);
+    return is_sure ? std::optional<Flipped>(n) : std::nullopt;
   }
 
   /*!
@@ -153,11 +152,7 @@ public:
     return n;
   }
 
-  /*!
-  \brief stores a flip.
-  \param d the diamond
-  \param n what `compute_flip()` returned for it
-  */
+  /// stores a flip. \param d the diamond \param n what `compute_flip()` returned for it
   void store_flip(const Diamond& d, const Flipped& n) {
     squared_length_[d.ij] = n.km;
     quadruple_area_[d.f] = n.area_f;
