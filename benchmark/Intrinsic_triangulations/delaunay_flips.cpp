@@ -48,6 +48,11 @@ std::vector<Workload> workloads(const std::string& directory) {
                       return IT::synthetic::to_surface_mesh<Kernel::Point_3>(
                           IT::synthetic::shear_torus());
                     }});
+  for (const bool is_fan : {true, false})
+    result.push_back({is_fan ? "plate_of_fans" : "plate_cut_at_random", [=] {
+                        return IT::synthetic::to_surface_mesh<Kernel::Point_3>(
+                            IT::synthetic::sliver_plate(3000, is_fan ? 1000 : 100, 0.1, is_fan));
+                      }});
   result.push_back({"arma_split1M", [=] { return split_armadillo(directory, 1000000); }});
   return result;
 }

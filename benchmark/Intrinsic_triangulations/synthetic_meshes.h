@@ -297,6 +297,52 @@ inline Triangle_soup torus_of_size(std::size_t faces) {
 }
 
 /*!
+\brief builds a thin plate as CAD programs triangulate it: no vertices but those of its outline, so that its faces are slivers.
+
+The outline is an ellipse with `n` points at uneven distances; the walls are strips of quadrilaterals. Flips in a bad order wind
+edges around the plate: several times as many as with long edges first.
+\param aspect length of the ellipse over its width
+\param thickness in units of the mean distance of points
+\param is_fan whether both faces are fans, from opposite ends; else they are cut at random
+\pre `n >= 4`
+*/
+inline Triangle_soup sliver_plate(std::uint32_t n, double aspect, double thickness, bool is_fan,
+                                  std::uint64_t seed = 1) {
+  std::mt19937_64 rng(seed);
+  Triangle_soup soup;
+  const double a = n / 4., b = a / aspect; // the circumference is about 4 a
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double u = 2 * std::numbers::pi * (i + 0.8 * draw_real(rng)) / n;
+    soup.points.push_back({a * std::cos(u), b * std::sin(u), 0});
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const auto [x, y, z] = soup.points[i];
+    soup.points.push_back({x, y, thickness});
+    const std::uint32_t j = (i + 1) % n;
+    soup.triangles.push_back({i, j, n + j});
+    soup.triangles.push_back({i, n + j, n + i});
+  }
+  for (const std::uint32_t side : {0U, 1U}) { // both turn around by n / 2: fans are from opposite ends
+    std::vector<std::array<std::uint32_t, 2>> chains = {{0, n - 1}};
+    while (!chains.empty()) {
+      const auto [i, k] = chains.back();
+      chains.pop_back();
+      if (k - i < 2) continue;
+      const auto j = is_fan ? k - 1
+                            : i + 1 + static_cast<std::uint32_t>(draw_index(rng, k - i - 1));
+      chains.push_back({i, j});
+      chains.push_back({j, k});
+      const auto vertex = [=](std::uint32_t v) { return side * n + (v + side * (n / 2)) % n; };
+      if (side == 0)
+        soup.triangles.push_back({vertex(k), vertex(j), vertex(i)});
+      else
+        soup.triangles.push_back({vertex(i), vertex(j), vertex(k)});
+    }
+  }
+  return soup;
+}
+
+/*!
 \brief triangulates the strip between the parabolas `y = 1 + x^2/4` and `y = -1 - x^2/4` so that
 every way to Delaunay takes a number of flips quadratic in `n`.
 

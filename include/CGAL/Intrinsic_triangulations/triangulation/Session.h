@@ -49,7 +49,7 @@ public:
   explicit Predicate_session(const Triangulation& t) : t_(t) {}
 
   /// see `Intrinsic_triangulation::is_locally_delaunay()`
-  bool is_locally_delaunay(halfedge_descriptor h) const {
+  BOOST_FORCEINLINE bool is_locally_delaunay(halfedge_descriptor h) const {
     return combinatorial_flip_status(h) != Move_status::done ||
            t_.metric().is_locally_delaunay(t_.diamond(h));
   }

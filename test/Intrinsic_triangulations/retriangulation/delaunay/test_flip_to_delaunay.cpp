@@ -1,12 +1,15 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../../../../benchmark/Intrinsic_triangulations/synthetic_meshes.h"
 #include "meshes.h"
 #include "properties.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+
+#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -90,6 +93,27 @@ TEST(Flip_to_delaunay, result_does_not_depend_on_the_order_of_the_queue) {
       expect_same(t, expected);
     }
   }
+}
+
+// Every edge of the plates flips about once if long ones go first. In the order of memory, edges wind around the plates: 6 to 50
+// flips per edge.
+TEST(Flip_to_delaunay, few_flips_make_slivers_delaunay_whatever_the_order_of_starting_edges) {
+  for (unsigned seed = 1; seed <= 6; ++seed)
+    for (const double thickness : {0.1, 1.}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", thickness " << thickness);
+      const auto mesh = IT::synthetic::to_surface_mesh<CGAL::Simple_cartesian<double>::Point_3>(
+          IT::synthetic::sliver_plate(600, 100, thickness, seed % 2 == 0, seed));
+      Exact t(mesh), shuffled(mesh);
+      const auto r = IT::flip_to_delaunay(t);
+      EXPECT_LT(r.flips, 2 * num_edges(t.mesh()));
+      EXPECT_TRUE(IT::is_delaunay(t));
+      std::vector<Edge> queue(edges(t.mesh()).begin(), edges(t.mesh()).end());
+      std::shuffle(queue.begin(), queue.end(), std::mt19937(seed));
+      EXPECT_LT(IT::flip_to_delaunay(shuffled, queue).flips, 2 * num_edges(t.mesh()));
+      expect_same(t, shuffled);
+      Double d(mesh);
+      EXPECT_LT(IT::flip_to_delaunay(d).flips, 2 * num_edges(t.mesh()));
+    }
 }
 
 TEST(Flip_to_delaunay, a_second_run_flips_nothing) {
