@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Vertex_rows.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_values.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -28,6 +29,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -132,17 +134,13 @@ public:
   Intrinsic_triangulation(const Intrinsic_triangulation& other)
       : input_(other.input_), mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
         metric_(other.metric_), correspondence_(other.correspondence_), places_(other.places_),
-        rows_(other.rows_) {
-    places_.attach(*this, metric_);
-  }
+        exact_memory_(other.exact_memory_), rows_(other.rows_) {}
   /// moves everything; elements keep their numbers.
   Intrinsic_triangulation(Intrinsic_triangulation&& other)
       : input_(std::move(other.input_)), mesh_(std::move(other.mesh_)),
         number_(mesh_, other.number_, other.mesh_), metric_(std::move(other.metric_)),
         correspondence_(std::move(other.correspondence_)), places_(std::move(other.places_)),
-        rows_(std::move(other.rows_)) {
-    places_.attach(*this, metric_);
-  }
+        exact_memory_(std::move(other.exact_memory_)), rows_(std::move(other.rows_)) {}
   /// assigns everything; elements keep their numbers.
   Intrinsic_triangulation& operator=(Intrinsic_triangulation other) {
     input_ = std::move(other.input_);
@@ -152,8 +150,8 @@ public:
     metric_ = std::move(other.metric_);
     correspondence_ = std::move(other.correspondence_);
     places_ = std::move(other.places_);
+    exact_memory_ = std::move(other.exact_memory_);
     rows_ = std::move(other.rows_);
-    places_.attach(*this, metric_);
     return *this;
   }
 
@@ -214,6 +212,57 @@ public:
   \pre both sides of the edge have a face
   */
   Diamond diamond(halfedge_descriptor h) const { return internal::diamond_of(h, mesh_, number_); }
+
+  /*!
+  \name Values
+  Of diamonds and faces by their numbers; all ask for a live session.
+  @{
+  */
+  /// returns the sign of an expression in the values of a diamond, exact with exact traits.
+  /// \tparam Expression a model of `DiamondExpression`
+  template <class Expression>
+  Sign sign(const Diamond& d, const Expression& expression) const {
+    if constexpr (decides_by_input)
+      return metric_.sign(d, expression, exact_values());
+    else
+      return metric_.sign(d, expression);
+  }
+  /// returns the sign of an expression in the values of faces, exact with exact traits.
+  /// \tparam Expression a model of `FaceExpression`
+  template <class Expression>
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
+    if constexpr (decides_by_input)
+      return metric_.sign(faces, expression, exact_values());
+    else
+      return metric_.sign(faces, expression);
+  }
+  /// tells whether the angles opposite the edge of a diamond sum to at most pi.
+  BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
+    if constexpr (decides_by_input)
+      return metric_.is_locally_delaunay(d, exact_values());
+    else
+      return metric_.is_locally_delaunay(d);
+  }
+  /// returns half the sum of the cotangents of the angles opposite the edge of a diamond.
+  double cotangent_weight(const Diamond& d) const {
+    if constexpr (decides_by_input)
+      return metric_.cotangent_weight(d, exact_values());
+    else
+      return metric_.cotangent_weight(d);
+  }
+  /// makes what is stored of faces as accurate as it can be.
+  void sharpen(std::span<const Indexed_face> faces) const {
+    if constexpr (decides_by_input) metric_.sharpen(faces, exact_values());
+  }
+  /// makes what is stored of the first side of a face as accurate as it can be.
+  void sharpen_length(const Indexed_face& face) const {
+    if constexpr (decides_by_input) metric_.sharpen_length(face, exact_values());
+  }
+  /// returns what decides where the metric cannot: see `Exact_ladder`.
+  auto exact_values() const requires internal::Defined_by_places<Metric> {
+    return internal::Exact_values<Intrinsic_triangulation>(*this, places_, exact_memory_);
+  }
+  /// @}
 
   /*!
   \brief tells whether the angles opposite an edge sum to at most pi.
@@ -296,6 +345,7 @@ private:
   friend Session;
   /// \endcond
 
+  static constexpr bool decides_by_input = internal::Defined_by_places<Metric>;
   // where the vertices are on the input, if they define the metric
   using Places = std::conditional_t<internal::Defined_by_places<Metric>,
                                     internal::Vertex_places<Intrinsic_triangulation>,
@@ -310,6 +360,9 @@ private:
   Metric metric_;
   [[no_unique_address]] Correspondence correspondence_;
   [[no_unique_address]] Places places_;
+  [[no_unique_address]] mutable std::conditional_t<decides_by_input, internal::Exact_memory,
+                                                   internal::No_exact_memory>
+      exact_memory_; // a cache
   internal::Vertex_rows<Integer_coordinates> rows_;
 };
 
@@ -324,7 +377,6 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric
       metric_(std::move(metric)), rows_(*this) {
   internal::expect_correspondence<Correspondence, Intrinsic_triangulation>();
   correspondence_.start(*this);
-  places_.attach(*this, metric_);
 }
 
 template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
@@ -338,7 +390,7 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(
       rows_(*this) {
   if constexpr (std::is_base_of_v<Integer_coordinates, C>)
     correspondence_.restore(*this, coordinates);
-  places_.restore(*this, metric_, coordinates);
+  places_.restore(*this, coordinates);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -6,11 +6,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets_impl.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts_impl.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates_impl.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Replayed_flips_impl.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation_impl.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_geometry_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/ladder_impl.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_steps_impl.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
@@ -18,9 +16,40 @@
 
 #include <CGAL/Interval_nt.h>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+// of the figures on which it climbs
+template Sign Exact_ladder::sign(const Input_metric&, const Input_diamond&,
+                                 const Recorded_diamond_expression&,
+                                 Diamond_values<Interval_nt<false>>&, Predicate_statistics&);
+template Sign Exact_ladder::sign(const Input_metric&, const Flat_diamond&,
+                                 const Recorded_diamond_expression&,
+                                 Diamond_values<Interval_nt<false>>&, Predicate_statistics&);
+template Sign Exact_ladder::sign(const Input_metric&, const Unfolded_diamond&,
+                                 const Recorded_diamond_expression&,
+                                 Diamond_values<Interval_nt<false>>&, Predicate_statistics&);
+template Sign Exact_ladder::sign(const Input_metric&, const Replayed_diamond&,
+                                 const Recorded_diamond_expression&,
+                                 Diamond_values<Interval_nt<false>>&, Predicate_statistics&);
+template Sign Exact_ladder::sign(const Input_metric&, const Unfolded_faces&,
+                                 const Recorded_face_expression&,
+                                 std::vector<Face_values<Interval_nt<false>>>&,
+                                 Predicate_statistics&);
+template Sign Exact_ladder::sign(const Input_metric&, const Replayed_faces&,
+                                 const Recorded_face_expression&,
+                                 std::vector<Face_values<Interval_nt<false>>>&,
+                                 Predicate_statistics&);
+template std::vector<Face_values<Interval_nt<false>>>
+Exact_ladder::enclosures(const Input_metric&, const Unfolded_faces&, unsigned);
+template std::vector<Face_values<Interval_nt<false>>>
+Exact_ladder::enclosures(const Input_metric&, const Replayed_faces&, unsigned);
+template std::optional<double> Exact_ladder::weight(const Input_metric&, const Unfolded_diamond&,
+                                                    unsigned);
+template std::optional<double> Exact_ladder::weight(const Input_metric&, const Replayed_diamond&,
+                                                    unsigned);
 
 template Interval_nt<false> quadruple_area(const Input_metric&, std::uint32_t);
 template std::vector<double> quadruple_areas(const Input_metric&);

@@ -18,7 +18,7 @@ answer for every correspondence: integer coordinates, explicit crossings, signpo
 
 | operation | needs |
 |---|---|
-| \itf{locate_on_input}, \itf{locate_on_intrinsic}, \itf{tangent_to_input}, \itf{tangent_to_intrinsic} | `correspondence`, `Metric::sign`, `Metric::sharpen`, `Metric::Scope` |
+| \itf{locate_on_input}, \itf{locate_on_intrinsic}, \itf{tangent_to_input}, \itf{tangent_to_intrinsic} | `correspondence`, `sign`, `sharpen`, `Metric::Scope` |
 | \itf{trace_edge}, \itf{trace_input_edge}, \itf{polyline}, \itf{trace_geodesic_on_input} | `correspondence` |
 | \itf{common_subdivision} | `correspondence` |
 | \itf{copy_to_intrinsic}, \itf{vectors_in_space}, \itf{tangent_field_to_input}, \itf{tangent_field_to_intrinsic} | also `is_inserted`, `input_vertex` |
@@ -29,24 +29,26 @@ What the correspondence says is true of the mesh and the metric as they are.
 
 \cgalHeading{Complexity}
 
-Constant time for everything but `Metric::sign`.
+Constant time for everything but `sign`.
 */
 class CorrespondingTriangulation {
 public:
-  /// Decides on which side of a curve a point lies.
+  /// Has a scope.
   class Metric {
   public:
     /// Default constructible; lives around every use of the metric.
     typedef unspecified_type Scope;
     /// Whether signs are exact.
     static bool is_exact;
-    /// returns the sign of an expression in the values of faces; see \ref ::IntrinsicMetric.
-    template <class Expression>
-    CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
-                    const Expression& expression) const;
-    /// makes the doubles that the approximate values of faces are accurate, as far as the metric can.
-    void sharpen(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces) const;
   };
+
+  /// returns the sign of an expression in the values of faces, which decides on which side of a curve a point lies; see
+  /// \ref ::IntrinsicMetric.
+  template <class Expression>
+  CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
+                  const Expression& expression) const;
+  /// makes what is stored of faces as accurate as it can be.
+  void sharpen(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces) const;
 
   /// returns the correspondence: a model of \ref ::CurveCoordinates, or \itc{Signposts}.
   unspecified_type correspondence() const;

@@ -39,13 +39,16 @@ what it counts, are not part of its value.
 | \itf{is_delaunay} | `is_locally_delaunay` |
 | \itf{check_delaunay}, `delaunay_sign()`, `flip_status()` | `sign` of a diamond |
 | `flip_edge()` | also `compute_flip`, `store_flip` |
-| `undo_flip()`, \itc{Flip_log} | also `before_flip`, `undo_flip`, `forget_flip` |
+| `undo_flip()`, \itc{Flip_log} | also `before_flip`, `undo_flip` |
 | `compare_angle_to_pi()` | also `sign` of faces, `approximate_squared_length`, `approximate_quadruple_area` |
 | `squared_length()` and `area()` of the triangulation | `approximate_squared_length`, `approximate_quadruple_area`, `scale_exponent` |
 | `insert_vertex()`, `remove_vertex()` | also `compute_flip_to_zero_area`, and what \ref ::RefinableMetric adds |
 | \itf{delaunay_refine} | also `sign` of faces |
-| \itf{locate_on_input}, insertion with \itc{Integer_coordinates} and \itc{Explicit_crossings} | also `sign` of faces, `sharpen` |
+| \itf{locate_on_input}, insertion with \itc{Integer_coordinates} and \itc{Explicit_crossings} | also `sign` of faces |
 | \itf{cotangent_laplacian}, \itf{measure_quality} | `cotangent_weight` |
+
+A metric decides alone, or by the input: such a metric takes what knows exact values as one more argument of `is_locally_delaunay`,
+`sign` and `cotangent_weight`, from the triangulation that owns it. \itc{Exact_euclidean_metric} does.
 
 The C++20 concept asks for what flips and Laplacians need; \ref ::RefinableMetric for what moves of vertices need.
 
@@ -60,7 +63,7 @@ The C++20 concept asks for what flips and Laplacians need; \ref ::RefinableMetri
 \cgalHeading{Complexity}
 
 Constructors are linear. Everything else takes constant time, except that an exact
-metric may need time for a decision that depends on how many moves the values went through.
+metric may need time for a decision that depends on how many input triangles a diamond lies over.
 */
 class IntrinsicMetric {
 public:
@@ -117,9 +120,6 @@ public:
   template <class Expression>
   CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
                   const Expression& expression) const;
-  /// makes the doubles that the approximate values of faces are accurate, as far as the metric can.
-  void sharpen(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces) const;
-
   /// tells whether the area of a face is zero.
   bool is_degenerate(std::uint32_t face) const;
   /// tells whether the length of an edge is zero.

@@ -76,6 +76,4 @@ public:
   */
   void insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s,
                              const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
-  /// tells whether places define the values: from the first insertion on.
-  bool is_defined_by_places() const;
 };

@@ -18,7 +18,7 @@ remove and move them. Its `Session` does that; its predicates bound the shapes o
 
 | operation | needs |
 |---|---|
-| \itf{delaunay_refine}, \itf{adaptive_refine} | `Session::insert_vertex`, `Session::split_edge`, `Session::remove_vertex`, `Metric::sign` |
+| \itf{delaunay_refine}, \itf{adaptive_refine} | `Session::insert_vertex`, `Session::split_edge`, `Session::remove_vertex`, `sign` |
 | \itf{insert_polyline}, \itf{insert_traced_path} | `Session::insert_vertex`, `Session::split_edge` |
 | \itf{odt_optimize} | `Session::split_edge`, `Session::reposition_vertex` |
 | \itf{injective_harmonic_map} | `Session::split_edge` |
@@ -39,14 +39,10 @@ public:
   /// Halfedge of the mesh.
   typedef unspecified_type halfedge_descriptor;
 
-  /// Also decides predicates on faces.
-  class Metric {
-  public:
-    /// returns the sign of an expression in the values of faces; see \ref ::IntrinsicMetric.
-    template <class Expression>
-    CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
-                    const Expression& expression) const;
-  };
+  /// returns the sign of an expression in the values of faces; see \ref ::IntrinsicMetric.
+  template <class Expression>
+  CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
+                  const Expression& expression) const;
   /// Also inserts, removes and moves vertices.
   class Session {
   public:

@@ -52,7 +52,7 @@ struct Loaded {
   /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
   const std::vector<Point>& scaled_points() const {
     if constexpr (Triangulation::Metric::is_exact)
-      if (points.empty()) return triangulation.metric().input().points();
+      if (points.empty()) return triangulation.input().metric().points();
     return points;
   }
 };

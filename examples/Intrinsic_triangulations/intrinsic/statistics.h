@@ -140,7 +140,7 @@ double input_area(const Loaded<Triangulation>& loaded) {
   }
   if constexpr (Triangulation::Metric::is_exact) {
     if (loaded.points.empty()) { // the metric keeps input faces whatever was flipped
-      const IT::Input_metric& input = t.metric().input();
+      const IT::Input_metric& input = t.input().metric();
       for (std::uint32_t f = 0; f < input.number_of_faces(); ++f)
         sum += area(p[input.sides(f)[0]], p[input.sides(f)[1]], p[input.sides(f)[2]]);
       return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent()) /

@@ -34,8 +34,7 @@ The usual triangulations, which the library has compiled; see `compilation.h`.
 /// the same for what knows where vertices are, which triangulations with exact traits have.
 #define CGAL_INTRINSIC_TRIANGULATIONS_PLACES_INSTANCES(...)                                        \
   CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Vertex_places<__VA_ARGS__>; \
-  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Triangulation_unfolder<     \
-      __VA_ARGS__, internal::Vertex_places<__VA_ARGS__>>
+  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::Exact_values<__VA_ARGS__>
 
 /// the same for what unfolds input triangles, with each of the number types that do.
 #define CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(...)                                     \

@@ -381,7 +381,7 @@ TEST(Exact_vertex_moves, sides_of_unfolded_segments_are_told_exactly) {
       const CGAL::Sign expected =
           CGAL::sign(Gmpq((m[0] - k[0]) * (q[1] - k[1]) - (m[1] - k[1]) * (q[0] - k[0])));
       const CGAL::Protect_FPU_rounding<true> upwards;
-      EXPECT_EQ(p.t.metric().sign(faces, Orientation{n / 16.0}), expected);
+      EXPECT_EQ(p.t.sign(faces, Orientation{n / 16.0}), expected);
       ties += expected == CGAL::ZERO ? 1 : 0;
     }
   }
@@ -404,7 +404,7 @@ TEST(Exact_vertex_moves, vague_intervals_of_faces_are_sharpened) {
     const CGAL::Protect_FPU_rounding<true> upwards;
     const IT::Indexed_face f = indexed_face(t, h);
     widest = std::max(widest, width(t.metric().quadruple_area(f.face)));
-    t.metric().sharpen(std::span(&f, 1));
+    t.sharpen(std::span(&f, 1));
     EXPECT_LE(width(t.metric().quadruple_area(f.face)), 0x1p-40);
     for (const std::uint32_t e : f.edges) EXPECT_LE(width(t.metric().squared_length(e)), 0x1p-40);
   }

@@ -357,7 +357,7 @@ int expect_sign(Known_triangulation& k, IT::Integer_geometry& geometry, Halfedge
   const Scope scope;
   const IT::Intrinsic_view<Triangulation> view(k.t);
   IT::Predicate_statistics statistics;
-  EXPECT_EQ(k.t.metric().sign(k.t.diamond(h), e), expected);
+  EXPECT_EQ(k.t.sign(k.t.diamond(h), e), expected);
   EXPECT_EQ(geometry.sign(view, k.t.correspondence(), k.t.numbers().halfedge(h), e, statistics),
             expected);
   EXPECT_EQ(k.t.metric().statistics().probable_zero + statistics.probable_zero, 0U);
@@ -391,7 +391,7 @@ void check_faces(Known_triangulation& k, const std::vector<IT::Indexed_face>& fa
   for (const IT::Indexed_face& f : faces) values.push_back(k.values(f));
   const int expected = e(std::span<const IT::Face_values<Number>>(values)).sign();
   const Scope scope;
-  EXPECT_EQ(k.t.metric().sign(std::span<const IT::Indexed_face>(faces), e), expected);
+  EXPECT_EQ(k.t.sign(std::span<const IT::Indexed_face>(faces), e), expected);
   ++(expected == 0 ? n.zeros : n.others);
 }
 

@@ -6,8 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -104,7 +105,7 @@ public:
 
   /// Intervals in many bits, rounded to doubles, from a halfedge on; rounding must be upwards.
   Face enclosure(std::uint32_t h, unsigned bits = 256) {
-    return evaluation_.enclosures(t_->input().metric(), {face(h)}, bits).front();
+    return ladder_.enclosures(t_->input().metric(), IT::Unfolded_faces{{face(h)}}, bits).front();
   }
 
   /// Exact values, from a halfedge on.
@@ -117,7 +118,7 @@ private:
   const T* t_;
   IT::Intrinsic_view<T> view_;
   IT::Diamond_unfolder unfolder_;
-  IT::Exact_evaluation evaluation_;
+  IT::Exact_ladder ladder_;
 };
 
 /// A halfedge of each face, by number.

@@ -5,7 +5,7 @@
 #define TEST_INTRINSIC_TRIANGULATIONS_PROPERTIES_H
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/exact/History_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/exact/Field_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 
 #include <gtest/gtest.h>
@@ -143,19 +143,14 @@ inline void expect_same_laplacian(std::map<Vertex_pair, double> a, std::map<Vert
         << "between " << ij.first << " and " << ij.second;
 }
 
-/// The values of the diamond of `h`, exactly, from the input and the flips since. They refer to
-/// what `f` gets and must not leave it.
+/// The values of the diamond of `h`, exactly, from the input. They refer to what `f` gets and must not leave it.
 template <class T, class Function>
 void with_exact_values(const T& t, Halfedge<T> h, const Function& f) {
-  ASSERT_FALSE(t.metric().is_defined_by_places()) << "there is no history";
-  const IT::Diamond d = t.diamond(h);
-  const auto side = [&](std::uint32_t face, std::uint32_t next_edge) -> IT::Flip_history::Side {
-    const auto& [version, first] = t.metric().versions().version(face);
-    return {version, first == d.ij ? 0U : first == next_edge ? 2U : 1U};
-  };
-  IT::History_zero_test test(t.input().metric(), t.metric().versions().history(), side(d.f, d.jk),
-                             side(d.g, d.im));
-  f(test.exact_values());
+  IT::Integer_faces integers;
+  IT::Field_zero_test field(t.input().metric(), integers);
+  t.exact_values().with_figure(t.diamond(h), [&](const auto& figure) {
+    f(figure.template values<IT::Multiquadratic_number>(field.exact_faces()));
+  });
 }
 
 /// Exact squared length of an inner edge if it is rational, else -1.

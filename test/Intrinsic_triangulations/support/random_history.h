@@ -9,9 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/History_evaluator.h>
+#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -35,21 +35,19 @@ namespace random_history {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Map = IT::Gluing_map;
-using Side = IT::Flip_history::Side;
 
 class Walk {
 public:
   Walk(Map map, IT::Input_metric metric)
-      : mesh(std::move(map)), input(std::move(metric)), history(mesh.number_of_faces()),
-        number_(mesh) {
-    coordinates_.start(Started{std::make_shared<IT::Input>(mesh, input)});
-    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
-      first_.push_back({f, mesh.halfedge(Map::Face{f})});
+      : mesh(std::move(map)), input(std::move(metric)),
+        surface_(std::make_shared<IT::Input>(mesh, input)), number_(mesh) {
+    coordinates_.start(Started{surface_});
   }
 
-  Side side(Map::Halfedge h) const {
-    const auto& [version, first] = first_[mesh.face(h).index];
-    return {version, h == first ? 0U : h == mesh.next(first) ? 1U : 2U};
+  /// The diamond of an edge by the flips.
+  IT::Replayed_diamond replayed(Map::Halfedge h) const {
+    return IT::Replayed_diamond(
+        IT::Replayed_faces(*surface_, mesh, flips, {face_from(h), face_from(Map::opposite(h))}));
   }
 
   bool is_inner(Map::Halfedge h) const {
@@ -73,9 +71,8 @@ public:
     IT::Diamond_values<CGAL::Interval_nt<false>> values;
     const CGAL::Protect_FPU_rounding<true> upwards; // as intervals ask for
     if (const auto u = unfolded(h))
-      return evaluation_.sign(input, *u, IT::recorded(e), values, statistics);
-    return evaluation_.sign(input, history, side(h), side(Map::opposite(h)), IT::recorded(e),
-                            values, statistics);
+      return ladder_.sign(input, *u, IT::recorded(e), values, statistics);
+    return ladder_.sign(input, replayed(h), IT::recorded(e), values, statistics);
   }
 
   bool is_convex(Map::Halfedge h) {
@@ -85,13 +82,11 @@ public:
 
   // turns h clockwise
   void flip(Map::Halfedge h) {
-    const std::uint32_t version = history.record_flip(side(h), side(Map::opposite(h)));
     const IT::Flip move = IT::internal::flip_record(h, mesh, number_);
     is_counted_ = is_counted_ && coordinates_.before(*this, move);
     CGAL::Euler::flip_edge(h, mesh);
     if (is_counted_) coordinates_.after(*this, move);
-    first_[mesh.face(h).index] = {version, h};
-    first_[mesh.face(Map::opposite(h)).index] = {version + 1, Map::opposite(h)};
+    flips.add(h.index);
   }
 
   bool try_flip(Map::Halfedge h) {
@@ -115,10 +110,15 @@ public:
 
   Map mesh;
   IT::Input_metric input;
-  IT::Flip_history history;
+  IT::Flip_list flips;
   IT::Predicate_statistics statistics;
 
 private:
+  IT::Indexed_face face_from(Map::Halfedge h) const {
+    const Map::Halfedge n = mesh.next(h);
+    return {mesh.face(h).index, {h.index / 2, n.index / 2, mesh.next(n).index / 2}};
+  }
+
   struct Started {
     std::shared_ptr<const IT::Input> input;
     const std::shared_ptr<const IT::Input>& shared_input() const { return input; }
@@ -135,11 +135,11 @@ private:
     static std::uint32_t opposite(std::uint32_t h) { return h ^ 1U; }
   };
 
+  std::shared_ptr<const IT::Input> surface_;
   IT::Mesh_adaptor<Map> number_;
   IT::Integer_coordinates coordinates_;
   bool is_counted_ = true; // whether the coordinates have stayed in bounds
-  std::vector<std::pair<std::uint32_t, Map::Halfedge>> first_; // version, and its slot 0
-  IT::Exact_evaluation evaluation_;
+  IT::Exact_ladder ladder_;
 };
 
 /// Expects that two diamonds have the same values, exactly.

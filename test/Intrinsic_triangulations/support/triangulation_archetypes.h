@@ -216,11 +216,6 @@ public:
   using Scope = Wrapped::Metric::Scope;
   static constexpr bool is_exact = Wrapped::Metric::is_exact;
   using Values::Values;
-  template <class Expression>
-  CGAL::Sign sign(std::span<const IT::Indexed_face> faces, const Expression& e) const {
-    return m_.sign(faces, e);
-  }
-  void sharpen(std::span<const IT::Indexed_face> faces) const { m_.sharpen(faces); }
 };
 
 /// A model of `CorrespondingTriangulation`.
@@ -228,6 +223,11 @@ class Corresponding_triangulation : public Numbered<Metric_of_corresponding> {
 public:
   explicit Corresponding_triangulation(Wrapped& t) : Numbered(t), curves_(t.correspondence()) {}
   const Curves& correspondence() const { return curves_; }
+  template <class Expression>
+  CGAL::Sign sign(std::span<const IT::Indexed_face> faces, const Expression& e) const {
+    return t_.sign(faces, e);
+  }
+  void sharpen(std::span<const IT::Indexed_face> faces) const { t_.sharpen(faces); }
 
 private:
   Curves curves_;
@@ -238,10 +238,6 @@ public:
   static constexpr bool is_exact = Wrapped::Metric::is_exact;
   using Values::Values;
   bool is_degenerate(std::uint32_t f) const { return m_.is_degenerate(f); }
-  template <class Expression>
-  CGAL::Sign sign(std::span<const IT::Indexed_face> faces, const Expression& e) const {
-    return m_.sign(faces, e);
-  }
 };
 
 /// A model of `RefinableTriangulation`.
@@ -293,6 +289,10 @@ public:
   };
 
   using Numbered::Numbered;
+  template <class Expression>
+  CGAL::Sign sign(std::span<const IT::Indexed_face> faces, const Expression& e) const {
+    return t_.sign(faces, e);
+  }
   double squared_length(edge_descriptor e) const { return t_.squared_length(e); }
 };
 

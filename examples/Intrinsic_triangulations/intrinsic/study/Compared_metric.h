@@ -4,6 +4,7 @@
 #ifndef INTRINSIC_STUDY_COMPARED_METRIC_H
 #define INTRINSIC_STUDY_COMPARED_METRIC_H
 
+#include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
@@ -16,10 +17,9 @@ namespace program {
 namespace IT = CGAL::Intrinsic_triangulations;
 
 /*!
-\brief decides as another metric does, and compares with an exact one that follows the same flips.
+\brief decides as another metric does, and compares with an exact triangulation that follows the same flips.
 
-Once a diamond is flipped that is not convex there is no triangulation any more that the exact metric could
-follow: it stops.
+Once a diamond is flipped that is not convex there is no triangulation any more that could follow: it stops.
 \tparam Metric a model of `IntrinsicMetric`
 */
 template <class Metric>
@@ -27,7 +27,8 @@ class Compared_metric : public Metric {
 public:
   Compared_metric() = default;
   explicit Compared_metric(const std::shared_ptr<const IT::Input>& input)
-      : Metric(input), exact_(input) {}
+      : Metric(input),
+        exact_(IT::Gluing_map(input->mesh()), IT::Exact_euclidean_metric(input), input) {}
 
   bool is_locally_delaunay(const IT::Diamond& d) const {
     const bool answer = Metric::is_locally_delaunay(d);
@@ -43,7 +44,7 @@ public:
     }
   }
 
-  /// tells whether the exact metric is one of the triangulation as it is now.
+  /// tells whether the exact triangulation is the one that this metric belongs to.
   bool is_following() const { return is_following_; }
   /// returns how many edges were taken for Delaunay and are not, or the other way round.
   std::uint64_t different_decisions() const { return different_decisions_; }
@@ -51,21 +52,21 @@ public:
   std::uint64_t nonconvex_flips() const { return nonconvex_flips_; }
 
 private:
-  using Exact = IT::Exact_euclidean_metric;
+  using Exact = IT::Intrinsic_triangulation<>;
 
   // Not inline: the other metric's arithmetic must not be moved to where rounding is upwards.
   [[gnu::noinline]] bool is_exactly_delaunay(const IT::Diamond& d) const {
-    const Exact::Scope scope;
-    return exact_.is_locally_delaunay(d);
+    return exact_.is_locally_delaunay(halfedge_of(d));
   }
 
   [[gnu::noinline]] bool follow(const IT::Diamond& d) {
-    const Exact::Scope scope;
-    if (exact_.sign(d, IT::Convexity_at_source_expression()) != CGAL::POSITIVE ||
-        exact_.sign(d, IT::Convexity_at_target_expression()) != CGAL::POSITIVE)
-      return false;
-    exact_.store_flip(d, *exact_.compute_flip(d));
-    return true;
+    return exact_.flip_edge(halfedge_of(d)) == IT::Move_status::done;
+  }
+
+  Exact::halfedge_descriptor halfedge_of(const IT::Diamond& d) const {
+    const Exact::halfedge_descriptor h{2 * d.ij};
+    const IT::Gluing_map& m = exact_.mesh();
+    return m.face(h).index == d.f && m.next(h).index / 2 == d.jk ? h : m.opposite(h);
   }
 
   Exact exact_;

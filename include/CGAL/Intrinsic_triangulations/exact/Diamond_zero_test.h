@@ -24,19 +24,6 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace internal {
-
-// evaluates in any field
-inline auto value_of(const Unfolded_diamond& diamond,
-                     const Recorded_diamond_expression& expression) {
-  return [&](const auto& faces) {
-    using Number = typename std::decay_t<decltype(faces)>::Number;
-    return expression(diamond.values<Number>(faces));
-  };
-}
-
-} // namespace internal
-
 /*!
 \brief decides whether expressions in the values of a diamond that is unfolded from the input are
 exactly zero.
@@ -76,23 +63,14 @@ public:
                          const Recorded_diamond_expression& expression) {
     if (expression.degree() && expression.degree()->is_uniform)
       return decide_uniform_polynomial(input, diamond, expression);
-    if (faces_.size() > maximal_memory) faces_ = {};
-    return Field_zero_test(input, faces_)(internal::value_of(diamond, expression));
+    return of_figure(input, diamond, expression);
   }
 
-  /// decides about an expression in the values of faces, each the left one of its diamond; see `Field_zero_test`.
-  Zero_answer of_faces(const Input_metric& input, const std::vector<Unfolded_diamond>& faces,
-                       const Recorded_face_expression& expression) {
-    if (faces_.size() > maximal_memory) faces_ = {};
-    return Field_zero_test(input, faces_)([&](const auto& input_faces) {
-      using Number = typename std::decay_t<decltype(input_faces)>::Number;
-      std::vector<Face_values<Number>> values;
-      for (const Unfolded_diamond& f : faces) {
-        const Diamond_values<Number> v = f.template values<Number>(input_faces);
-        values.push_back({{v.ij, v.jk, v.ki}, v.area_f});
-      }
-      return expression(values);
-    });
+  /// decides about an expression in the values of any other figure, see `Exact_ladder`, by a `Field_zero_test`.
+  template <class Figure, class Expression>
+  Zero_answer operator()(const Input_metric& input, const Figure& figure,
+                         const Expression& expression) {
+    return of_figure(input, figure, expression);
   }
 
 private:
@@ -106,6 +84,22 @@ private:
   // four primes
   static constexpr double probable_bits = 3.5 * Prime_fields::bits;
 
+  // evaluates in any field
+  template <class Figure, class Expression>
+  static auto value_of(const Figure& figure, const Expression& expression) {
+    return [&](const auto& faces) {
+      using Number = typename std::decay_t<decltype(faces)>::Number;
+      return expression(figure.template values<Number>(faces));
+    };
+  }
+
+  template <class Figure, class Expression>
+  Zero_answer of_figure(const Input_metric& input, const Figure& figure,
+                        const Expression& expression) {
+    if (faces_.size() > maximal_memory) faces_ = {};
+    return Field_zero_test(input, faces_)(value_of(figure, expression));
+  }
+
   Zero_answer decide_uniform_polynomial(const Input_metric& input, const Unfolded_diamond& diamond,
                                         const Recorded_diamond_expression& expression) {
     if (faces_.size() > maximal_memory) faces_ = {};
@@ -114,7 +108,7 @@ private:
       if (!vanishes(diamond, expression, probable_bits, false)) return Zero_answer::not_zero;
       // the terms of the value, if they are not too many
       if (Field_zero_test(input, faces_)
-              .is_proven_zero(internal::value_of(diamond, expression), few_pairs))
+              .is_proven_zero(value_of(diamond, expression), few_pairs))
         return Zero_answer::zero;
       if (basis_.dimension() > maximal_dimension) return Zero_answer::probably_zero;
     }

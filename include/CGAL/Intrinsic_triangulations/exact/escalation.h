@@ -93,6 +93,12 @@ inline std::optional<Sign> counted(const Uncertain<Sign>& s, unsigned bits,
   return get_certain(s);
 }
 
+// Zero, which is counted as proven.
+inline Sign counted_zero(Predicate_statistics& statistics) {
+  ++statistics.certified_zero;
+  return ZERO;
+}
+
 /*
 Returns the sign of an expression in values that `values()` computes in balls with so many bits, if it is certain, and whether the
 value seems to be zero. `better` is set to intervals that contain the values.
@@ -122,10 +128,7 @@ Sign escalated_sign(const Values& values, bool zero_first, const Is_zero& is_zer
   std::optional<Zero_answer> answer;
   for (unsigned bits = first_bits;; bits *= 2) {
     if (!answer && (zero_first || bits > first_bits)) answer = is_zero();
-    if (answer == Zero_answer::zero) {
-      ++statistics.certified_zero;
-      return ZERO;
-    }
+    if (answer == Zero_answer::zero) return counted_zero(statistics);
     if (answer && gives_up(*answer, bits)) {
       ++statistics.probable_zero;
       return ZERO;

@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_DIAMOND_SIGN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_INPUT_DIAMOND_SIGN_H
 
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
@@ -23,15 +23,13 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief decides the sign of an expression in the values of a diamond of two input faces, exactly.
 \param input the input
-\param left side of an input face
-\param right side of an input face, glued to `left`
+\param diamond the faces
 \param expression the expression
 \return the sign; nothing if the expression is not linear in the areas (see
   `Expression_degree::is_linear_in_areas()`), or coordinates spread over more than 122 bits
 \complexity constant, about a tenth of a microsecond
 */
-std::optional<Sign> input_diamond_sign(const Input_metric& input, Flip_history::Side left,
-                                       Flip_history::Side right,
+std::optional<Sign> input_diamond_sign(const Input_metric& input, const Input_diamond& diamond,
                                        const Recorded_diamond_expression& expression);
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Binary_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Word_integer.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/integer_diamond_sign.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_history.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
@@ -30,8 +30,9 @@ namespace internal {
 // The four corners i, j, k, m of a diamond of input faces.
 class Corners {
 public:
-  Corners(const Input_metric& input, Flip_history::Side left, Flip_history::Side right)
+  Corners(const Input_metric& input, const Input_diamond& d)
       : delta_(input.delta()) {
+    const auto& [left, right] = d;
     const Input_metric::Sides &f = input.sides(left.face), &g = input.sides(right.face);
     const std::uint32_t corner[4] = {f[left.slot], f[(left.slot + 1) % 3], f[(left.slot + 2) % 3],
                                      g[(right.slot + 2) % 3]};
@@ -83,8 +84,9 @@ private:
 // The five sides of a diamond of input faces with given squared lengths.
 class Side_lengths {
 public:
-  Side_lengths(const Input_metric& input, Flip_history::Side left, Flip_history::Side right)
+  Side_lengths(const Input_metric& input, const Input_diamond& d)
       : delta_(input.delta()) {
+    const auto& [left, right] = d;
     const Input_metric::Sides &f = input.sides(left.face), &g = input.sides(right.face);
     for (const std::uint32_t e : {f[left.slot], f[(left.slot + 1) % 3], f[(left.slot + 2) % 3],
                                   g[(right.slot + 1) % 3], g[(right.slot + 2) % 3]}) {
@@ -126,13 +128,12 @@ std::optional<Sign> integer_diamond_sign(const Source& source,
 } // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Sign> input_diamond_sign(const Input_metric& input, Flip_history::Side left,
-                                       Flip_history::Side right,
+std::optional<Sign> input_diamond_sign(const Input_metric& input, const Input_diamond& diamond,
                                        const Recorded_diamond_expression& expression) {
   if (!expression.is_linear_in_areas()) return std::nullopt;
   if (input.is_embedded())
-    return internal::integer_diamond_sign(internal::Corners(input, left, right), expression);
-  return internal::integer_diamond_sign(internal::Side_lengths(input, left, right), expression);
+    return internal::integer_diamond_sign(internal::Corners(input, diamond), expression);
+  return internal::integer_diamond_sign(internal::Side_lengths(input, diamond), expression);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

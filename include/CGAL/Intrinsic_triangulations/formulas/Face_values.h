@@ -20,7 +20,7 @@ arithmetic.
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief names a side of a face: of the input, or of one that moves made (a version, see `Flip_history`).
+\brief names a side of a face of the input.
 */
 struct Face_side {
   std::uint32_t face; ///< the face

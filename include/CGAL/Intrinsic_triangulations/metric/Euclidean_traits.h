@@ -112,9 +112,6 @@ public:
     return CGAL::sign(expression(std::span<const Face_values<FT>>(v.data(), v.size())));
   }
 
-  /// does nothing: stored values are as accurate as they are.
-  void sharpen(std::span<const Indexed_face>) const {}
-
   /// What a flip makes.
   using Flipped = Flipped_values<FT>;
 
@@ -165,11 +162,8 @@ public:
   Before_flip before_flip(const Diamond& d) const {
     return {squared_length_[d.ij], quadruple_area_[d.f], quadruple_area_[d.g]};
   }
-  /// stores values that a flip has replaced. Nothing else remembers the flip.
+  /// stores values that a flip has replaced.
   void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
-  /// does nothing: there is no history.
-  void forget_flip(const Diamond&, const Before_flip&) {}
-
   /*!
   \brief computes the values at a vertex inserted in a face, and stores them.
   \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one

@@ -4,17 +4,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/exact/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Face_versions.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Remembered_signs.h>
 
@@ -26,7 +22,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -38,9 +33,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief stores the metric as intervals that contain the exact values, and decides exactly.
 
-A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, an `Exact_geometry` decides
-by the input faces underneath. Better intervals found on the way replace the stored ones: they are a cache, so that predicates
-are const.
+A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, the owner decides, who knows where
+edges run on the input: see `Exact_values`, which all predicates take as their last argument. Better intervals found on the way
+replace the stored ones: they are a cache, so that predicates are const.
 Nothing is locked: not even predicates of one metric may run in two threads at a time.
 
 All members but the constructors and `Scope` ask for a live `Scope`, which sets the rounding mode
@@ -64,18 +59,16 @@ public:
   \complexity linear
   */
   explicit Exact_euclidean_metric(const std::shared_ptr<const Input>& input)
-      : Enclosed_values(enclose(*input)), geometry_(input) {}
+      : Enclosed_values(enclose(*input)), scale_exponent_(input->scale_exponent()) {}
 
-  /*!
-  \brief restores a metric that will be defined by places: see `forget_flips()`.
-  \pre the intervals contain the values that the places define
-  */
+  /// restores a metric. \pre the intervals contain the values that the input defines
   Exact_euclidean_metric(const std::shared_ptr<const Input>& input, Enclosed_values values)
-      : Enclosed_values(std::move(values)), geometry_(input) {}
+      : Enclosed_values(std::move(values)), scale_exponent_(input->scale_exponent()) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
   // the call would cost a tenth of the flips where compilers, by chance, do not inline it
-  BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
+  template <class Exact>
+  BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d, const Exact& exact) const {
     ++statistics().checks;
     const FT& ij = squared_length(d.ij);
     const FT q_f = squared_length(d.jk) + squared_length(d.ki) - ij;
@@ -85,28 +78,28 @@ public:
     const FT value = delaunay_value(q_f, quadruple_area(d.f), q_g, quadruple_area(d.g));
     if (value.inf() >= 0) return true;
     if (value.sup() < 0) return false;
-    return exact_delaunay_sign(d) != NEGATIVE;
+    return exact_delaunay_sign(d, exact) != NEGATIVE;
   }
 
   /*!
   \brief returns the exact sign of an expression in the values of a diamond, of any degree.
   \tparam Expression a model of `DiamondExpression`
   */
-  template <class Expression>
-  Sign sign(const Diamond& d, const Expression& expression) const {
+  template <class Expression, class Exact>
+  Sign sign(const Diamond& d, const Expression& expression, const Exact& exact) const {
     static_assert(DiamondExpression<Expression>);
     const std::optional<Sign> s = certain_sign(expression(enclosure(d)));
-    return s ? *s : exact_sign(d, recorded(expression));
+    return s ? *s : exact_sign(d, recorded(expression), exact);
   }
 
   /*!
   \brief returns the exact sign of an expression in the values of faces, of any degree.
   \tparam Expression a model of `FaceExpression`
-  \complexity mostly linear in the number of faces; if the filter fails, in that of the moves that
-  made them
+  \complexity mostly linear in the number of faces; if the filter fails, in that of the input triangles under them
   */
-  template <class Expression>
-  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
+  template <class Expression, class Exact>
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression,
+            const Exact& exact) const {
     static_assert(FaceExpression<Expression>);
     using Values = std::span<const Face_values<FT>>;
     if (faces.size() == 1) { // nearly always, and most of them end here
@@ -116,7 +109,8 @@ public:
     std::vector<Face_values<FT>> values;
     for (const Indexed_face& f : faces) values.push_back(enclosure(f));
     const std::optional<Sign> s = certain_sign(expression(Values(values)));
-    return s ? *s : exact_sign(faces, values, Recorded_face_expression(expression, faces.size()));
+    return s ? *s
+             : exact_sign(faces, values, Recorded_face_expression(expression, faces.size()), exact);
   }
 
   /*!
@@ -124,11 +118,13 @@ public:
   value, except for areas of thin faces, which get as accurate as 4096 bits allow.
   \complexity constant per face if they are narrow, else linear in the number of input triangles under it
   */
-  void sharpen(std::span<const Indexed_face> faces) const;
+  template <class Exact>
+  void sharpen(std::span<const Indexed_face> faces, const Exact& exact) const;
   /*!
   \brief makes the interval of the squared length of the first side of a face narrow, and the double beside it accurate, see above.
   */
-  void sharpen_length(const Indexed_face& face) const;
+  template <class Exact>
+  void sharpen_length(const Indexed_face& face, const Exact& exact) const;
 
   /*!
   \brief computes a flip and changes nothing.
@@ -154,52 +150,27 @@ public:
   }
 
   /*!
-  \brief stores a flip and records it in the history.
+  \brief stores a flip.
   \param d the diamond
   \param n what `compute_flip()` returned for it
   */
   BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) {
     store(d, n);
-    geometry_.flip(d);
     signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
   }
 
-  /// What a flip replaces: values, and which versions the faces are.
-  struct Before_flip : Flipped {
-    /// of the left and the right face; of no meaning if `is_defined_by_places()`
-    std::array<Face_versions::Version, 2> versions;
-  };
-
+  /// What a flip replaces.
+  using Before_flip = Flipped;
   /// returns what a flip of the edge will replace.
-  Before_flip before_flip(const Diamond& d) const { return {stored(d), geometry_.versions_at(d)}; }
-
+  Before_flip before_flip(const Diamond& d) const { return stored(d); }
   /// stores values that a flip has replaced.
-  void undo_flip(const Diamond& d, const Flipped& n) {
-    store(d, n);
-    signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
-  }
-
-  /// takes the last flip out of the history. \pre `undo_flip()` has restored its values
-  void forget_flip(const Diamond& d, const Before_flip& before) {
-    geometry_.forget_flip(d, before.versions);
-  }
-
-  /// see `Exact_geometry::unfold_by()`
-  void unfold_by(Input_unfolder& unfolder) { geometry_.unfold_by(unfolder); }
-  /// see `Exact_geometry::forget_flips()`
-  void forget_flips() {
-    geometry_.forget_flips();
-    signs_ = {}; // found in other ways, which leave other intervals
-  }
-  /// tells whether values are defined by places of vertices on the input.
-  bool is_defined_by_places() const { return geometry_.is_defined_by_places(); }
+  void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
 
   /*!
   \brief stores the values at a vertex inserted in a face.
   \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one
   are stored
   \param values of its spokes and faces, narrow
-  \pre `is_defined_by_places()`
   */
   void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values) {
     store(s.spokes, s.faces, {values, approximations(values)});
@@ -239,13 +210,9 @@ public:
   }
 
   /// returns s, where coordinates are scaled by 2^s.
-  int scale_exponent() const { return input().scale_exponent(); }
-  /// returns the input, which defines all values exactly.
-  const Input_metric& input() const { return geometry_.input(); }
-  /// returns the flips done so far, and which of them made each face. \pre `!is_defined_by_places()`
-  const Face_versions& versions() const { return geometry_.versions(); }
+  int scale_exponent() const { return scale_exponent_; }
   /// returns how predicates were decided, which may be reset.
-  Predicate_statistics& statistics() const { return geometry_.statistics(); }
+  Predicate_statistics& statistics() const { return statistics_; }
 
   /*!
   \brief returns (cot k + cot m) / 2 for the angles opposite an edge between two faces.
@@ -254,10 +221,10 @@ public:
   of min(1, E), where E is the least Dirichlet energy in the two faces of functions that change by one along the edge; see
   `stored_weight()`. What stored values do not tell so well is the double nearest to the exact weight, however it is found.
   \pre both faces have an area
-  \complexity constant as a rule; else that of flips that have not been repeated yet, or linear in the number of input
-  triangles under the diamond
+  \complexity constant as a rule; else linear in the number of input triangles under the diamond
   */
-  double cotangent_weight(const Diamond& d) const;
+  template <class Exact>
+  double cotangent_weight(const Diamond& d, const Exact& exact) const;
 
   using Enclosed_values::cotangent_weight;
 
@@ -285,14 +252,87 @@ private:
   }
 
   // what the filter cannot decide is rare
-  Sign exact_sign(const Diamond& d, const Recorded_diamond_expression& expression) const;
+  template <class Exact>
+  Sign exact_sign(const Diamond& d, const Recorded_diamond_expression& expression,
+                  const Exact& exact) const;
+  template <class Exact>
   Sign exact_sign(std::span<const Indexed_face> faces, std::vector<Face_values<FT>>& values,
-                  const Recorded_face_expression& expression) const;
-  Sign exact_delaunay_sign(const Diamond& d) const;
+                  const Recorded_face_expression& expression, const Exact& exact) const;
+  template <class Exact>
+  Sign exact_delaunay_sign(const Diamond& d, const Exact& exact) const;
 
-  Exact_geometry geometry_;
+  int scale_exponent_ = 0;
   mutable Remembered_signs signs_; // of `Delaunay_expression`
+  mutable Predicate_statistics statistics_;
 };
+
+template <class Exact>
+void Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces,
+                                     const Exact& exact) const {
+  const auto is_narrow = [this](const Indexed_face& f) { return Enclosed_values::is_narrow(f); };
+  std::vector<Indexed_face> wide(faces.begin(), faces.end());
+  std::erase_if(wide, is_narrow);
+  for (const unsigned bits : precisions) {
+    if (wide.empty()) return;
+    statistics().sharpenings[bits] += wide.size();
+    refine(wide, exact.enclosures(wide, bits));
+    std::erase_if(wide, is_narrow);
+  }
+}
+
+template <class Exact>
+void Exact_euclidean_metric::sharpen_length(const Indexed_face& face, const Exact& exact) const {
+  for (const unsigned bits : precisions) {
+    if (is_narrow(face.edges[0])) return;
+    ++statistics().sharpenings[bits];
+    refine_length(face.edges[0], exact.first_squared_length(face, bits));
+  }
+}
+
+template <class Exact>
+double Exact_euclidean_metric::cotangent_weight(const Diamond& d, const Exact& exact) const {
+  if (const std::optional<double> weight = stored_weight(d)) return *weight;
+  if (sign(d, Delaunay_expression(), exact) == ZERO) return 0;
+  return exact.nonzero_weight(d, statistics_);
+}
+
+template <class Exact>
+Sign Exact_euclidean_metric::exact_sign(const Diamond& d,
+                                        const Recorded_diamond_expression& expression,
+                                        const Exact& exact) const {
+  const bool is_remembered = expression.zero_meaning() == Zero_meaning::cocircular;
+  ++statistics().filter_failures;
+  std::uint64_t& probable = statistics().probable_zero;
+  if (is_remembered)
+    if (const auto known = signs_.find(d.ij)) {
+      if (known->sign == ZERO) ++(known->is_probable ? probable : statistics().certified_zero);
+      return known->sign;
+    }
+  const std::uint64_t before = probable;
+  Diamond_values<FT> better = enclosure(d);
+  const Sign s = exact.sign(d, expression, better, statistics_);
+  refine(d, better);
+  if (is_remembered) signs_.remember(d.ij, {s, probable != before});
+  return s;
+}
+
+// not within the loop that flips
+template <class Exact>
+BOOST_NOINLINE Sign Exact_euclidean_metric::exact_delaunay_sign(const Diamond& d,
+                                                                const Exact& exact) const {
+  return exact_sign(d, recorded(Delaunay_expression()), exact);
+}
+
+template <class Exact>
+Sign Exact_euclidean_metric::exact_sign(std::span<const Indexed_face> faces,
+                                        std::vector<Face_values<FT>>& values,
+                                        const Recorded_face_expression& expression,
+                                        const Exact& exact) const {
+  ++statistics().filter_failures;
+  const Sign s = exact.sign(faces, expression, values, statistics_);
+  refine(faces, values);
+  return s;
+}
 
 /*!
 \brief lets an intrinsic triangulation decide every predicate exactly.

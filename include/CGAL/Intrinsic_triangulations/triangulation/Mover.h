@@ -150,8 +150,9 @@ public:
     correspondence_.before(t_, move);
     flip_edge_back(h, mesh_);
     metric_.undo_flip(move.diamond, before);
-    tell(move);
-    metric_.forget_flip(move.diamond, before);
+    places_.after_undoing(t_, move);
+    t_.exact_memory_.after(move);
+    correspondence_.after(t_, move);
   }
 
   // \param place on the input, if it is known; the weights approximate it
@@ -222,6 +223,7 @@ private:
   template <class Move>
   void tell(const Move& move) {
     places_.after(t_, move);
+    t_.exact_memory_.after(move);
     correspondence_.after(t_, move);
   }
 
@@ -239,7 +241,7 @@ private:
   }
 
   Insertion insert_in_face(Halfedge h, const Weights& weights, const Wanted& place) {
-    if (!places_.define(t_, metric_)) return {Move_status::not_traceable};
+    if (!places_.define(t_)) return {Move_status::not_traceable};
     Insertion_in_face move{star_of_face(h), weights, place};
     if (!ask_to_insert(move)) return {Move_status::not_traceable};
     const Vertex v = split_face(h, mesh_, number_);
@@ -258,8 +260,8 @@ private:
     if constexpr (Defined_by_places<Metric>) {
       const Diamond d = diamond_of(h, mesh_, number_);
       return metric_.is_degenerate(d.f) ||
-             (metric_.sign(d, Convexity_at_source_expression()) == POSITIVE &&
-              metric_.sign(d, Convexity_at_target_expression()) == POSITIVE);
+             (t_.sign(d, Convexity_at_source_expression()) == POSITIVE &&
+              t_.sign(d, Convexity_at_target_expression()) == POSITIVE);
     } else {
       return true;
     }
@@ -268,7 +270,7 @@ private:
   // a flip after which the source of the edge is on, or within rounding of, the edge opposite it
   Move_status flip_back(Halfedge h) {
     if constexpr (Defined_by_places<Metric>)
-      if (metric_.sign(diamond_of(h, mesh_, number_), Convexity_at_source_expression()) != ZERO)
+      if (t_.sign(diamond_of(h, mesh_, number_), Convexity_at_source_expression()) != ZERO)
         return flip(h);
     return flip_to_zero_area(h);
   }
@@ -285,7 +287,7 @@ private:
   }
 
   Insertion insert_on_border(Halfedge h, double parameter, const Wanted& place) {
-    if (!places_.define(t_, metric_)) return {Move_status::not_traceable};
+    if (!places_.define(t_)) return {Move_status::not_traceable};
     Insertion_on_border move{star_of_border_edge(h), parameter, place};
     if (!ask_to_insert(move)) return {Move_status::not_traceable};
     const Vertex v = split_border_edge(h, mesh_, number_);

@@ -30,7 +30,7 @@ concept RefinableTriangulation = IntrinsicTriangulation<Triangulation> &&
              typename Triangulation::vertex_descriptor v,
              typename Triangulation::halfedge_descriptor h, const std::array<double, 3>& weights,
              std::span<const Indexed_face> faces, double x) {
-  { t.metric().sign(faces, Long_side_expression()) } -> std::same_as<Sign>;
+  { t.sign(faces, Long_side_expression()) } -> std::same_as<Sign>;
   { s.insert_vertex(h, weights).status } -> std::convertible_to<Move_status>;
   { s.insert_vertex(h, weights).vertex } -> std::convertible_to<decltype(v)>;
   { s.split_edge(h, x).status } -> std::convertible_to<Move_status>;

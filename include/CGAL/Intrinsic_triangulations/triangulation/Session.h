@@ -51,19 +51,19 @@ public:
   /// see `Intrinsic_triangulation::is_locally_delaunay()`
   BOOST_FORCEINLINE bool is_locally_delaunay(halfedge_descriptor h) const {
     return combinatorial_flip_status(h) != Move_status::done ||
-           t_.metric().is_locally_delaunay(t_.diamond(h));
+           t_.is_locally_delaunay(t_.diamond(h));
   }
   /// see `Intrinsic_triangulation::delaunay_sign()`
   Sign delaunay_sign(halfedge_descriptor h) const {
-    return t_.metric().sign(t_.diamond(h), Delaunay_expression());
+    return t_.sign(t_.diamond(h), Delaunay_expression());
   }
   /// see `Intrinsic_triangulation::flip_status()`
   Move_status flip_status(halfedge_descriptor h) const {
     const Move_status s = combinatorial_flip_status(h);
     if (s != Move_status::done) return s;
     const Diamond d = t_.diamond(h);
-    const bool convex = t_.metric().sign(d, Convexity_at_source_expression()) == POSITIVE &&
-                        t_.metric().sign(d, Convexity_at_target_expression()) == POSITIVE;
+    const bool convex = t_.sign(d, Convexity_at_source_expression()) == POSITIVE &&
+                        t_.sign(d, Convexity_at_target_expression()) == POSITIVE;
     return convex ? Move_status::done : Move_status::not_convex;
   }
   /*!
@@ -79,7 +79,7 @@ public:
     halfedge_descriptor h = halfedge(e, t_.mesh());
     if (face(h, t_.mesh()) == null) h = opposite(h, t_.mesh());
     if (face(opposite(h, t_.mesh()), t_.mesh()) != null)
-      return t_.metric().cotangent_weight(t_.diamond(h));
+      return t_.cotangent_weight(t_.diamond(h));
     const halfedge_descriptor jk = next(h, t_.mesh()), ki = next(jk, t_.mesh());
     const auto number = [this](halfedge_descriptor g) { return t_.numbers().halfedge(g) / 2; };
     return t_.metric().cotangent_weight(number(h), number(jk), number(ki),
@@ -99,16 +99,15 @@ public:
   }
   /// \cond
   Comparison_result compare_angle_to_pi(const internal::Wedge& wedge) const {
-    const auto& metric = t_.metric();
     if constexpr (internal::Has_enclosures<typename Triangulation::Metric>)
-      if (const auto c = internal::certain_comparison_to_pi(metric, wedge)) return *c;
+      if (const auto c = internal::certain_comparison_to_pi(t_.metric(), wedge)) return *c;
     return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
       using Expression = std::decay_t<decltype(expression)>;
       if constexpr (std::is_same_v<Expression, Wedge_sine_expression>)
         if (faces.size() == 2)
-          return metric.sign(internal::diamond_of_corners(faces[0], faces[1]),
+          return t_.sign(internal::diamond_of_corners(faces[0], faces[1]),
                              Convexity_at_source_expression());
-      return metric.sign(faces, expression);
+      return t_.sign(faces, expression);
     });
   }
   /// \endcond

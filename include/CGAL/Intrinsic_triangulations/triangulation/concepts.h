@@ -6,12 +6,16 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
+#include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
@@ -22,6 +26,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 /*!
 \file
@@ -124,26 +130,53 @@ concept MutableDeltaComplex = std::default_initializable<Mesh> && std::move_cons
     internal::Has_mesh_elements<Mesh> && internal::Has_connectivity<Mesh> &&
     internal::Has_mutable_connectivity<Mesh> && internal::Has_numbers<Mesh>;
 
+namespace internal {
+
+// What a metric that decides by the input is given: see `Exact_values`.
+struct Any_exact_values {
+  using FT = Interval_nt<false>;
+  Sign sign(const Diamond&, const Recorded_diamond_expression&, Diamond_values<FT>&,
+            Predicate_statistics&) const;
+  Sign sign(std::span<const Indexed_face>, const Recorded_face_expression&,
+            std::vector<Face_values<FT>>&, Predicate_statistics&) const;
+  std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face>, unsigned) const;
+  FT first_squared_length(const Indexed_face&, unsigned) const;
+  double nonzero_weight(const Diamond&, Predicate_statistics&) const;
+};
+
+// Decides predicates with what is given besides: nothing, or exact values.
+template <class Metric, class... Exact>
+concept Decides = requires(const Metric& c, const Diamond& d, const Exact&... exact) {
+  { c.is_locally_delaunay(d, exact...) } -> std::same_as<bool>;
+  { c.sign(d, Delaunay_expression(), exact...) } -> std::same_as<Sign>;
+  { c.sign(d, Convexity_at_source_expression(), exact...) } -> std::same_as<Sign>;
+  { c.sign(d, Convexity_at_target_expression(), exact...) } -> std::same_as<Sign>;
+  { c.cotangent_weight(d, exact...) } -> std::convertible_to<double>;
+};
+
+template <class Metric>
+concept Decides_alone = Decides<Metric>;
+template <class Metric>
+concept Decides_by_input = Decides<Metric, Any_exact_values>;
+
+} // namespace internal
+
 /*!
 \brief asks for the store of a metric that decides predicates on it.
 
 Syntax of \ref ::IntrinsicMetric, where its meaning is described.
 */
 template <class Metric>
-concept IntrinsicMetric = std::default_initializable<Metric> && std::movable<Metric> &&
+concept IntrinsicMetric = (internal::Decides_alone<Metric> || internal::Decides_by_input<Metric>)&&
+    std::default_initializable<Metric> && std::movable<Metric> &&
     std::default_initializable<typename Metric::Scope> &&
     std::constructible_from<Metric, std::shared_ptr<const Input>> &&
     requires(Metric& m, const Metric& c, const Diamond& d, std::uint32_t i) {
   typename Metric::FT;
   { Metric::is_exact } -> std::convertible_to<bool>;
-  { c.is_locally_delaunay(d) } -> std::same_as<bool>;
-  { c.sign(d, Delaunay_expression()) } -> std::same_as<Sign>;
-  { c.sign(d, Convexity_at_source_expression()) } -> std::same_as<Sign>;
-  { c.sign(d, Convexity_at_target_expression()) } -> std::same_as<Sign>;
   { c.compute_flip(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
   { c.compute_flip_to_zero_area(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
   m.store_flip(d, *c.compute_flip(d));
-  { c.cotangent_weight(d) } -> std::convertible_to<double>;
   { c.cotangent_weight(i, i, i, i) } -> std::convertible_to<double>;
   { c.is_degenerate(i) } -> std::same_as<bool>;
   { c.is_zero_length(i) } -> std::same_as<bool>;
@@ -161,7 +194,6 @@ template <class Metric>
 concept Remembers_flips = requires(Metric& m, const Metric& c, const Diamond& d) {
   { c.before_flip(d) } -> std::same_as<typename Metric::Before_flip>;
   m.undo_flip(d, c.before_flip(d));
-  m.forget_flip(d, c.before_flip(d));
 };
 
 template <class Metric>
@@ -184,13 +216,14 @@ concept Measures_insertions = requires(Metric& m, const Vertex_star& star,
   { m.insert_in_border_edge(border, parameter) } -> std::same_as<bool>;
 };
 
-// Is told what an insertion makes, by who knows where vertices are on the input.
+// Is told what an insertion makes, by who knows where vertices are on the input, and decides by that.
 template <class Metric>
-concept Defined_by_places = requires(Metric& m, const Vertex_star& star, const Border_star& border,
-                                     const Vertex_move_values<typename Metric::FT>& values) {
+concept Defined_by_places =
+    Decides_by_input<Metric> && requires(Metric& m, const Vertex_star& star,
+                                         const Border_star& border,
+                                         const Vertex_move_values<typename Metric::FT>& values) {
   m.insert_in_face(star, values);
   m.insert_in_border_edge(border, values);
-  { m.is_defined_by_places() } -> std::same_as<bool>;
 };
 
 } // namespace internal

@@ -17,8 +17,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <class Metric>
 concept Has_enclosures = requires(const Metric& m, std::span<const Indexed_face> faces) {
   m.is_narrow(faces.front());
-  m.sharpen_length(faces.front());
-  m.sharpen(faces);
   typename Metric::Scope;
 };
 
@@ -60,7 +58,7 @@ Face_values<double> accurate_values(const Triangulation& t,
   if constexpr (Has_enclosures<typename Triangulation::Metric>) {
     if (!t.metric().is_narrow(face)) {
       const typename Triangulation::Metric::Scope scope;
-      t.metric().sharpen(std::span(&face, 1));
+      t.sharpen(std::span(&face, 1));
     }
   }
   return approximate_values(t.metric(), face);
@@ -76,7 +74,7 @@ double accurate_squared_length(const Triangulation& t, typename Triangulation::e
       const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
       const auto h = halfedge(e, mesh);
       const typename Triangulation::Metric::Scope scope;
-      t.metric().sharpen_length(
+      t.sharpen_length(
           indexed_face_from(t, face(h, mesh) != null ? h : opposite(h, mesh)));
     }
   return t.metric().approximate_squared_length(i);

@@ -230,8 +230,8 @@ private:
   bool is_straight(Halfedge h) {
     const Diamond d = t_.diamond(h);
     if constexpr (Triangulation::Metric::is_exact) {
-      return t_.metric().sign(d, Convexity_at_source_expression()) == ZERO &&
-             t_.metric().sign(d, Convexity_at_target_expression()) == POSITIVE;
+      return t_.sign(d, Convexity_at_source_expression()) == ZERO &&
+             t_.sign(d, Convexity_at_target_expression()) == POSITIVE;
     } else {
       const Diamond_values<double> v = values(h);
       const Flipped_values<double> n = flipped(v);

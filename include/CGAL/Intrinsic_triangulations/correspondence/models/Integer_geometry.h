@@ -8,10 +8,10 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
-#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
@@ -39,7 +39,7 @@ length of an intrinsic edge is stored.
 
 A diamond of two input faces is read from the input. Others are unfolded (see `Diamond_unfolder`) in
 interval arithmetic; where that leaves a sign open, the triangles decide exactly (see
-`Exact_evaluation`).
+`Exact_ladder`).
 
 All members but the constructors and accessors ask for a live `Protect_FPU_rounding<true>`.
 */
@@ -103,7 +103,7 @@ public:
             const Expression& expression, Predicate_statistics& statistics) {
     const Rebuilt d = rebuild(view, coordinates, h);
     const std::optional<Sign> s = certain_sign(expression(d.values));
-    return s ? *s : exact_sign(view, coordinates, h, d, recorded(expression), statistics);
+    return s ? *s : exact_sign(d, recorded(expression), statistics);
   }
 
   /*!
@@ -115,17 +115,15 @@ public:
   Sign sign_of_faces(const View& view, const Integer_coordinates& coordinates,
                      std::span<const std::uint32_t> halfedges, const Expression& expression,
                      Predicate_statistics& statistics) {
-    std::vector<Unfolded_diamond> faces;
-    std::vector<Face_values<FT>> values;
-    for (const std::uint32_t h : halfedges) {
-      faces.push_back(unfolder_.face(view, coordinates, h));
-      values.push_back(left_values(faces.back().template values<FT>(intervals())));
-    }
+    Unfolded_faces faces;
+    for (const std::uint32_t h : halfedges)
+      faces.faces.push_back(unfolder_.face(view, coordinates, h));
+    auto values = faces.template values<FT>(intervals());
     const auto s = certain_sign(expression(std::span<const Face_values<FT>>(values)));
     if (s) return *s;
     ++statistics.filter_failures;
-    return evaluation_.sign(input_->metric(), faces,
-                            Recorded_face_expression(expression, faces.size()), values, statistics);
+    return ladder_.sign(input_->metric(), faces,
+                        Recorded_face_expression(expression, halfedges.size()), values, statistics);
   }
 
   /// returns intervals that contain the values of the face of a halfedge, from that on, in scaled units.
@@ -147,7 +145,7 @@ public:
     const FT value = q_f * r.values.area_g + q_g * r.values.area_f;
     if (value.inf() >= 0) return true;
     if (value.sup() < 0) return false;
-    return exact_sign(view, coordinates, h, r, recorded(Delaunay_expression()), statistics) !=
+    return exact_sign(r, recorded(Delaunay_expression()), statistics) !=
            NEGATIVE;
   }
 
@@ -190,8 +188,6 @@ public:
   }
 
 private:
-  using Side = Face_side;
-
   static Face_values<FT> left_values(const Diamond_values<FT>& v) {
     return {{v.ij, v.jk, v.ki}, v.area_f};
   }
@@ -199,12 +195,11 @@ private:
   Sign exact_sign(const Unfolded_diamond& d, const Recorded_diamond_expression& expression,
                   Predicate_statistics& statistics) {
     ++statistics.filter_failures;
-    if (expression.is_linear_in_areas() && d.has_inserted_corners() && is_flat(d)) {
-      Diamond_values<FT> values;
-      return flat_diamond_sign(input_->metric(), flat_diamond(input_->metric(), d), expression,
-                               values, statistics);
-    }
-    return evaluation_.sign(input_->metric(), d, expression, statistics);
+    Diamond_values<FT> values;
+    if (expression.is_linear_in_areas() && d.has_inserted_corners() && is_flat(d))
+      return ladder_.sign(input_->metric(), flat_diamond(input_->metric(), d), expression, values,
+                          statistics);
+    return ladder_.sign(input_->metric(), d, expression, values, statistics);
   }
 
   // inserted vertices in flat parts of a surface are tied often
@@ -218,7 +213,7 @@ private:
   struct Rebuilt {
     Diamond_values<FT> values;
     const Unfolded_diamond* diamond;
-    Side left, right;
+    Input_diamond of_input;
   };
 
   template <class View>
@@ -227,7 +222,7 @@ private:
         is_of_input(view, coordinates, h ^ 1U))
       return of_input(coordinates, h);
     const Unfolded_diamond& d = unfolder_(view, coordinates, h);
-    return {d.values<FT>(intervals()), &d, {}, {}};
+    return {d.values<FT>(intervals()), &d, {}};
   }
 
   // whether the three sides of a face run along input edges, between which there is no vertex
@@ -242,37 +237,25 @@ private:
 
   Rebuilt of_input(const Integer_coordinates& coordinates, std::uint32_t h) const {
     const std::uint32_t x = coordinates.fans().halfedge(coordinates.roundabout(h));
-    const Side f = input_side(coordinates.input(), x), g = input_side(coordinates.input(), x ^ 1U);
-    const auto length = [this](Side s, std::uint32_t k) {
-      return faces_[s.face].first[(s.slot + k) % 3];
-    };
-    return {{length(f, 0), length(f, 1), length(f, 2), length(g, 1), length(g, 2),
-             faces_[f.face].second, faces_[g.face].second},
-            nullptr,
-            f,
-            g};
+    const Input_diamond d{input_side(coordinates.input(), x),
+                          input_side(coordinates.input(), x ^ 1U)};
+    return {d.values<FT>(intervals()), nullptr, d};
   }
 
   // Not inline: what the filter cannot decide is rare.
-  template <class View>
-  Sign exact_sign(const View& view, const Integer_coordinates& coordinates, std::uint32_t h,
-                  const Rebuilt& r, const Recorded_diamond_expression& expression,
+  Sign exact_sign(const Rebuilt& r, const Recorded_diamond_expression& expression,
                   Predicate_statistics& statistics) {
     if (r.diamond != nullptr) return exact_sign(*r.diamond, expression, statistics);
-    if (const std::optional<Sign> s =
-            input_diamond_sign(input_->metric(), r.left, r.right, expression)) {
-      ++statistics.filter_failures;
-      ++(*s == ZERO ? statistics.certified_zero : statistics.integer);
-      return *s;
-    }
-    return exact_sign(unfolder_(view, coordinates, h), expression, statistics);
+    ++statistics.filter_failures;
+    Diamond_values<FT> values;
+    return ladder_.sign(input_->metric(), r.of_input, expression, values, statistics);
   }
 
   std::shared_ptr<const Input> input_;
   std::vector<Input_face> faces_;
   Diamond_unfolder unfolder_;
   std::optional<internal::Flat_parts> parts_;
-  Exact_evaluation evaluation_;
+  Exact_ladder ladder_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

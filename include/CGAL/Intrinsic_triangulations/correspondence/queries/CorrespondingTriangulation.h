@@ -47,8 +47,8 @@ concept CorrespondingTriangulation = NumberedTriangulation<Triangulation> &&
     std::default_initializable<typename Triangulation::Metric::Scope> &&
     requires(const Triangulation& t, std::span<const Indexed_face> faces) {
   { Triangulation::Metric::is_exact } -> std::convertible_to<bool>;
-  { t.metric().sign(faces, Long_side_expression()) } -> std::same_as<Sign>;
-  t.metric().sharpen(faces);
+  { t.sign(faces, Long_side_expression()) } -> std::same_as<Sign>;
+  t.sharpen(faces);
   requires internal::Has_curves<Triangulation> ||
       internal::Has_directions<internal::Correspondence_of<Triangulation>>;
 };

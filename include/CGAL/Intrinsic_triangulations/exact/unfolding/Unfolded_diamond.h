@@ -61,6 +61,9 @@ struct Unfolded_diamond {
   /// Corners i, j, k, m of the diamond.
   std::array<Corner, 4> corners;
 
+  /// returns the number of triangles.
+  std::size_t size() const { return triangles.size(); }
+
   /// returns the triangle that is glued along slot `entry` to slot `exit` of triangle `parent`, to
   /// be added to the tree.
   Triangle beyond(std::uint32_t parent, std::uint32_t exit, std::uint32_t face,

@@ -120,7 +120,7 @@ private:
 
   Face_state state(Face f) {
     const Face_state s =
-        test_(t_.metric(), indexed_face(t_, f), corners_of_sides(f), segments_);
+        test_(t_, indexed_face(t_, f), corners_of_sides(f), segments_);
     if (s != Face_state::bad && is_bad_for_visitor(f)) return Face_state::bad;
     return s;
   }

@@ -63,28 +63,28 @@ public:
 
   /*!
   \brief decides about a face.
-  \param metric the arithmetic
+  \param t the triangulation
   \param face the face
   \param corners the vertices where its sides start
   \param segments the edges that are not flipped
   */
-  template <class Metric>
-  Face_state operator()(const Metric& metric, const Indexed_face& face,
+  template <class Triangulation>
+  Face_state operator()(const Triangulation& t, const Indexed_face& face,
                         const std::array<std::uint32_t, 3>& corners,
                         const Constrained_segments& segments) const {
     const std::span<const Indexed_face> faces(&face, 1);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (squared_radius_ < infinity &&
-        metric.sign(faces, Large_circumradius_expression{squared_radius_}) == POSITIVE)
+        t.sign(faces, Large_circumradius_expression{squared_radius_}) == POSITIVE)
       return Face_state::bad;
     if (squared_length_ < infinity)
       for (std::size_t k = 0; k < 3; ++k)
-        if (metric.sign(faces, Long_side_expression{k, squared_length_}) == POSITIVE)
+        if (t.sign(faces, Long_side_expression{k, squared_length_}) == POSITIVE)
           return Face_state::bad;
     Face_state state = Face_state::good;
-    if (cotangent_ < infinity && !has_certainly_no_small_angle(metric, face))
+    if (cotangent_ < infinity && !has_certainly_no_small_angle(t.metric(), face))
       for (std::size_t k = 0; k < 3; ++k) {
-        if (metric.sign(faces, Small_angle_expression{k, cotangent_}) != POSITIVE) continue;
+        if (t.sign(faces, Small_angle_expression{k, cotangent_}) != POSITIVE) continue;
         state = why_small(face.edges, corners, k, segments);
         if (state == Face_state::bad) break;
       }

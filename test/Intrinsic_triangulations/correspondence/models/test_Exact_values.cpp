@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Triangulation_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_values.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_evaluation.h>
+#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 
@@ -15,10 +15,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <random>
-#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -54,8 +52,8 @@ std::size_t multi_precision(const IT::Predicate_statistics& s) {
   return n;
 }
 
-TEST(Triangulation_unfolder,
-     finds_flat_parts_so_that_quadratically_many_flips_need_no_more_than_doubles) {
+TEST(Exact_values,
+     find_flat_parts_so_that_quadratically_many_flips_need_no_more_than_doubles) {
   for (const double slope : {0.0, 0.5}) {
     Exact t(two_parabolas(100, slope).input());
     Counted u(two_parabolas(100, slope).input());
@@ -82,29 +80,29 @@ std::size_t check_signs(const T& t) {
   const typename T::Metric::Scope scope;
   const IT::Intrinsic_view<T> view(t);
   IT::Diamond_unfolder unfolder;
-  IT::Exact_evaluation evaluation;
+  IT::Exact_ladder ladder;
   std::size_t certain = 0;
   for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); h += 2) {
     if (view.is_border(h) || view.is_border(h ^ 1U) || view.face(h) == view.face(h ^ 1U)) continue;
     const auto& d = unfolder(view, t.correspondence(), h);
-    const std::optional<double> weight = evaluation.weight(t.input().metric(), d, 512);
-    const auto left = evaluation.enclosures(t.input().metric(), {d}, 512).front(),
-               wide = evaluation.enclosures(t.input().metric(), {d}, 53).front();
+    const std::optional<double> weight = ladder.weight(t.input().metric(), d, 512);
+    const auto left = ladder.enclosures(t.input().metric(), IT::Unfolded_faces{{d}}, 512).front(),
+               wide = ladder.enclosures(t.input().metric(), IT::Unfolded_faces{{d}}, 53).front();
     // by the strip under the edge alone
-    const CGAL::Interval_nt<false> length = evaluation.squared_length(
+    const CGAL::Interval_nt<false> length = ladder.squared_length(
         t.input().metric(), unfolder.strip(view, t.correspondence(), h), 512);
     EXPECT_TRUE(length.do_overlap(left.squared_lengths[0]));
     EXPECT_TRUE(wide.squared_lengths[0].do_overlap(length) &&
                 wide.quadruple_area.do_overlap(left.quadruple_area));
     EXPECT_LE(CGAL::width(length), 0x1p-51 * CGAL::magnitude(length));
-    const CGAL::Sign s = t.metric().sign(t.diamond({h}), IT::Delaunay_expression());
+    const CGAL::Sign s = t.sign(t.diamond({h}), IT::Delaunay_expression());
     EXPECT_EQ(s, weight ? CGAL::sign(*weight) : CGAL::ZERO);
     certain += weight ? 1U : 0U;
   }
   return certain;
 }
 
-TEST(Triangulation_unfolder, decides_as_many_bits_do_after_random_flips_over_flat_and_bent_parts) {
+TEST(Exact_values, decide_as_many_bits_do_after_random_flips_over_flat_and_bent_parts) {
   std::mt19937 random(1);
   for (const meshes::Mesh& m :
        {meshes::box(3, 3, 3), meshes::stairs(3, 3), meshes::l_shape(3),
@@ -119,7 +117,7 @@ TEST(Triangulation_unfolder, decides_as_many_bits_do_after_random_flips_over_fla
   }
 }
 
-TEST(Triangulation_unfolder, leaves_what_normal_coordinates_cannot_count_to_the_history) {
+TEST(Exact_values, repeat_flips_where_normal_coordinates_cannot_count) {
   // each flip of the three edges of a flat torus in turn makes the next edge longer by the golden ratio
   const gallery::Surface s = gallery::one_vertex_torus();
   for (const bool asks_early : {false, true}) {
@@ -128,11 +126,11 @@ TEST(Triangulation_unfolder, leaves_what_normal_coordinates_cannot_count_to_the_
     const typename Exact::Metric::Scope scope;
     for (std::uint32_t i = 0; i < 60; ++i) {
       if (asks_early && i % 7 == 3)
-        t.metric().sharpen(std::vector{IT::internal::indexed_face(t, {0})});
+        t.sharpen(std::vector{IT::internal::indexed_face(t, {0})});
       EXPECT_EQ(IT::internal::Mover<Exact>(t).flip({2 * (i % 3)}), IT::Move_status::done);
     }
     // the area of each face stays what it was, exactly
-    t.metric().sharpen(
+    t.sharpen(
         std::vector{IT::internal::indexed_face(t, {0}), IT::internal::indexed_face(t, {1})});
     Exact input(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
                                     IT::Mollification::none));
@@ -142,25 +140,6 @@ TEST(Triangulation_unfolder, leaves_what_normal_coordinates_cannot_count_to_the_
     IT::flip_to_delaunay(t);
     for (const auto e : edges(t.mesh())) EXPECT_LT(t.length(e), 3 * input.length({0}));
   }
-}
-
-TEST(Triangulation_unfolder, is_not_that_of_a_metric_that_was_copied) {
-  const auto flipped = std::make_unique<Exact>(meshes::potato(2, 4).input());
-  IT::flip_to_delaunay(*flipped);
-  const Exact::Metric copy = flipped->metric();
-  const typename Exact::Metric::Scope scope;
-  for (const auto e : edges(flipped->mesh())) { // the history decides
-    const auto h = halfedge(e, flipped->mesh());
-    if (flipped->flip_status(h) == IT::Move_status::border) continue;
-    EXPECT_EQ(copy.sign(flipped->diamond(h), IT::Delaunay_expression()), flipped->delaunay_sign(h));
-  }
-  // after an insertion there is none
-  ASSERT_EQ(flipped->insert_vertex({0}, {0.5, 0.25, 0.25}).status, IT::Move_status::done);
-  const Exact::Metric other = flipped->metric();
-  const auto zero = [](const auto& values) { return values.area_f - values.area_f; };
-  for (const auto e : edges(flipped->mesh()))
-    EXPECT_THROW(other.sign(flipped->diamond(halfedge(e, flipped->mesh())), zero),
-                 std::logic_error);
 }
 
 } // namespace

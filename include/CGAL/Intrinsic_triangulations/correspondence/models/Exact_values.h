@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXACT_VALUES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXACT_VALUES_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Working memory of those who ask for exact values; a copy starts anew where it can.
+struct Exact_memory {
+  Exact_ladder ladder;
+  Diamond_unfolder unfolder;
+  std::optional<Flat_parts> flat_parts;
+  std::optional<bool> are_lengths_positive; // of the input; not known yet
+
+  // follows moves
+  void after(const Flip& move) {
+    if (flat_parts) flat_parts->flip(move.diamond.f, move.diamond.g);
+  }
+  void after(const Star_of_vertex& move) {
+    if (flat_parts)
+      for (const std::uint32_t f : move.faces) flat_parts->change(f);
+  }
+  void after(const Star_on_border& move) {
+    if (flat_parts)
+      for (const std::uint32_t f : {move.f, move.g}) flat_parts->change(f);
+  }
+};
+
+// Other metrics need none.
+struct No_exact_memory {
+  template <class Move>
+  void after(const Move&) {}
+};
+
+/*
+Knows the values of a triangulation exactly, by where its edges run on the input: finds the figure from which an `Exact_ladder`
+evaluates. That is the input under a diamond, or the flips since the input, if these are few and edges cross very many triangles, or
+nothing can be unfolded: over an edge without length, about a face that is glued to itself, or where crossings are not counted.
+*/
+template <class Triangulation>
+class Exact_values {
+public:
+  using FT = Interval_nt<false>;
+
+  Exact_values(const Triangulation& t, const Vertex_places<Triangulation>& places,
+               Exact_memory& memory)
+      : t_(t), places_(places), memory_(memory), view_(t) {}
+
+  Sign sign(const Diamond& d, const Recorded_diamond_expression& expression,
+            Diamond_values<FT>& better, Predicate_statistics& statistics) const {
+    const auto by_figure = [&](const auto& figure) {
+      return memory_.ladder.sign(metric(), figure, expression, better, statistics);
+    };
+    if (expression.is_linear_in_areas() && can_unfold(d)) {
+      if (const std::optional<Input_diamond> input = input_diamond(d)) return by_figure(*input);
+      if (const std::optional<Flat_diamond> flat = flat_diamond(d)) return by_figure(*flat);
+    }
+    return with_figure(d, by_figure);
+  }
+
+  Sign sign(std::span<const Indexed_face> faces, const Recorded_face_expression& expression,
+            std::vector<Face_values<FT>>& better, Predicate_statistics& statistics) const {
+    return with_figure(faces, [&](const auto& figure) {
+      return memory_.ladder.sign(metric(), figure, expression, better, statistics);
+    });
+  }
+
+  // intervals that contain the values of faces, computed in so many bits
+  std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face> faces,
+                                          unsigned bits) const {
+    return with_figure(faces, [&](const auto& figure) {
+      return memory_.ladder.enclosures(metric(), figure, bits);
+    });
+  }
+
+  // the same for the squared length of the first side of a face
+  FT first_squared_length(const Indexed_face& face, unsigned bits) const {
+    if (!can_unfold(std::array{face.edges[0]}))
+      return enclosures(std::span(&face, 1), bits).front().squared_lengths.front();
+    const Unfolded_diamond& strip =
+        memory_.unfolder.strip(view_, coordinates(), halfedge(face.face, face.edges[0], face.edges[1]));
+    return memory_.ladder.squared_length(metric(), strip, bits);
+  }
+
+  // The double nearest to the cotangent weight of a diamond. \pre it is not zero
+  double nonzero_weight(const Diamond& d, Predicate_statistics& statistics) const {
+    return with_figure(d, [&](const auto& figure) {
+      std::optional<double> weight;
+      for (unsigned bits = 106; !weight; bits = bits == 106 ? 256 : 2 * bits) {
+        ++statistics.sharpenings[bits];
+        weight = memory_.ladder.weight(metric(), figure, bits);
+      }
+      return *weight;
+    });
+  }
+
+  // calls a function with the figure of a diamond
+  template <class Function>
+  auto with_figure(const Diamond& d, const Function& f) const {
+    if (can_unfold(d)) return f(unfolded(d));
+    return f(Replayed_diamond(replayed({{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}})));
+  }
+
+  // calls a function with the figure of faces
+  template <class Function>
+  auto with_figure(std::span<const Indexed_face> faces, const Function& f) const {
+    Unfolded_faces unfolded;
+    for (const auto& [face, e] : faces) {
+      if (!can_unfold(e))
+        return f(replayed(std::vector<Indexed_face>(faces.begin(), faces.end())));
+      unfolded.faces.push_back(
+          memory_.unfolder.face(view_, coordinates(), halfedge(face, e[0], e[1])));
+    }
+    return f(unfolded);
+  }
+
+private:
+  const Input_metric& metric() const { return t_.input().metric(); }
+  const Integer_coordinates& coordinates() const { return *places_.coordinates(t_); }
+
+  Replayed_faces replayed(std::vector<Indexed_face> faces) const {
+    return {t_.input(), places_.connectivity(t_), *places_.flips(), std::move(faces)};
+  }
+
+  // Whether the input triangles under edges can be unfolded, and are not many more than the flips.
+  template <std::size_t n>
+  bool can_unfold(const std::array<std::uint32_t, n>& edges) const {
+    if (places_.flips() == nullptr) return true;
+    const Integer_coordinates* c = places_.coordinates(t_);
+    if (c == nullptr || !are_lengths_positive()) return false;
+    std::size_t crossings_of_all = 0;
+    for (const std::uint32_t e : edges)
+      crossings_of_all += static_cast<std::size_t>(crossings(c->normal_coordinate(e)));
+    return crossings_of_all <= 32 + 4 * places_.flips()->size();
+  }
+
+  bool can_unfold(const Diamond& d) const {
+    return can_unfold(std::array{d.ij, d.jk, d.ki, d.im, d.mj}) &&
+           (d.f != d.g || places_.flips() == nullptr);
+  }
+
+  const Unfolded_diamond& unfolded(const Diamond& d) const {
+    return memory_.unfolder(view_, coordinates(), halfedge(d.f, d.ij, d.jk));
+  }
+
+  // nothing can be unfolded across an edge without length
+  bool are_lengths_positive() const {
+    std::optional<bool>& known = memory_.are_lengths_positive;
+    if (!known) {
+      known = true;
+      for (std::uint32_t f = 0; f < metric().number_of_faces(); ++f)
+        for (unsigned k = 0; k < 3; ++k)
+          if (metric().template squared_length<FT>(f, k).sup() <= 0) known = false;
+    }
+    return *known;
+  }
+
+  // two faces of the input, if the diamond consists of them
+  std::optional<Input_diamond> input_diamond(const Diamond& d) const {
+    const Integer_coordinates& c = coordinates();
+    const std::uint32_t h = halfedge(d.f, d.ij, d.jk);
+    if (c.has_inserted_vertices() || !is_of_input(c, h) || !is_of_input(c, h ^ 1U))
+      return std::nullopt;
+    const std::uint32_t x = c.fans().halfedge(c.roundabout(h));
+    return Input_diamond{input_side(c.input(), x), input_side(c.input(), x ^ 1U)};
+  }
+  // whether the sides of a face run along input edges, between which there is no vertex
+  bool is_of_input(const Integer_coordinates& c, std::uint32_t h) const {
+    const std::uint32_t n = view_.next(h);
+    return c.normal_coordinate(h / 2) < 0 && c.normal_coordinate(n / 2) < 0 &&
+           c.normal_coordinate(view_.next(n) / 2) < 0;
+  }
+
+  // a plane in space, if the diamond is known to lie in it
+  std::optional<Flat_diamond> flat_diamond(const Diamond& d) const {
+    if (!metric().is_in_space()) return std::nullopt;
+    const std::uint32_t p = flat_part(d), h = halfedge(d.f, d.ij, d.jk);
+    if (p == Flat_parts::none) return std::nullopt;
+    return Flat_diamond{p,
+                        {corner(view_.source(h)), corner(view_.target(h)),
+                         corner(view_.target(view_.next(h))),
+                         corner(view_.target(view_.next(h ^ 1U)))}};
+  }
+
+  std::uint32_t flat_part(const Diamond& d) const {
+    const Input& input = coordinates().input();
+    std::optional<Flat_parts>& parts = memory_.flat_parts;
+    if (!parts) parts.emplace(input);
+    // where flips have gone on among faces that are not known, those that they made are not known either
+    if (parts->number_of_searches() == input.number_of_faces() / 8) find_all_parts(input, *parts);
+    return parts->part(input, d.f, d.g,
+                       [&]() -> const Unfolded_diamond& { return unfolded(d); });
+  }
+
+  void find_all_parts(const Input& input, Flat_parts& parts) const {
+    for (const auto x : faces(t_.mesh())) {
+      const std::uint32_t f = t_.numbers().face(x), h = view_.halfedge_of_face(f);
+      parts.part(input, f, f, [&]() -> const Unfolded_diamond& {
+        return memory_.unfolder.face(view_, coordinates(), h);
+      });
+    }
+  }
+
+  Flat_diamond::Corner corner(std::uint32_t vertex) const {
+    const Integer_coordinates& c = coordinates();
+    if (!c.is_inserted(vertex)) return {{vertex, vertex, vertex}, {1, 0, 0}};
+    const Surface_point& p = c.location(vertex);
+    const std::uint32_t next = c.input().next(p.halfedge);
+    return {{c.input().source(p.halfedge), c.input().source(next), c.input().target(next)},
+            p.weights};
+  }
+
+  // the halfedge of an edge in a face, where the next one is on another given edge
+  std::uint32_t halfedge(std::uint32_t face, std::uint32_t edge, std::uint32_t next) const {
+    return view_.face(2 * edge) == face && view_.next(2 * edge) / 2 == next ? 2 * edge
+                                                                           : 2 * edge + 1;
+  }
+
+  const Triangulation& t_;
+  const Vertex_places<Triangulation>& places_;
+  Exact_memory& memory_;
+  Intrinsic_view<Triangulation> view_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXACT_VALUES_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_FLIP_LIST_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_FLIP_LIST_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/moves.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief lists the halfedges that were flipped, the first flip first.
+
+With the connectivity after the flips, the list tells all: flips are taken back one by one.
+*/
+class Flip_list {
+public:
+  /// returns the number of flips.
+  std::size_t size() const { return halfedges_.size(); }
+  /// returns the halfedge that flip `n` turned clockwise.
+  Gluing_map::Halfedge operator[](std::size_t n) const { return {halfedges_[n]}; }
+  /// adds a flip.
+  void add(std::uint32_t halfedge) { halfedges_.push_back(halfedge); }
+  /// forgets the last flip.
+  void forget_last() { halfedges_.pop_back(); }
+  /// forgets all flips.
+  void clear() { std::vector<std::uint32_t>().swap(halfedges_); }
+
+  /*!
+  \brief returns the connectivity before the flips.
+  \param mesh that after the flips
+  \param input the surface, which knows the sides of its faces
+  \complexity linear in the number of flips and of elements
+  */
+  Gluing_map undone(Gluing_map mesh, const Input& input) const {
+    for (std::size_t n = size(); n-- > 0;) flip_edge_back((*this)[n], mesh);
+    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
+      mesh.set_halfedge(Gluing_map::Face{f}, first_side(mesh, {f}, input));
+    choose_halfedges_of_vertices(mesh);
+    return mesh;
+  }
+
+private:
+  // The side that the metric names first. A triangulation without correspondence has got the connectivity of its input, but the
+  // names are left.
+  static Gluing_map::Halfedge first_side(const Gluing_map& mesh, Gluing_map::Face f,
+                                         const Input& input) {
+    if (input.number_of_faces() > 0) return {input.halfedge_of_face(f.index)};
+    const Input_metric& metric = input.metric();
+    const auto name = [&](Gluing_map::Halfedge h) {
+      return metric.is_embedded() ? mesh.source(h).index : h.index / 2;
+    };
+    for (const Gluing_map::Halfedge h : mesh.sides(f)) {
+      const Gluing_map::Halfedge n = mesh.next(h);
+      if (metric.sides(f.index) == Input_metric::Sides{name(h), name(n), name(mesh.next(n))})
+        return h;
+    }
+    throw std::logic_error("flips that were taken back do not lead to the input");
+  }
+
+  // those on the border, which have no choice of flips in them
+  static void choose_halfedges_of_vertices(Gluing_map& mesh) {
+    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
+      for (const Gluing_map::Halfedge h : mesh.sides({f})) mesh.set_halfedge(mesh.target(h), h);
+    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
+      if (mesh.face({h}).index == Gluing::none) mesh.set_halfedge(mesh.target({h}), {h});
+  }
+
+  std::vector<std::uint32_t> halfedges_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_FLIP_LIST_H

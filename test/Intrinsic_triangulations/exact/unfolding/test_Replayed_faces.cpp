@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
+
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/exact/escalation.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+
+#include "gallery.h"
+#include "meshes.h"
+#include "places.h"
+#include "random_history.h"
+
+#include <CGAL/Gmpfi.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Gmpz.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using CGAL::Gmpfi;
+using CGAL::Gmpq;
+using IT::Multiquadratic_number;
+using places::Exact_input;
+using random_history::Map;
+using random_history::Walk;
+
+struct Interval_input {
+  const IT::Input_metric* input;
+  std::pair<std::array<Gmpfi, 3>, Gmpfi> operator()(std::uint32_t f) const {
+    return {{Gmpfi(input->squared_length<Gmpq>(f, 0)), Gmpfi(input->squared_length<Gmpq>(f, 1)),
+             Gmpfi(input->squared_length<Gmpq>(f, 2))},
+            Gmpfi(input->squared_quadruple_area<Gmpq>(f)).sqrt()};
+  }
+};
+
+// flat and axis-aligned: all areas are rational
+struct Rational_input {
+  const IT::Input_metric* input;
+  std::pair<std::array<Gmpq, 3>, Gmpq> operator()(std::uint32_t f) const {
+    const Gmpq d = input->squared_quadruple_area<Gmpq>(f);
+    CGAL::Gmpz n, m;
+    mpz_sqrt(n.mpz(), d.numerator().mpz());
+    mpz_sqrt(m.mpz(), d.denominator().mpz());
+    EXPECT_EQ(Gmpq(n, m) * Gmpq(n, m), d);
+    return {{input->squared_length<Gmpq>(f, 0), input->squared_length<Gmpq>(f, 1),
+             input->squared_length<Gmpq>(f, 2)},
+            Gmpq(n, m)};
+  }
+};
+
+Walk walk_on(const meshes::Mesh& m) {
+  Map map = m.map();
+  IT::Input_metric input = IT::Input_metric::from_points(map, m.points, 0);
+  return {std::move(map), std::move(input)};
+}
+
+template <class Input, class FT>
+IT::Diamond_values<FT> evaluate(const Walk& walk, Map::Halfedge h) {
+  return walk.replayed(h).values<FT>(Input{&walk.input});
+}
+
+TEST(Replayed_faces, reproduces_all_values_after_four_flips_exactly) {
+  Walk walk = walk_on(meshes::box(2, 2, 1));
+  for (const Map::Halfedge h : walk.inner_edges()) {
+    if (!walk.is_convex(h)) continue;
+    const auto before = evaluate<Rational_input, Gmpq>(walk, h);
+    for (int i = 0; i < 4; ++i) walk.flip(h);
+    const auto after = evaluate<Rational_input, Gmpq>(walk, h);
+    random_history::expect_same(before, after);
+  }
+}
+
+TEST(Replayed_faces, overlaps_unfolding_in_intervals_of_256_bits_after_hundreds_of_flips) {
+  const IT::Gmpfi_precision precision(256);
+  std::mt19937 random(1);
+  Walk walk = walk_on(meshes::integer_height_field(4, 5, 3));
+  for (int i = 0; i < 30; ++i) {
+    walk.run(10, random);
+    // some come back, so that strips stay short
+    for (const Map::Halfedge h : walk.inner_edges())
+      if (walk.sign(h, IT::Delaunay_expression()) == CGAL::NEGATIVE) walk.flip(h);
+  }
+  EXPECT_GT(walk.flips.size(), 200U);
+  const Interval_input input{&walk.input};
+  std::size_t compared = 0;
+  for (const Map::Halfedge h : walk.inner_edges()) {
+    const auto d = walk.unfolded(h);
+    if (!d) continue;
+    ++compared;
+    const auto x = d->values<Gmpfi>(input);
+    const auto y = evaluate<Interval_input, Gmpfi>(walk, h);
+    EXPECT_TRUE(x.ij.do_overlap(y.ij) && x.jk.do_overlap(y.jk) && x.ki.do_overlap(y.ki) &&
+                x.im.do_overlap(y.im) && x.mj.do_overlap(y.mj) && x.area_f.do_overlap(y.area_f) &&
+                x.area_g.do_overlap(y.area_g));
+  }
+  EXPECT_GT(compared, 0U);
+}
+
+std::size_t check_all_edges(const Walk& walk) {
+  std::size_t checked = 0;
+  for (const Map::Halfedge h : walk.inner_edges()) {
+    const std::optional<IT::Unfolded_diamond> d = walk.unfolded(h);
+    if (!d || d->triangles.size() > 40) continue;
+    const Exact_input input(walk.input);
+    random_history::expect_same(d->values<Multiquadratic_number>(input),
+                                walk.replayed(h).values<Multiquadratic_number>(input));
+    ++checked;
+  }
+  return checked;
+}
+
+TEST(Replayed_faces, agrees_exactly_with_unfolding_on_a_box) {
+  std::mt19937 random(1);
+  Walk walk = walk_on(meshes::box(2, 2, 2));
+  for (int round = 0; round < 5; ++round) {
+    walk.run(20, random);
+    EXPECT_EQ(check_all_edges(walk), walk.inner_edges().size());
+  }
+  EXPECT_GT(walk.flips.size(), 30U);
+}
+
+TEST(Replayed_faces, agrees_exactly_with_unfolding_where_every_face_has_its_own_square_class) {
+  std::mt19937 random(2);
+  Walk walk = walk_on(meshes::integer_height_field(3, 3, 5));
+  for (int round = 0; round < 3; ++round) {
+    walk.run(8, random);
+    EXPECT_GT(check_all_edges(walk), 0U);
+  }
+}
+
+TEST(Replayed_faces, agrees_exactly_with_unfolding_on_Delta_complexes) {
+  for (const gallery::Surface& s : gallery::oriented()) {
+    SCOPED_TRACE(s.name);
+    std::mt19937 random(3);
+    Map map(s.gluing);
+    std::vector<double> lengths = gallery::squared_lengths(s);
+    IT::Input_metric input = IT::Input_metric::from_squared_lengths(map, std::move(lengths), 0);
+    Walk walk(std::move(map), std::move(input));
+    for (int round = 0; round < 4; ++round) {
+      walk.run(4, random);
+      check_all_edges(walk);
+    }
+  }
+}
+
+TEST(Replayed_faces, and_unfolding_give_the_input_triangles_back_after_four_flips) {
+  Walk walk = walk_on(meshes::box(1, 1, 1));
+  for (const Map::Halfedge h : walk.inner_edges()) {
+    if (!walk.is_convex(h)) continue;
+    for (int i = 0; i < 4; ++i) walk.flip(h);
+    const auto d = walk.unfolded(h);
+    ASSERT_TRUE(d);
+    EXPECT_EQ(d->triangles.size(), 2U);
+    EXPECT_EQ(check_all_edges(walk), walk.inner_edges().size());
+  }
+}
+
+// Two triangles with the lattice vectors (F_n+1, F_n) and (F_n, F_n-1) of the Fibonacci numbers: after n flips they are a square.
+// The last edges cross F_n of the first ones.
+template <class Correspondence>
+void expect_square(unsigned n) {
+  using T = IT::Intrinsic_triangulation<Map, IT::Exact_euclidean_traits, Correspondence>;
+  double a = 1, b = 1;
+  for (unsigned i = 1; i < n; ++i) a = std::exchange(b, a + b);
+  const auto square = [](double x, double y) { return x * x + y * y; };
+  T t(IT::Intrinsic_input(Map(gallery::one_vertex_torus().gluing),
+                          std::vector<double>{square(b, a), square(a, b - a), square(a + b, b)}));
+  const auto result = IT::flip_to_delaunay(t);
+  EXPECT_EQ(result.status, IT::Status::done);
+  EXPECT_EQ(result.flips, n);
+  const auto report = IT::check_delaunay(t);
+  EXPECT_EQ(report.non_delaunay_edges, 0U);
+  EXPECT_EQ(report.cocircular_edges.size(), 1U); // a diagonal of the square
+  EXPECT_EQ(t.metric().statistics().probable_zero, 0U);
+  EXPECT_NEAR(t.squared_length(report.cocircular_edges.front()), 2, 1e-12);
+}
+
+TEST(Replayed_faces, decide_where_flips_are_few_and_crossings_millions) {
+  for (unsigned n = 8; n <= 36; ++n) {
+    SCOPED_TRACE(n);
+    expect_square<IT::No_correspondence>(n);
+    expect_square<IT::Integer_coordinates>(n);
+    expect_square<IT::Signposts>(n);
+    if (n <= 24) expect_square<IT::Explicit_crossings>(n); // which stores them one by one
+  }
+}
+
+} // namespace
