@@ -163,18 +163,18 @@ What is in the files: \ref page_file_format, \ref page_output_formats, \ref page
 |---|---|
 | the question | expressions such as \itc{Delaunay_expression}, models of \itc{DiamondExpression} |
 | its evaluation beyond intervals of doubles | \itc{Recorded_diamond_expression}, \itc{Recorded_face_expression} |
-| decisions and enclosures for a metric | \itc{Exact_geometry} |
+| who decides, in which order | \itc{Exact_ladder} |
+| on what | \itc{Unfolded_diamond}: input triangles under a diamond; \itc{Replayed_faces}: flips that made faces |
 | two input faces, in integers of fixed size | \itf{input_diamond_sign} |
-| the input triangles under a diamond or a face | \itc{Unfolded_diamond}, found by an \itc{Input_unfolder} or along the \itc{Flip_history} |
-| diamonds in one plane | \itf{flat_diamond_sign}, \itf{flat_diamond_sign} |
-| is it zero? | \itc{Diamond_zero_test}, \itc{Field_zero_test}, \itc{History_zero_test} |
-| if not, in more and more bits | \itc{Exact_evaluation} |
+| diamonds in one plane | \itf{flat_diamond_sign} |
+| symmetric ties | \itf{is_mirrored_strip} |
+| is it zero? | \itc{Diamond_zero_test}, \itc{Field_zero_test} |
 */
 
 /*!
 \defgroup ref_unfolding Inside unfolding
 \ingroup page_reference
-\brief The history of flips, and the input triangles under a diamond or a face.
+\brief The input triangles under a diamond or a face, and the flips that made it.
 */
 
 /*!

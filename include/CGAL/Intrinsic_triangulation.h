@@ -19,17 +19,16 @@
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Session.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -60,7 +59,9 @@ Predicates and moves are members for single calls. Many of them in a row run fas
 template <MutableDeltaComplex Mesh_ = Gluing_map,
           IntrinsicTriangulationTraits Traits_ = Exact_euclidean_traits,
           class Correspondence_ = No_correspondence>
-class Intrinsic_triangulation {
+class Intrinsic_triangulation
+    : public Metric_values<Intrinsic_triangulation<Mesh_, Traits_, Correspondence_>, Mesh_,
+                           typename Traits_::Metric> {
 public:
   using Mesh = Mesh_;                     ///< Connectivity.
   using Traits = Traits_;                 ///< Arithmetic.
@@ -77,6 +78,8 @@ public:
   using edge_descriptor = typename boost::graph_traits<Mesh>::edge_descriptor;
   /// Face of the mesh.
   using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
+
+  using Metric_values<Intrinsic_triangulation, Mesh, Metric>::is_locally_delaunay;
 
   using Const_session = Predicate_session<Intrinsic_triangulation>; ///< decides many predicates
   using Session = Move_session<Intrinsic_triangulation>;            ///< makes many moves, too
@@ -192,77 +195,16 @@ public:
   /// returns the number of a face: from 0, dense, unchanged by flips.
   std::uint32_t index(face_descriptor f) const { return number_.face(f); }
 
-  /// returns the squared length of an edge as a double, in the units of the input; with exact traits to 1e-12 of it.
-  double squared_length(edge_descriptor e) const {
-    return std::ldexp(internal::accurate_squared_length(*this, e), -2 * metric_.scale_exponent());
-  }
-  /// returns the length of an edge as a double, in the units of the input; as accurate as `squared_length()`, which may overflow.
-  double length(edge_descriptor e) const {
-    return std::ldexp(std::sqrt(internal::accurate_squared_length(*this, e)),
-                      -metric_.scale_exponent());
-  }
-  /// returns the area of a face as a double, in the units of the input; with exact traits to 1e-12 of it.
-  double area(face_descriptor f) const {
-    return std::ldexp(internal::accurate_values(*this, f).quadruple_area,
-                      -2 * metric_.scale_exponent() - 2);
-  }
-
   /*!
   \brief indexes the faces at an edge and their sides.
   \pre both sides of the edge have a face
   */
   Diamond diamond(halfedge_descriptor h) const { return internal::diamond_of(h, mesh_, number_); }
 
-  /*!
-  \name Values
-  Of diamonds and faces by their numbers; all ask for a live session.
-  @{
-  */
-  /// returns the sign of an expression in the values of a diamond, exact with exact traits.
-  /// \tparam Expression a model of `DiamondExpression`
-  template <class Expression>
-  Sign sign(const Diamond& d, const Expression& expression) const {
-    if constexpr (decides_by_input)
-      return metric_.sign(d, expression, exact_values());
-    else
-      return metric_.sign(d, expression);
-  }
-  /// returns the sign of an expression in the values of faces, exact with exact traits.
-  /// \tparam Expression a model of `FaceExpression`
-  template <class Expression>
-  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
-    if constexpr (decides_by_input)
-      return metric_.sign(faces, expression, exact_values());
-    else
-      return metric_.sign(faces, expression);
-  }
-  /// tells whether the angles opposite the edge of a diamond sum to at most pi.
-  BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
-    if constexpr (decides_by_input)
-      return metric_.is_locally_delaunay(d, exact_values());
-    else
-      return metric_.is_locally_delaunay(d);
-  }
-  /// returns half the sum of the cotangents of the angles opposite the edge of a diamond.
-  double cotangent_weight(const Diamond& d) const {
-    if constexpr (decides_by_input)
-      return metric_.cotangent_weight(d, exact_values());
-    else
-      return metric_.cotangent_weight(d);
-  }
-  /// makes what is stored of faces as accurate as it can be.
-  void sharpen(std::span<const Indexed_face> faces) const {
-    if constexpr (decides_by_input) metric_.sharpen(faces, exact_values());
-  }
-  /// makes what is stored of the first side of a face as accurate as it can be.
-  void sharpen_length(const Indexed_face& face) const {
-    if constexpr (decides_by_input) metric_.sharpen_length(face, exact_values());
-  }
   /// returns what decides where the metric cannot: see `Exact_ladder`.
   auto exact_values() const requires internal::Defined_by_places<Metric> {
     return internal::Exact_values<Intrinsic_triangulation>(*this, places_, exact_memory_);
   }
-  /// @}
 
   /*!
   \brief tells whether the angles opposite an edge sum to at most pi.

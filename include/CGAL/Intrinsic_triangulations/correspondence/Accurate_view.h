@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_ACCURATE_VIEW_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
 #include <cstdint>
 

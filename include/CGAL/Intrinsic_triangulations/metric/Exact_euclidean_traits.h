@@ -149,18 +149,13 @@ public:
     return n;
   }
 
-  /*!
-  \brief stores a flip.
-  \param d the diamond
-  \param n what `compute_flip()` returned for it
-  */
+  /// stores what `compute_flip()` returned for a diamond.
   BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) {
     store(d, n);
     signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
   }
 
-  /// What a flip replaces.
-  using Before_flip = Flipped;
+  using Before_flip = Flipped; ///< What a flip replaces.
   /// returns what a flip of the edge will replace.
   Before_flip before_flip(const Diamond& d) const { return stored(d); }
   /// stores values that a flip has replaced.

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/whole_star.h>
 

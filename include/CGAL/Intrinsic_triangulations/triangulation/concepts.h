@@ -131,7 +131,6 @@ concept MutableDeltaComplex = std::default_initializable<Mesh> && std::move_cons
     internal::Has_mutable_connectivity<Mesh> && internal::Has_numbers<Mesh>;
 
 namespace internal {
-
 // What a metric that decides by the input is given: see `Exact_values`.
 struct Any_exact_values {
   using FT = Interval_nt<false>;
@@ -144,7 +143,7 @@ struct Any_exact_values {
   double nonzero_weight(const Diamond&, Predicate_statistics&) const;
 };
 
-// Decides predicates with what is given besides: nothing, or exact values.
+// Decides predicates, with exact values if they are given.
 template <class Metric, class... Exact>
 concept Decides = requires(const Metric& c, const Diamond& d, const Exact&... exact) {
   { c.is_locally_delaunay(d, exact...) } -> std::same_as<bool>;
@@ -154,8 +153,6 @@ concept Decides = requires(const Metric& c, const Diamond& d, const Exact&... ex
   { c.cotangent_weight(d, exact...) } -> std::convertible_to<double>;
 };
 
-template <class Metric>
-concept Decides_alone = Decides<Metric>;
 template <class Metric>
 concept Decides_by_input = Decides<Metric, Any_exact_values>;
 
@@ -167,7 +164,7 @@ concept Decides_by_input = Decides<Metric, Any_exact_values>;
 Syntax of \ref ::IntrinsicMetric, where its meaning is described.
 */
 template <class Metric>
-concept IntrinsicMetric = (internal::Decides_alone<Metric> || internal::Decides_by_input<Metric>)&&
+concept IntrinsicMetric = (internal::Decides<Metric> || internal::Decides_by_input<Metric>)&&
     std::default_initializable<Metric> && std::movable<Metric> &&
     std::default_initializable<typename Metric::Scope> &&
     std::constructible_from<Metric, std::shared_ptr<const Input>> &&

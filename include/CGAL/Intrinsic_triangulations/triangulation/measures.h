@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/corner_angles.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/assertions.h>

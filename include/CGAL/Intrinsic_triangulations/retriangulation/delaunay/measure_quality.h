@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H
 
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
 #include <boost/graph/graph_traits.hpp>
 

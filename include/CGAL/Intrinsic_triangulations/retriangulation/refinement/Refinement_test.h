@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/face_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
 #include <CGAL/enum.h>
 

@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_METRIC_VALUES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_METRIC_VALUES_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <CGAL/enum.h>
+
+#include <boost/config.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Stores intervals, which can be made narrow.
+template <class Metric>
+concept Has_enclosures = requires(const Metric& m, std::span<const Indexed_face> faces) {
+  m.is_narrow(faces.front());
+  typename Metric::Scope;
+};
+
+// The numbers of the face of a halfedge and of its sides, from that one on.
+template <class Triangulation>
+Indexed_face indexed_face_from(const Triangulation& t,
+                               typename Triangulation::halfedge_descriptor h) {
+  const auto n = next(h, t.mesh()), l = next(n, t.mesh());
+  const auto edge_number = [&t](auto g) { return t.index(edge(g, t.mesh())); };
+  return {t.index(face(h, t.mesh())), {edge_number(h), edge_number(n), edge_number(l)}};
+}
+
+// The numbers of a face and of its sides, from its halfedge on.
+template <class Triangulation>
+Indexed_face indexed_face(const Triangulation& t, typename Triangulation::face_descriptor f) {
+  return indexed_face_from(t, halfedge(f, t.mesh()));
+}
+
+template <class Metric>
+Face_values<double> approximate_values(const Metric& metric, const Indexed_face& face) {
+  return {{metric.approximate_squared_length(face.edges[0]),
+           metric.approximate_squared_length(face.edges[1]),
+           metric.approximate_squared_length(face.edges[2])},
+          metric.approximate_quadruple_area(face.face)};
+}
+
+// What is stored of a face, in scaled units.
+template <class Triangulation>
+Face_values<double> approximate_values(const Triangulation& t,
+                                       typename Triangulation::face_descriptor f) {
+  return approximate_values(t.metric(), indexed_face(t, f));
+}
+
+// The values of a face in scaled units, for users: with exact traits, intervals are made narrow first, and doubles with them.
+template <class Triangulation>
+Face_values<double> accurate_values(const Triangulation& t,
+                                    typename Triangulation::face_descriptor f) {
+  const Indexed_face face = indexed_face(t, f);
+  if constexpr (Has_enclosures<typename Triangulation::Metric>) {
+    if (!t.metric().is_narrow(face)) {
+      const typename Triangulation::Metric::Scope scope;
+      t.sharpen(std::span(&face, 1));
+    }
+  }
+  return approximate_values(t.metric(), face);
+}
+
+// The squared length of an edge in scaled units, for users; see above.
+template <class Triangulation>
+double accurate_squared_length(const Triangulation& t, typename Triangulation::edge_descriptor e) {
+  const std::uint32_t i = t.index(e);
+  if constexpr (Has_enclosures<typename Triangulation::Metric>)
+    if (!t.metric().is_narrow(i)) {
+      const auto& mesh = t.mesh();
+      const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+      const auto h = halfedge(e, mesh);
+      const typename Triangulation::Metric::Scope scope;
+      t.sharpen_length(
+          indexed_face_from(t, face(h, mesh) != null ? h : opposite(h, mesh)));
+    }
+  return t.metric().approximate_squared_length(i);
+}
+
+} // namespace internal
+
+/*!
+\brief asks the metric of a triangulation, and gives it what it needs to decide.
+
+Functions that take numbers of faces and edges ask for a live session.
+\tparam Triangulation derives from this class; with a metric that decides by the input it has `exact_values()`
+*/
+template <class Triangulation, class Mesh, class Metric>
+class Metric_values {
+public:
+  /// returns the sign of an expression in the values of a diamond, exact with exact traits.
+  /// \tparam Expression a model of `DiamondExpression`
+  template <class Expression>
+  Sign sign(const Diamond& d, const Expression& expression) const {
+    if constexpr (by_input)
+      return metric().sign(d, expression, self().exact_values());
+    else
+      return metric().sign(d, expression);
+  }
+  /// returns the sign of an expression in the values of faces, exact with exact traits.
+  /// \tparam Expression a model of `FaceExpression`
+  template <class Expression>
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
+    if constexpr (by_input)
+      return metric().sign(faces, expression, self().exact_values());
+    else
+      return metric().sign(faces, expression);
+  }
+  /// tells whether the angles opposite the edge of a diamond sum to at most pi.
+  BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
+    if constexpr (by_input)
+      return metric().is_locally_delaunay(d, self().exact_values());
+    else
+      return metric().is_locally_delaunay(d);
+  }
+  /// returns half the sum of the cotangents of the angles opposite the edge of a diamond.
+  double cotangent_weight(const Diamond& d) const {
+    if constexpr (by_input)
+      return metric().cotangent_weight(d, self().exact_values());
+    else
+      return metric().cotangent_weight(d);
+  }
+  /// makes what is stored of faces as accurate as it can be.
+  void sharpen(std::span<const Indexed_face> faces) const {
+    if constexpr (by_input) metric().sharpen(faces, self().exact_values());
+  }
+  /// makes what is stored of the first side of a face as accurate as it can be.
+  void sharpen_length(const Indexed_face& face) const {
+    if constexpr (by_input) metric().sharpen_length(face, self().exact_values());
+  }
+
+  /// returns the squared length of an edge as a double, in the units of the input; with exact traits to 1e-12 of it.
+  double squared_length(typename boost::graph_traits<Mesh>::edge_descriptor e) const {
+    return std::ldexp(internal::accurate_squared_length(self(), e), -2 * metric().scale_exponent());
+  }
+  /// returns the length of an edge as a double, in the units of the input; as accurate as `squared_length()`, which may overflow.
+  double length(typename boost::graph_traits<Mesh>::edge_descriptor e) const {
+    return std::ldexp(std::sqrt(internal::accurate_squared_length(self(), e)),
+                      -metric().scale_exponent());
+  }
+  /// returns the area of a face as a double, in the units of the input; with exact traits to 1e-12 of it.
+  double area(typename boost::graph_traits<Mesh>::face_descriptor f) const {
+    return std::ldexp(internal::accurate_values(self(), f).quadruple_area,
+                      -2 * metric().scale_exponent() - 2);
+  }
+
+private:
+  static constexpr bool by_input = internal::Defined_by_places<Metric>;
+
+  const Triangulation& self() const { return static_cast<const Triangulation&>(*this); }
+  const Metric& metric() const { return self().metric(); }
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_METRIC_VALUES_H
