@@ -1,7 +1,7 @@
 # Finds what the library is built on. Included by the build and, once installed, by the package
 # configuration file, so that both find the same things in the same way.
 #
-# Required: CGAL (which brings GMP, MPFR, Boost headers and -frounding-math), MPFI.
+# Required: CGAL (which brings GMP, MPFR, Boost headers and -frounding-math).
 # Optional: Eigen3 (headers in operators/ and applications/), CHOLMOD (faster solution of large systems), Spectra
 # (operators/solvers/eigenpairs.h), OpenMesh (connectivity/adaptors/OpenMesh_adaptor.h).
 #
@@ -13,7 +13,6 @@ find_package(CGAL QUIET REQUIRED)
 if(CGAL_VERSION VERSION_LESS 5.5)
   message(FATAL_ERROR "Intrinsic_triangulations needs CGAL 5.5 or later, ${CGAL_VERSION} was found")
 endif()
-find_package(MPFI QUIET REQUIRED)
 find_package(Threads QUIET REQUIRED) # large matrices are factored by two
 find_package(Eigen3 3.3 QUIET NO_MODULE) # after CGAL, whose own find module knows no target
 if(TARGET Eigen3::Eigen)

@@ -39,6 +39,5 @@ install(FILES
   "${PROJECT_BINARY_DIR}/Intrinsic_triangulationsConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/Intrinsic_triangulations_dependencies.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake"
-  "${PROJECT_SOURCE_DIR}/cmake/FindMPFI.cmake"
   DESTINATION "${package_dir}"
   COMPONENT ${package_component})

@@ -42,7 +42,6 @@ if(NOT INTRINSIC_TRIANGULATIONS_TEST_PROGRAM_PER_FILE) # else foreign ones only,
 endif()
 target_precompile_headers(shared_precompiled PRIVATE
   <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-  <CGAL/Gmpfi.h>
   <CGAL/Interval_nt.h>
   <CGAL/Simple_cartesian.h>
   <CGAL/Surface_mesh.h>

@@ -24,7 +24,7 @@ if [[ ! -r "$mesh" ]]; then
 fi
 
 bash "$root/cmake/install_dependencies.sh" \
-  g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libmpfi-dev libboost-dev \
+  g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libboost-dev \
   libeigen3-dev libsuitesparse-dev libspectra-dev libcli11-dev nlohmann-json3-dev libjs-three
 
 if [[ ! -f "$build/build.ninja" ]]; then # else keep what was chosen, such as to build the tests

@@ -10,7 +10,7 @@ set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
 bash "$root/cmake/install_dependencies.sh" \
-  g++ cmake ninja-build libcgal-dev libcgal-demo libgmp-dev libmpfr-dev libmpfi-dev libboost-dev \
+  g++ cmake ninja-build libcgal-dev libcgal-demo libgmp-dev libmpfr-dev libboost-dev \
   libeigen3-dev libsuitesparse-dev libspectra-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev libjs-three libgtest-dev doxygen \
   libjs-mathjax doxygen-awesome-css python3 python3-matplotlib python3-pandas
 

@@ -4,9 +4,9 @@
 #include "gallery.h"
 #include "meshes.h"
 #include "properties.h"
+#include "wide_numbers.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <CGAL/Gmpq.h>
@@ -22,6 +22,9 @@
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
+using wide_numbers::may_be_below;
+using wide_numbers::Wide;
+using wide_numbers::wide;
 
 namespace {
 
@@ -101,11 +104,11 @@ TEST(Exact_euclidean_traits, stored_intervals_contain_the_exact_values) {
       t.flip_edge(edges[random() % edges.size()]);
     for (const Halfedge h : properties::flippable_by_connectivity(t))
       properties::with_exact_values(t, h, [&](const auto& exact) {
-        const IT::Gmpfi_precision precision(300);
+        const IT::Mpfr_precision precision(300);
         const auto d = t.diamond(h);
         const auto contains = [](const CGAL::Interval_nt<false>& i, const auto& x) {
-          const CGAL::Gmpfi e = x.enclosure();
-          return !(e.sup() < CGAL::Gmpfr(i.inf())) && !(e.inf() > CGAL::Gmpfr(i.sup()));
+          const Wide e = wide(x);
+          return may_be_below(Wide(i.inf()), e) && may_be_below(e, Wide(i.sup()));
         };
         EXPECT_TRUE(contains(t.metric().squared_length(d.ij), exact.ij));
         EXPECT_TRUE(contains(t.metric().quadruple_area(d.f), exact.area_f));
@@ -125,9 +128,9 @@ TEST(Exact_euclidean_traits, signs_agree_with_exact_arithmetic_after_random_flip
     for (const Halfedge h : properties::flippable_by_connectivity(t))
       properties::with_exact_values(t, h, [&](const auto& exact) {
         const auto value = IT::Delaunay_expression()(exact);
-        const IT::Gmpfi_precision precision(2000);
+        const IT::Mpfr_precision precision(2000);
         const CGAL::Sign expected =
-            value.is_zero() ? CGAL::ZERO : CGAL::Sign(CGAL::sign(value.enclosure()));
+            value.is_zero() ? CGAL::ZERO : CGAL::get_certain(wide(value).sign());
         EXPECT_EQ(t.delaunay_sign(h), expected);
         ties += expected == CGAL::ZERO;
       });

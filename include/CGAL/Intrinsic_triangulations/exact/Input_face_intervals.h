@@ -6,10 +6,12 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_side_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
+#include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 
 #include <array>
@@ -20,25 +22,11 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-class Gmpfi;
-}
-
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// More bits leave enough of them where a thin face loses some; rational numbers, which take ten times as
-// long, do the rest. See `Input_face_intervals_impl.h`.
-template <class FT>
-std::pair<std::array<FT, 3>, FT> wide_face(const Input_metric& input, std::uint32_t f);
-
-} // namespace internal
 
 /*!
 \brief encloses the squared lengths and the quadruple areas of input faces, and remembers them.
-\tparam FT `Interval_nt<false>`, a `Ball`, or `Gmpfi` of one precision, which is the default precision of all
-calls; rounding is as the type asks for
+\tparam FT `Interval_nt<false>` or a `Ball`, of the same precision in all calls; rounding is as the type asks for
 */
 template <class FT>
 class Input_face_intervals {
@@ -66,20 +54,32 @@ public:
   }
 
 private:
+  static constexpr bool is_long = std::is_same_v<FT, Ball<Mpfr_number>>;
+
   // numbers of many bits take up to a kilobyte per face
-  static constexpr std::size_t maximal_faces = std::is_same_v<FT, Gmpfi> ? 1U << 16 : 1U << 31;
+  static constexpr std::size_t maximal_faces = is_long ? 1U << 16 : 1U << 31;
 
   static Face face(const Input_metric& input, std::uint32_t f) {
-    if constexpr (std::is_same_v<FT, Gmpfi>)
-      return internal::wide_face<FT>(input, f);
-    else if constexpr (std::is_same_v<FT, Interval_nt<false>>)
+    if constexpr (std::is_same_v<FT, Interval_nt<false>>)
       return {lengths(input, f), narrow_area(input, f)};
     else {
+      if constexpr (is_long)
+        if (Mpfr_number::rounding() < 0x1p-254) return wide_face(input, f);
       const Input_side_values<FT> values(input);
       return {{values.squared_length({f, 0}), values.squared_length({f, 1}),
                values.squared_length({f, 2})},
               values.quadruple_area(f)};
     }
+  }
+
+  // as good as so many bits can be, whatever a thin face loses
+  static Face wide_face(const Input_metric& input, std::uint32_t f) {
+    const auto enclosed = [](const Gmpq& x) {
+      return x == Gmpq(0) ? FT(0) : FT::around(Mpfr_number::nearest(x), 0);
+    };
+    return {{enclosed(input.squared_length<Gmpq>(f, 0)), enclosed(input.squared_length<Gmpq>(f, 1)),
+             enclosed(input.squared_length<Gmpq>(f, 2))},
+            sqrt(enclosed(input.squared_quadruple_area<Gmpq>(f)))};
   }
 
   // Errors of areas are where most of those of unfolded points come from.

@@ -7,10 +7,10 @@
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/Zero_answer.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
-#include <CGAL/Gmpfi.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -18,49 +18,31 @@
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 /*!
 \file
-Signs in multi-precision intervals, with more bits until they show.
+Steps of the ladder: signs in balls, and what is counted.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// sets the precision of `Gmpfi` for a lifetime.
-class Gmpfi_precision {
-public:
-  /// sets the precision to `bits`.
-  explicit Gmpfi_precision(unsigned bits) : previous_(Gmpfi::set_default_precision(bits)) {}
-  /// restores the precision.
-  ~Gmpfi_precision() { Gmpfi::set_default_precision(previous_); }
-  Gmpfi_precision(const Gmpfi_precision&) = delete;
-  Gmpfi_precision& operator=(const Gmpfi_precision&) = delete;
-
-private:
-  Gmpfi::Precision_type previous_;
-};
-
 namespace internal {
 
-// first precision beyond balls
-inline constexpr unsigned first_bits = 512;
 // precision at which a value that is probably zero is taken for zero
 inline constexpr unsigned maximal_probable_bits = 1024;
 
 // whether a value that may be zero is taken for zero instead of computing it in so many bits
 inline bool gives_up(Zero_answer answer, unsigned bits) {
   if (answer == Zero_answer::probably_zero) return bits > maximal_probable_bits;
-  if (bits <= (1U << 20)) return false;
-  throw std::logic_error("a value that was proven not to be zero shows no sign at 2^20 bits; "
-                         "please report this with the mesh");
+  if (bits <= Mpfr_number::most_bits) return false;
+  throw std::logic_error("a value that was proven not to be zero shows no sign in " +
+                         std::to_string(Mpfr_number::most_bits) +
+                         " bits; please report this with the mesh");
 }
 
-inline Interval_nt<false> interval(const Gmpfi& x) {
-  const std::pair<double, double> i = x.to_interval();
-  return Interval_nt<false>(i.first, i.second);
-}
 inline Interval_nt<false> interval(const Interval_nt<false>& x) { return x; }
 template <class Center>
 Interval_nt<false> interval(const Ball<Center>& x) {
@@ -113,35 +95,6 @@ std::pair<std::optional<Sign>, bool> sign_in_balls(unsigned bits, const Values& 
   });
   better = intervals(wide);
   return {counted(value.sign(), bits, statistics), value.seems_zero()};
-}
-
-/*
-Returns the sign of an expression in values. `values()` computes them in the default precision, which is `first_bits`
-first; `is_zero()` tells whether the value is zero, before or after that. If it is not, the precision is doubled
-until the sign shows, which must happen if that is proven. `better` is set to intervals that contain the values,
-and left as it is if none were computed.
-*/
-template <class Values, class Is_zero, class Expression, class Better>
-Sign escalated_sign(const Values& values, bool zero_first, const Is_zero& is_zero,
-                    const Expression& expression, Better& better,
-                    Predicate_statistics& statistics) {
-  std::optional<Zero_answer> answer;
-  for (unsigned bits = first_bits;; bits *= 2) {
-    if (!answer && (zero_first || bits > first_bits)) answer = is_zero();
-    if (answer == Zero_answer::zero) return counted_zero(statistics);
-    if (answer && gives_up(*answer, bits)) {
-      ++statistics.probable_zero;
-      return ZERO;
-    }
-    const Gmpfi_precision precision(bits);
-    const auto d = values();
-    better = intervals(d);
-    const Uncertain<Sign> s = expression(d).sign();
-    if (is_certain(s)) {
-      ++statistics.escalations[bits];
-      return get_certain(s);
-    }
-  }
 }
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_H
 
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
@@ -40,7 +41,7 @@ Who decides, in this order; `decide()` in `ladder_impl.h` is the list:
 4. `is_mirrored_strip()`: a tie by symmetry, which may have as many square roots as triangles.
 5. Balls of 106 bits.
 6. `Diamond_zero_test`: what seems to be zero, in finite fields; first for small figures.
-7. Balls of 256 bits, then the same test, then intervals of 512 bits, 1024 and so on: what is proven not to be zero shows its
+7. Balls of 256 bits, then the same test, then 512 bits, 1024 and so on: what is proven not to be zero shows its
    sign at last. What is only probably zero, which takes more than twelve independent square roots, counts as zero at 1024 bits.
 
 All members ask for rounding upwards.
@@ -91,7 +92,7 @@ public:
   FT squared_length(const Input_metric& input, const Unfolded_diamond& diamond, unsigned bits);
 
   /// Bits in which the nearest double to any weight is told.
-  static constexpr unsigned last_bits = 8192;
+  static constexpr unsigned last_bits = Mpfr_number::most_bits;
 
   /*!
   \brief returns the double nearest to the cotangent weight of a diamond, if so many bits tell which one that is, and it is

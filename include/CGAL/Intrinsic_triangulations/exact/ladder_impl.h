@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
-#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Zero_answer.h>
 #include <CGAL/Intrinsic_triangulations/exact/escalation.h>
 #include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
@@ -19,8 +19,6 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/nearest_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/without_corner.h>
-
-#include <CGAL/Gmpfi.h>
 
 #include <cstddef>
 #include <map>
@@ -44,13 +42,8 @@ struct Exact_ladder::Memory {
   Result at_precision(unsigned bits, const Compute& compute) {
     if (bits <= 53) return internal::intervals(compute(doubles));
     if (bits <= 106) return internal::intervals(internal::to_nearest(compute, short_balls));
-    if (bits <= 256) return internal::intervals(internal::to_nearest(compute, long_balls));
-    const Gmpfi_precision precision(bits);
-    return internal::intervals(compute(intervals()));
-  }
-
-  Input_face_intervals<Gmpfi>& intervals() {
-    return by_precision[Gmpfi::get_default_precision()];
+    const Mpfr_precision precision(bits);
+    return internal::intervals(internal::to_nearest(compute, long_balls[bits]));
   }
 
   template <class FT, class Figure>
@@ -62,8 +55,7 @@ struct Exact_ladder::Memory {
   Diamond_zero_test is_zero;
   Input_face_intervals<Interval_nt<false>> doubles;
   Input_face_intervals<Ball<Double_double>> short_balls;
-  Input_face_intervals<Ball<Mpfr_number>> long_balls; // of 256 bits
-  std::map<Gmpfi::Precision_type, Input_face_intervals<Gmpfi>> by_precision;
+  std::map<unsigned, Input_face_intervals<Ball<Mpfr_number>>> long_balls; // by precision
 };
 
 namespace internal {
@@ -118,12 +110,17 @@ Sign decide(Memory& memory, const Input_metric& input, const Figure& figure,
   std::optional<Zero_answer> answer;
   if (seems_zero && part.size() <= Memory::few_triangles)
     answer = memory.is_zero(input, part, expression);
-  if (answer == Zero_answer::zero) return counted_zero(statistics);
-  if (const auto s = in_balls(memory.long_balls, 256).first) return *s;
-  return escalated_sign([&] { return memory.values(input, figure, memory.intervals()); },
-                        part.size() <= Memory::many_triangles,
-                        [&] { return answer ? *answer : memory.is_zero(input, part, expression); },
-                        expression, better, statistics);
+  for (unsigned bits = 256;; bits *= 2) {
+    if (bits == (part.size() <= Memory::many_triangles ? 512U : 1024U) && !answer)
+      answer = memory.is_zero(input, part, expression);
+    if (answer == Zero_answer::zero) return counted_zero(statistics);
+    if (answer && gives_up(*answer, bits)) {
+      ++statistics.probable_zero;
+      return ZERO;
+    }
+    const Mpfr_precision precision(bits);
+    if (const auto s = in_balls(memory.long_balls[bits], bits).first) return *s;
+  }
 }
 
 } // namespace internal
@@ -162,16 +159,14 @@ Exact_ladder::squared_length(const Input_metric& input, const Unfolded_diamond& 
 template <class Figure>
 std::optional<double> Exact_ladder::weight(const Input_metric& input, const Figure& diamond,
                                            unsigned bits) {
-  const auto compute = [&](auto& numbers) {
-    return cotangent_weight(Memory::values(input, diamond, numbers));
+  const auto nearest = [&](auto& numbers) -> std::optional<double> {
+    const auto weight = cotangent_weight(Memory::values(input, diamond, numbers));
+    // in the end it is in the middle between two doubles, or beyond all of them
+    return bits < last_bits ? nearest_double(weight) : std::optional(weight.to_double());
   };
-  const auto nearest = [&](auto& numbers) { return nearest_double(compute(numbers)); };
   if (bits <= 106) return internal::to_nearest(nearest, memory().short_balls);
-  if (bits <= 256) return internal::to_nearest(nearest, memory().long_balls);
-  const Gmpfi_precision precision(bits);
-  const Gmpfi weight = compute(memory().intervals());
-  // in the end that nearest to a lower bound: the number is in the middle between two doubles, or beyond all of them
-  return bits < last_bits ? nearest_double(weight) : weight.inf().to_double(std::round_to_nearest);
+  const Mpfr_precision precision(bits);
+  return internal::to_nearest(nearest, memory().long_balls[bits]);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

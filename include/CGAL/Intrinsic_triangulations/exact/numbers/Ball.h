@@ -18,23 +18,26 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief encloses a real number by a center and a radius, with fixed precision: at a tenth of the price of `Gmpfi` of as
-many bits, which allocates.
+\brief encloses a real number by a center and a radius.
 
 What overflows, or is divided by what may be zero, gets a radius that is infinite or not a number. All operations ask for
-rounding to the nearest, but for `interval()`.
+rounding to the nearest, but for `interval()`. Radii have as wide a range of exponents as `Center::Magnitude`: centers of thousands of
+bits have errors that no double tells.
 \tparam Center `Double_double` or `Mpfr_number`
 \cgalModels{Field}
 */
 template <class Center>
 class Ball {
 public:
+  /// Number type of radii.
+  using Magnitude = typename Center::Magnitude;
+
   /// constructs zero.
   Ball() = default;
   /// converts a number exactly.
   Ball(double x) : center_(x), magnitude_(std::abs(x)) {} // NOLINT(google-explicit-constructor)
   /// encloses what is no farther from a center than a radius.
-  static Ball around(const Center& center, double radius) { return {center, radius}; }
+  static Ball around(const Center& center, Magnitude radius) { return {center, radius}; }
 
   /// returns the sum.
   friend Ball operator+(const Ball& a, const Ball& b) {
@@ -54,27 +57,27 @@ public:
   /// returns the quotient. a / b - A / B = ((a - A) - A / B (b - B)) / b
   friend Ball operator/(const Ball& a, const Ball& b) {
     const Center q = a.center_ / b.center_;
-    const double least = b.magnitude_ * (1 - slack) - b.radius_;
-    if (!(least > 0)) return {q, std::numeric_limits<double>::infinity()};
-    return {q, (a.radius_ + std::abs(rounded(q)) * (1 + slack) * b.radius_) / least};
+    const Magnitude least = b.magnitude_ * (1 - slack) - b.radius_;
+    if (!(least > 0)) return {q, infinity};
+    return {q, (a.radius_ + std::abs(q.magnitude()) * (1 + slack) * b.radius_) / least};
   }
   /// returns the square.
   friend Ball square(const Ball& x) { return x * x; }
   /// returns the square root of what is not negative. |sqrt(x) - sqrt(X)| <= |x - X| / sqrt(X)
   friend Ball sqrt(const Ball& x) {
-    if (!(rounded(x.center_) > 0))
+    if (!(x.center_.magnitude() > 0))
       return {Center(0), std::sqrt(x.size() + x.radius_) * (1 + slack)};
     const Center s = sqrt(x.center_);
-    return {s, x.radius_ / (rounded(s) * (1 - slack))};
+    return {s, x.radius_ / (s.magnitude() * (1 - slack))};
   }
 
   /// returns the center.
   const Center& center() const { return center_; }
   /// returns the radius.
-  double radius() const { return radius_; }
+  Magnitude radius() const { return radius_; }
   /// returns the sign, if it is certain.
   Uncertain<Sign> sign() const {
-    if (magnitude_ * (1 - slack) > radius_) return rounded(center_) > 0 ? POSITIVE : NEGATIVE;
+    if (magnitude_ * (1 - slack) > radius_) return center_.magnitude() > 0 ? POSITIVE : NEGATIVE;
     return magnitude_ == 0 && radius_ == 0 ? Uncertain<Sign>(ZERO)
                                            : Uncertain<Sign>::indeterminate();
   }
@@ -88,32 +91,35 @@ public:
   }
 
   /// returns a double near the center.
-  double to_double() const { return rounded(center_); }
+  double to_double() const { return center_.to_double(); }
 
   /// returns an interval that contains the number. \pre rounding is upwards
   Interval_nt<false> interval() const {
     using Interval = Interval_nt<false>;
-    if (!(radius_ < std::numeric_limits<double>::infinity())) return Interval::largest();
-    const double c = rounded(center_), error = std::abs(c) * 0x1p-53 + 0x1p-1060 + radius_;
+    // whatever the rounding of magnitudes
+    const double c = center_.to_double(), r = static_cast<double>(radius_ * (1 + slack));
+    if (!(r < std::numeric_limits<double>::infinity())) return Interval::largest();
+    const double error = std::abs(c) * 0x1p-53 + 0x1p-1060 + r;
     return Interval(c) + Interval(-error, error);
   }
 
 private:
   // more than rounding to a double, and a few operations on radii
   static constexpr double slack = 0x1p-48;
+  static constexpr Magnitude infinity = std::numeric_limits<Magnitude>::infinity();
+  // what underflows, in radii
+  static constexpr Magnitude tiny = 0x1p14 * std::numeric_limits<Magnitude>::denorm_min();
 
   // adds rounding errors to a radius: of the operation, of the radius, of what underflows
-  Ball(const Center& c, double radius)
-      : center_(c), magnitude_(std::abs(rounded(c))),
-        radius_((radius + magnitude_ * Center::rounding()) * (1 + slack) + 0x1p-1060) {}
+  Ball(const Center& c, Magnitude radius)
+      : center_(c), magnitude_(std::abs(c.magnitude())),
+        radius_((radius + magnitude_ * Center::rounding()) * (1 + slack) + tiny) {}
 
-  static double rounded(const Center& x) { return x.to_double(); }
-
-  double size() const { return magnitude_ * (1 + slack); }
+  Magnitude size() const { return magnitude_ * (1 + slack); }
 
   Center center_{0};
-  double magnitude_ = 0; // of the center, rounded
-  double radius_ = 0;
+  Magnitude magnitude_ = 0; // of the center, rounded
+  Magnitude radius_ = 0;
 };
 
 namespace internal {

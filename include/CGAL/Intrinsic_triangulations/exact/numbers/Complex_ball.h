@@ -25,6 +25,7 @@ template <>
 struct Enclosure_parts<Interval_nt<false>> {
   using FT = Interval_nt<false>;
   using Center = double;
+  using Magnitude = double;
   static constexpr double unit() { return 0x1p-52; }
   static double center(const FT& x) { return (x.inf() + x.sup()) / 2; }
   static double radius(const FT& x, double center) {
@@ -40,16 +41,17 @@ template <class Number>
 struct Enclosure_parts<Ball<Number>> {
   using FT = Ball<Number>;
   using Center = Number;
-  static double unit() { return Number::rounding(); }
+  using Magnitude = typename Number::Magnitude;
+  static Magnitude unit() { return Number::rounding(); }
   static const Center& center(const FT& x) { return x.center(); }
-  static double radius(const FT& x, const Center&) { return x.radius(); }
-  static FT make(const Center& center, double radius) { return FT::around(center, radius); }
+  static Magnitude radius(const FT& x, const Center&) { return x.radius(); }
+  static FT make(const Center& center, Magnitude radius) { return FT::around(center, radius); }
 };
 
 inline double magnitude(double x) { return std::abs(x); }
 template <class Number>
-double magnitude(const Number& x) {
-  return std::abs(x.to_double());
+typename Number::Magnitude magnitude(const Number& x) {
+  return std::abs(x.magnitude());
 }
 
 } // namespace internal
@@ -65,6 +67,8 @@ template <class FT>
 class Complex_ball {
   using Parts = internal::Enclosure_parts<FT>;
   using Center = typename Parts::Center;
+  using Magnitude = typename Parts::Magnitude;
+  static constexpr Magnitude infinity = std::numeric_limits<Magnitude>::infinity();
 
 public:
   /// constructs one.
@@ -78,12 +82,11 @@ public:
     const Center r = Center(1) / c;
     x_ = p * r;
     y_ = q * r;
-    const double error = Parts::radius(x, p) + Parts::radius(y, q);
-    const double size = std::max(internal::magnitude(p), internal::magnitude(q)) * (1 - slack);
-    const double error_d = Parts::radius(d, c),
+    const Magnitude error = Parts::radius(x, p) + Parts::radius(y, q);
+    const Magnitude size = std::max(internal::magnitude(p), internal::magnitude(q)) * (1 - slack);
+    const Magnitude error_d = Parts::radius(d, c),
                  least = internal::magnitude(c) * (1 - slack) - error_d;
-    radius_ = least > 0 ? product(error / size, error_d / least)
-                        : std::numeric_limits<double>::infinity();
+    radius_ = least > 0 ? product(error / size, error_d / least) : infinity;
     check();
   }
 
@@ -112,24 +115,26 @@ public:
 private:
   // more than a few operations on radii, and than rounding to a double
   static constexpr double slack = 0x1p-40;
+  // what underflows, in radii
+  static constexpr Magnitude tiny = 0x1p14 * std::numeric_limits<Magnitude>::denorm_min();
 
   // Relative errors of factors, and of the operations. Each part of a product of centers has an error below 2 u (1 + u) of the sum
   // of magnitudes of its terms; the squares of these sums add up to 2 |a b|^2 at most: 2 sqrt(2) u of the product. A quotient takes two
   // operations.
-  static double product(double a, double b) {
+  static Magnitude product(Magnitude a, Magnitude b) {
     return (a + b + a * b + 3 * Parts::unit()) * (1 + slack);
   }
-  double absolute_radius() const {
-    return radius_ * (internal::magnitude(x_) + internal::magnitude(y_)) * (1 + slack) + 0x1p-1060;
+  Magnitude absolute_radius() const {
+    return radius_ * (internal::magnitude(x_) + internal::magnitude(y_)) * (1 + slack) + tiny;
   }
   // products that may have underflowed are not relative to what they should be
   void check() {
-    const double size = internal::magnitude(x_) + internal::magnitude(y_);
-    if (!(size > 0x1p-800 && size < 0x1p800)) radius_ = std::numeric_limits<double>::infinity();
+    const Magnitude size = internal::magnitude(x_) + internal::magnitude(y_);
+    if (!(size > 0x1p-800 && size < 0x1p800)) radius_ = infinity;
   }
 
   Center x_{1}, y_{0};
-  double radius_ = 0; // of the modulus
+  Magnitude radius_ = 0; // of the modulus
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -17,6 +17,8 @@ al., "Accurate calculation of Euclidean norms using double-word arithmetic" (202
 */
 class Double_double {
 public:
+  /// Number type of errors.
+  using Magnitude = double;
   /// returns more than the relative error of each operation.
   static constexpr double rounding() { return 0x1p-102; }
 
@@ -27,6 +29,8 @@ public:
 
   /// returns the nearest double.
   double to_double() const { return high_; }
+  /// returns a number near this one.
+  Magnitude magnitude() const { return high_; }
 
   /// returns the product of two doubles, exactly unless it underflows.
   static Double_double product(double a, double b) { return two_product(a, b); }

@@ -17,7 +17,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief gives a field to the constants of a computation, for a lifetime, as `Gmpfi` has a default precision.
+\brief gives a field to the constants of a computation, for a lifetime.
 */
 class Residue_scope {
 public:

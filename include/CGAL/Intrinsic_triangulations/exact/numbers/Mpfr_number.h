@@ -4,30 +4,37 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_MPFR_NUMBER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_MPFR_NUMBER_H
 
+#include <CGAL/Gmpq.h>
+
+#include <boost/container/small_vector.hpp>
 #include <mpfr.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a floating point number by MPFR, whose bits are within it: nothing is allocated.
+\brief is a floating point number by MPFR. Nothing is allocated for up to 1024 bits.
 
 All operations round to the nearest, to as many bits as the `Mpfr_precision` of the thread says; one class for all of them is compiled
 once.
 */
 class Mpfr_number {
 public:
-  /// Largest number of bits: as many as a double can tell the errors of.
-  static constexpr unsigned most_bits = 1024;
+  /// Number type of errors. \note the exponents of `long double` bound the precision
+  using Magnitude = long double;
+  /// Largest number of bits: as many as that can tell the errors of.
+  static constexpr unsigned most_bits =
+      std::numeric_limits<Magnitude>::max_exponent > 16000 ? 8192 : 512;
 
   /// returns more than the relative error of each operation: 2^(2 - bits).
-  static double rounding() { return precision().rounding; }
+  static Magnitude rounding() { return precision().rounding; }
 
   /// constructs zero.
-  Mpfr_number() {
+  Mpfr_number() : limbs_(limbs(precision().bits), boost::container::default_init) {
     const unsigned bits = precision().bits;
     mpfr_custom_init_set(value_, MPFR_ZERO_KIND, 0, bits, limbs_.data());
   }
@@ -35,11 +42,19 @@ public:
   Mpfr_number(double x) : Mpfr_number() { // NOLINT(google-explicit-constructor)
     mpfr_set_d(value_, x, MPFR_RNDN);
   }
+  /// returns the number nearest to a rational one.
+  static Mpfr_number nearest(const Gmpq& x) {
+    Mpfr_number result;
+    mpfr_set_q(result.value_, x.mpq(), MPFR_RNDN);
+    return result;
+  }
   /// copies.
-  Mpfr_number(const Mpfr_number& other) { copy(other); }
+  Mpfr_number(const Mpfr_number& other) : limbs_(other.limbs_) { copy_value(other); }
   /// copies.
   Mpfr_number& operator=(const Mpfr_number& other) {
-    if (this != &other) copy(other);
+    if (this == &other) return *this;
+    limbs_ = other.limbs_;
+    copy_value(other);
     return *this;
   }
   ~Mpfr_number() = default;
@@ -81,37 +96,44 @@ public:
 
   /// returns the nearest double.
   double to_double() const { return mpfr_get_d(value_, MPFR_RNDN); }
+  /// returns a number near this one, which takes longer where doubles end.
+  Magnitude magnitude() const {
+    const double x = to_double(), size = std::abs(x);
+    return size > 0x1p-1000 && size < 0x1p1000 ? x : mpfr_get_ld(value_, MPFR_RNDN);
+  }
 
 private:
   friend class Mpfr_precision;
   struct Precision {
     unsigned bits;
-    double rounding;
+    Magnitude rounding;
   };
   // of the thread; enough for what is unfolded across some hundred triangles
   static Precision& precision() {
-    thread_local Precision current{256, 0x1p-254};
+    thread_local Precision current{256, 0x1p-254L};
     return current;
   }
 
-  void copy(const Mpfr_number& other) {
+  static std::size_t limbs(std::size_t bits) {
+    return (bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
+  }
+
+  void copy_value(const Mpfr_number& other) {
     *value_ = *other.value_;
-    const auto used = (mpfr_get_prec(value_) + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
-    std::copy_n(other.limbs_.begin(), used, limbs_.begin());
     mpfr_custom_move(value_, limbs_.data());
   }
 
-  std::array<mp_limb_t, most_bits / GMP_NUMB_BITS>
-      limbs_;    // as many are used as the precision asks for
+  boost::container::small_vector<mp_limb_t, 16> limbs_;
   mpfr_t value_; // points to the limbs
 };
 
 /// sets the precision of new `Mpfr_number`s of a thread for a lifetime; it is 256 bits elsewhere.
 class Mpfr_precision {
 public:
-  /// sets the precision. \pre `bits` is at most `Mpfr_number::most_bits`
+  /// sets the precision, to `Mpfr_number::most_bits` at most.
   explicit Mpfr_precision(unsigned bits) : previous_(Mpfr_number::precision()) {
-    Mpfr_number::precision() = {bits, std::ldexp(4.0, -static_cast<int>(bits))};
+    bits = std::min(bits, Mpfr_number::most_bits);
+    Mpfr_number::precision() = {bits, std::ldexp(4.0L, -static_cast<int>(bits))};
   }
   /// restores the precision.
   ~Mpfr_precision() { Mpfr_number::precision() = previous_; }

@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/multiquadratic_terms.h>
 
-#include <CGAL/Gmpfi.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/assertions.h>
@@ -66,13 +65,14 @@ public:
     return Gmpq(0);
   }
 
-  /// returns an interval that contains the number, computed in the default precision of `Gmpfi`.
-  Gmpfi enclosure() const {
-    Gmpfi result(0);
+  /// returns the value in another number type. \param from_rational converts a `Gmpq` to that type
+  template <class From_rational>
+  auto value(const From_rational& from_rational) const {
+    auto result = from_rational(Gmpq(0));
     for (const internal::Multiquadratic_term& t : terms_) {
-      Gmpfi term(coefficient(t));
-      if (t.radical != 0) term *= Gmpfi(Gmpq(basis_->product(t.radical))).sqrt();
-      result += term;
+      auto term = from_rational(coefficient(t));
+      if (t.radical != 0) term = term * sqrt(from_rational(Gmpq(basis_->product(t.radical))));
+      result = result + term;
     }
     return result;
   }

@@ -6,8 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 
-#include <CGAL/Gmpfi.h>
-
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -41,16 +39,8 @@ std::optional<double> nearest_double(const Ball<Center>& x) {
   const Ball<Center> rest = x - Ball<Center>(c);
   // the factors are for the rounding of what is here
   const double r = rest.to_double(),
-               radius = (rest.radius() + std::abs(r) * 0x1p-50) * (1 + 0x1p-50);
+               radius = static_cast<double>((rest.radius() + std::abs(r) * 0x1p-50) * (1 + 0x1p-50));
   return internal::common_rounding(c + (r - radius), c + (r + radius));
-}
-
-/*!
-\brief returns the double nearest to all numbers of an interval, if there is one that is neither zero nor infinite.
-*/
-inline std::optional<double> nearest_double(const Gmpfi& x) {
-  return internal::common_rounding(x.inf().to_double(std::round_to_nearest),
-                                   x.sup().to_double(std::round_to_nearest));
 }
 
 } // namespace CGAL::Intrinsic_triangulations
