@@ -5,6 +5,11 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 
+#include "wide_numbers.h"
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Gmpz.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
