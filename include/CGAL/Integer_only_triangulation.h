@@ -206,6 +206,7 @@ public:
       : mesh_(t.mesh()), number_(mesh_, t.numbers(), t.mesh()), correspondence_(t.correspondence()),
         geometry_((check_input(t.input()), t.shared_input())) {
     check_coordinates(*this);
+    correspondence_.keep_crossings(*this);
   }
 
   /// copies everything; elements keep their numbers.

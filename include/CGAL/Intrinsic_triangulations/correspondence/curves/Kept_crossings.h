@@ -89,22 +89,30 @@ public:
   crosses each edge, that is done: else the time of insertions would grow with the length of the edges followed. Lists that
   get long are worse than that.
   \param t, coordinates the triangulation, its coordinates
-  \param steps number of steps taken so far along curves
+  \param steps number of steps taken along curves since the last call
   \complexity constant, amortized over these steps
   */
   template <class Triangulation, class Coordinates>
   void decide(const Triangulation& t, const Coordinates& coordinates, std::size_t steps) {
     if (is_decided_) return;
     const std::size_t edges = coordinates.number_of_edges();
+    steps_ += steps;
     if (are_kept_) {
       forget_beyond(edges, 0);
-    } else if (steps - steps_before_ > patience * edges) {
-      steps_before_ = steps;
-      std::size_t all = 0;
-      for (std::uint32_t e = 0; e < edges; ++e)
-        all += static_cast<std::size_t>(crossings(coordinates.normal_coordinate(e)));
-      if (all <= most_per_edge * edges) keep(edge_crossings(t, coordinates));
+    } else if (steps_ > patience * edges) {
+      steps_ = 0;
+      keep_if_few(t, coordinates);
     }
+  }
+  /// keeps crossings, unless they are too many.
+  template <class Triangulation, class Coordinates>
+  void keep_if_few(const Triangulation& t, const Coordinates& coordinates) {
+    if (are_kept_) return;
+    std::size_t all = 0;
+    const std::size_t edges = coordinates.number_of_edges();
+    for (std::uint32_t e = 0; e < edges; ++e)
+      all += static_cast<std::size_t>(crossings(coordinates.normal_coordinate(e)));
+    if (all <= most_per_edge * edges) keep(edge_crossings(t, coordinates));
   }
 
   /// forgets crossings that need not be kept, if there are too many together with `more` of them on an edge to come.
@@ -210,7 +218,7 @@ private:
   }
 
   bool are_kept_ = false, is_decided_ = false;
-  std::size_t steps_before_ = 0; // when it was last decided
+  std::size_t steps_ = 0; // since it was last decided
   Crossing_lists lists_;
   std::size_t size_ = 0; // number of crossings
   // lists of new edges of the move that has been announced

@@ -97,6 +97,9 @@ public:
     return unfold();
   }
 
+  /// returns how many steps were taken along curves since the last call of this function.
+  std::size_t take_steps() { return std::exchange(steps_, 0); }
+
 private:
   using Side = Face_side;
 
@@ -202,10 +205,10 @@ private:
             coordinates_->entered_by(bundle.halfedge, bundle.position + i);
       return;
     }
-    follow_curves(view, *coordinates_, bundle, stack_,
-                  [&](Normal_coordinate number, const Curve_end& end) {
-                    crossed[index(number)] = input_halfedge(*coordinates_, end) ^ 1U;
-                  });
+    steps_ += follow_curves(view, *coordinates_, bundle, stack_,
+                            [&](Normal_coordinate number, const Curve_end& end) {
+                              crossed[index(number)] = input_halfedge(*coordinates_, end) ^ 1U;
+                            });
   }
 
   // appends the crossings of a halfedge from number `from` on
@@ -261,6 +264,7 @@ private:
   std::vector<std::uint32_t> crossed_, others_;
   std::vector<Curve_bundle> stack_;
   std::array<Developed_corner, 4> corners_;
+  std::size_t steps_ = 0;
   internal::Corner_unfolder unfolder_{std::numeric_limits<std::size_t>::max()};
 };
 

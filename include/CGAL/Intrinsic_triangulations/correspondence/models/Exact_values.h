@@ -142,7 +142,12 @@ public:
 
 private:
   const Input_metric& metric() const { return t_.input().metric(); }
-  const Integer_coordinates& coordinates() const { return *places_.coordinates(t_); }
+  // noting crossings down if following them has taken as long
+  const Integer_coordinates& coordinates() const {
+    const Integer_coordinates& c = *places_.coordinates(t_);
+    c.count_steps(t_, memory_.unfolder.take_steps());
+    return c;
+  }
 
   Replayed_faces replayed(std::vector<Indexed_face> faces) const {
     return {t_.input(), places_.connectivity(t_), *places_.flips(), std::move(faces)};

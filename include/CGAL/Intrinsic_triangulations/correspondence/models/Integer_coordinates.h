@@ -109,6 +109,18 @@ public:
   std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
     return kept_.entered_by(h, position);
   }
+  /// notes down what crosses each edge, in one pass along the input edges, unless that is very much: for those who will ask about
+  /// all edges. It is a cache.
+  /// \complexity linear in the number of crossings
+  template <class Triangulation>
+  void keep_crossings(const Triangulation& t) const {
+    kept_.keep_if_few(t, *this);
+  }
+  /// does so once following curves has taken as long. \param steps number of steps along curves since the last call
+  template <class Triangulation>
+  void count_steps(const Triangulation& t, std::size_t steps) const {
+    kept_.decide(t, *this, steps);
+  }
   /// tells whether vertices were ever inserted.
   bool has_inserted_vertices() const { return !location_.empty(); }
   /// tells whether a vertex was inserted.
@@ -253,7 +265,7 @@ protected:
   Normals normals(const std::array<std::uint32_t, 3>& sides) const {
     return {normal_[sides[0] / 2], normal_[sides[1] / 2], normal_[sides[2] / 2]};
   }
-  internal::Kept_crossings kept_;
+  mutable internal::Kept_crossings kept_;
   /// \endcond
 
 private:
@@ -269,8 +281,9 @@ private:
   bool announce_insertion(const Triangulation& t, const std::array<std::uint32_t, 3>& sides,
                           const std::array<double, 3>& weights,
                           const std::optional<Surface_point>& wanted) {
-    kept_.decide(t, *this, placer_.steps());
+    const std::size_t steps = placer_.steps();
     const std::optional<Placed_insertion> p = placer_(t, *this, sides[0], weights, wanted);
+    count_steps(t, placer_.steps() - steps);
     if (!p) return false;
     Insertion& n = insertion_;
     n.along_side = p->along_side;
