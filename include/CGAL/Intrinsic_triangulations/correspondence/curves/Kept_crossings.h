@@ -101,18 +101,17 @@ public:
       forget_beyond(edges, 0);
     } else if (steps_ > patience * edges) {
       steps_ = 0;
-      keep_if_few(t, coordinates);
+      keep_if_few(t, coordinates, most_per_edge * edges);
     }
   }
-  /// keeps crossings, unless they are too many.
+  /// keeps crossings, unless there are more than `most`.
   template <class Triangulation, class Coordinates>
-  void keep_if_few(const Triangulation& t, const Coordinates& coordinates) {
+  void keep_if_few(const Triangulation& t, const Coordinates& coordinates, std::size_t most) {
     if (are_kept_) return;
     std::size_t all = 0;
-    const std::size_t edges = coordinates.number_of_edges();
-    for (std::uint32_t e = 0; e < edges; ++e)
+    for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e)
       all += static_cast<std::size_t>(crossings(coordinates.normal_coordinate(e)));
-    if (all <= most_per_edge * edges) keep(edge_crossings(t, coordinates));
+    if (all <= most) keep(edge_crossings(t, coordinates));
   }
 
   /// forgets crossings that need not be kept, if there are too many together with `more` of them on an edge to come.

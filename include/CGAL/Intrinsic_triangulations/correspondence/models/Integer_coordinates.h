@@ -114,7 +114,8 @@ public:
   /// \complexity linear in the number of crossings
   template <class Triangulation>
   void keep_crossings(const Triangulation& t) const {
-    kept_.keep_if_few(t, *this);
+    constexpr std::size_t most = std::size_t(1) << 25U; // four bytes each
+    kept_.keep_if_few(t, *this, most);
   }
   /// does so once following curves has taken as long. \param steps number of steps along curves since the last call
   template <class Triangulation>
