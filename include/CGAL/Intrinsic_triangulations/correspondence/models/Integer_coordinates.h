@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -114,8 +115,7 @@ public:
   /// \complexity linear in the number of crossings
   template <class Triangulation>
   void keep_crossings(const Triangulation& t) const {
-    constexpr std::size_t most = std::size_t(1) << 25U; // four bytes each
-    kept_.keep_if_few(t, *this, most);
+    kept_.keep_if_few(t, *this, std::numeric_limits<std::size_t>::max());
   }
   /// does so once following curves has taken as long. \param steps number of steps along curves since the last call
   template <class Triangulation>
@@ -285,6 +285,7 @@ private:
     const std::size_t steps = placer_.steps();
     const std::optional<Placed_insertion> p = placer_(t, *this, sides[0], weights, wanted);
     count_steps(t, placer_.steps() - steps);
+    kept_.forget_beyond(normal_.size(), 0);
     if (!p) return false;
     Insertion& n = insertion_;
     n.along_side = p->along_side;
