@@ -86,29 +86,32 @@ public:
   \brief decides whether to keep crossings.
 
   Where input edges that cross many intrinsic ones were followed again and again, for as long as it takes to note down what
-  crosses each edge, that is done: else the time of insertions would grow with the length of the edges followed. Moves forget
-  lists that have got long: to change them is worse than that.
+  crosses each edge, that is done: else the time of insertions would grow with the length of the edges followed. Lists that
+  get long are worse than that: moves change them.
   \param t, coordinates the triangulation, its coordinates
   \param steps number of steps taken along curves since the last call
   \complexity constant, amortized over these steps
   */
   template <class Triangulation, class Coordinates>
   void decide(const Triangulation& t, const Coordinates& coordinates, std::size_t steps) {
-    if (is_decided_ || are_kept_) return;
+    if (is_decided_) return;
+    const std::size_t edges = coordinates.number_of_edges();
     steps_ += steps;
-    if (steps_ <= std::max(patience * coordinates.number_of_edges(), next_)) return;
-    keep_if_few(t, coordinates, steps_);
-    next_ = are_kept_ ? 0 : 2 * steps_;
-    if (are_kept_) steps_ = 0;
+    if (are_kept_) {
+      forget_beyond(edges, 0);
+    } else if (steps_ > patience * edges) {
+      steps_ = 0;
+      keep_if_few(t, coordinates, most_per_edge * edges);
+    }
   }
-  /// keeps crossings, unless there are more than so many, or more than 2^25, of four bytes each.
+  /// keeps crossings, unless there are more than so many.
   template <class Triangulation, class Coordinates>
-  void keep_if_few(const Triangulation& t, const Coordinates& coordinates, std::size_t number) {
+  void keep_if_few(const Triangulation& t, const Coordinates& coordinates, std::size_t most) {
     if (are_kept_) return;
     std::size_t all = 0;
     for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e)
       all += static_cast<std::size_t>(crossings(coordinates.normal_coordinate(e)));
-    if (all <= std::min(number, most)) keep(edge_crossings(t, coordinates));
+    if (all <= most) keep(edge_crossings(t, coordinates));
   }
 
   /// forgets crossings that need not be kept, if there are too many together with `more` of them on an edge to come.
@@ -174,7 +177,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t patience = 32, most_per_edge = 128, most = std::size_t(1) << 25U;
+  static constexpr std::size_t patience = 32, most_per_edge = 128;
 
   void keep(const Edge_crossings& all) {
     lists_ = Crossing_lists(all.begin.size() - 1);
@@ -214,7 +217,7 @@ private:
   }
 
   bool are_kept_ = false, is_decided_ = false;
-  std::size_t steps_ = 0, next_ = 0; // taken since crossings were kept; how many are waited for
+  std::size_t steps_ = 0; // since it was last decided
   Crossing_lists lists_;
   std::size_t size_ = 0; // number of crossings
   // lists of new edges of the move that has been announced

@@ -21,7 +21,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -110,12 +109,11 @@ public:
   std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
     return kept_.entered_by(h, position);
   }
-  /// notes down what crosses each edge, in one pass along the input edges, unless that is very much: for those who will ask about
-  /// all edges. It is a cache.
-  /// \complexity linear in the number of crossings
+  /// notes down what crosses each edge, in one pass along the input edges, unless that is very much: for those who will ask
+  /// about all edges. It is a cache. \complexity linear in the number of crossings
   template <class Triangulation>
   void keep_crossings(const Triangulation& t) const {
-    kept_.keep_if_few(t, *this, std::numeric_limits<std::size_t>::max());
+    kept_.keep_if_few(t, *this, std::size_t(1) << 25U); // four bytes each
   }
   /// does so once following curves has taken as long. \param steps number of steps along curves since the last call
   template <class Triangulation>
@@ -285,7 +283,6 @@ private:
     const std::size_t steps = placer_.steps();
     const std::optional<Placed_insertion> p = placer_(t, *this, sides[0], weights, wanted);
     count_steps(t, placer_.steps() - steps);
-    kept_.forget_beyond(normal_.size(), 0);
     if (!p) return false;
     Insertion& n = insertion_;
     n.along_side = p->along_side;
