@@ -22,9 +22,11 @@ class Counting_metric : public Metric {
 public:
   using Metric::Metric;
 
-  bool is_locally_delaunay(const IT::Diamond& d) const { // the one predicate of flip_to_delaunay()
+  // the one predicate of flip_to_delaunay(); exact metrics get what decides where they cannot
+  template <class... Exact>
+  bool is_locally_delaunay(const IT::Diamond& d, const Exact&... exact) const {
     ++predicates;
-    return Metric::is_locally_delaunay(d);
+    return Metric::is_locally_delaunay(d, exact...);
   }
   auto compute_flip(const IT::Diamond& d) const { // its one construction
     ++constructions;
