@@ -11,6 +11,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace program {
 
@@ -28,7 +30,8 @@ public:
   Compared_metric() = default;
   explicit Compared_metric(const std::shared_ptr<const IT::Input>& input)
       : Metric(input),
-        exact_(IT::Gluing_map(input->mesh()), IT::Exact_euclidean_metric(input), input) {}
+        exact_(std::in_place, IT::Gluing_map(input->mesh()), IT::Exact_euclidean_metric(input),
+               input) {}
 
   bool is_locally_delaunay(const IT::Diamond& d) const {
     const bool answer = Metric::is_locally_delaunay(d);
@@ -56,20 +59,20 @@ private:
 
   // Not inline: the other metric's arithmetic must not be moved to where rounding is upwards.
   [[gnu::noinline]] bool is_exactly_delaunay(const IT::Diamond& d) const {
-    return exact_.is_locally_delaunay(halfedge_of(d));
+    return exact_->is_locally_delaunay(halfedge_of(d));
   }
 
   [[gnu::noinline]] bool follow(const IT::Diamond& d) {
-    return exact_.flip_edge(halfedge_of(d)) == IT::Move_status::done;
+    return exact_->flip_edge(halfedge_of(d)) == IT::Move_status::done;
   }
 
   Exact::halfedge_descriptor halfedge_of(const IT::Diamond& d) const {
     const Exact::halfedge_descriptor h{2 * d.ij};
-    const IT::Gluing_map& m = exact_.mesh();
+    const IT::Gluing_map& m = exact_->mesh();
     return m.face(h).index == d.f && m.next(h).index / 2 == d.jk ? h : m.opposite(h);
   }
 
-  Exact exact_;
+  std::optional<Exact> exact_; // none of an empty metric
   bool is_following_ = true;
   mutable std::uint64_t different_decisions_ = 0;
   std::uint64_t nonconvex_flips_ = 0;
