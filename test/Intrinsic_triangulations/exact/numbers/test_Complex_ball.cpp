@@ -42,7 +42,7 @@ Interval interval(const IT::Ball<Center>& x) {
 double radius(const Interval& x) { return (x.sup() - x.inf()) / 2; }
 template <class Center>
 double radius(const IT::Ball<Center>& x) {
-  return x.radius();
+  return static_cast<double>(x.radius());
 }
 
 template <class FT>

@@ -108,7 +108,7 @@ void expect_contains(const IT::Ball<Center>& ball, const Gmpq& exact, double pre
   const auto remainder =
       IT::internal::to_nearest([&] { return ball - IT::Ball<Center>(ball.to_double()); });
   EXPECT_LE(CGAL::abs(rest - Gmpq(remainder.to_double())),
-            Gmpq(remainder.radius()) + CGAL::abs(rest) * Gmpq(0x1p-52));
+            Gmpq(static_cast<double>(remainder.radius())) + CGAL::abs(rest) * Gmpq(0x1p-51));
 }
 
 TEST(Input_side_values, are_right_to_all_their_digits) {

@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
@@ -38,16 +39,6 @@ using places::Exact_input;
 using random_history::Map;
 using random_history::Walk;
 using wide_numbers::Wide;
-using wide_numbers::wide;
-
-struct Wide_input {
-  const IT::Input_metric* input;
-  std::pair<std::array<Wide, 3>, Wide> operator()(std::uint32_t f) const {
-    return {{wide(input->squared_length<Gmpq>(f, 0)), wide(input->squared_length<Gmpq>(f, 1)),
-             wide(input->squared_length<Gmpq>(f, 2))},
-            sqrt(wide(input->squared_quadruple_area<Gmpq>(f)))};
-  }
-};
 
 struct Rational_input {
   const IT::Input_metric* input;
@@ -95,14 +86,15 @@ TEST(Replayed_faces, overlaps_unfolding_in_balls_of_256_bits_after_hundreds_of_f
       if (walk.sign(h, IT::Delaunay_expression()) == CGAL::NEGATIVE) walk.flip(h);
   }
   EXPECT_GT(walk.flips.size(), 200U);
-  const Wide_input input{&walk.input};
+  IT::Input_face_intervals<Wide> memory;
+  const auto input = memory.of(walk.input);
   std::size_t compared = 0;
   for (const Map::Halfedge h : walk.inner_edges()) {
     const auto d = walk.unfolded(h);
     if (!d) continue;
     ++compared;
     const auto x = d->values<Wide>(input);
-    const auto y = evaluate<Wide_input, Wide>(walk, h);
+    const auto y = walk.replayed(h).values<Wide>(input);
     for (const Wide& rest : {x.ij - y.ij, x.jk - y.jk, x.ki - y.ki, x.im - y.im, x.mj - y.mj,
                              x.area_f - y.area_f, x.area_g - y.area_g})
       EXPECT_TRUE(wide_numbers::may_be_zero(rest));
