@@ -31,7 +31,7 @@ int main() {
 OPTIONS = (", IT::parameters::maximum_number(99)",
            ", IT::parameters::minimum_angle(25).maximum_edge_length(1).maximum_insertions(9).conforming(true)")
 ALGORITHMS = ("common_subdivision", "read_triangle_soup", "Delaunay_refiner<", "Refinement_moves<", "Delaunay_flipper<",
-              "Mover<", "Exact_evaluation::", "Integer_coordinates::before")
+              "Mover<", "Exact_ladder::", "Integer_coordinates::before")
 compiler = os.environ.get("CXX", "g++")
 
 
@@ -53,7 +53,7 @@ class LightHeaders(unittest.TestCase):
     def test_without_it_all_is(self):
         found = headers_of([])
         self.assertTrue(any(HEAVY.search(h) for h in found))
-        self.assertTrue(any(h.endswith("/Exact_evaluation_impl.h") for h in found))
+        self.assertTrue(any(h.endswith("/ladder_impl.h") for h in found))
 
     def assert_not_defined(self, program, names):
         with tempfile.TemporaryDirectory() as folder:

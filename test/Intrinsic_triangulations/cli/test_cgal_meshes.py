@@ -76,7 +76,7 @@ class Cgal_meshes(Cli_test):
         if name.split(".")[0] in ("armadillo", "camel", "elephant"):
             self.assertEqual(wide, {"escalations": 0, "sharpenings": 0})
         for kind in wide:
-            self.assertLessEqual(wide[kind], counts["flips"] // 100 + 10)
+            self.assertLessEqual(wide[kind], counts["flips"] // 50 + 10)
         self.assertEqual(counts["probable_zero"], 0)
 
     def test_every_mesh_is_refined_exactly_at_the_price_of_doubles(self):

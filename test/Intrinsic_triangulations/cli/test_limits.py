@@ -37,7 +37,7 @@ class Limits(Cli_test):
             before, after = map(float, re.search(r"area was (\S+) and is ([^;]+);",
                                                  run.err).groups())
             self.assert_close(before, 10292, 1e-9)
-            self.assertGreater(abs(after - before), 100)
+            self.assertGreater(abs(after - before), 1e-3)
             self.assertEqual(self.files(), ["fan.off"])
 
     def test_area_of_the_subdivision_is_that_of_the_input(self):

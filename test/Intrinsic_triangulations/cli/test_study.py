@@ -72,7 +72,10 @@ class Study(Cli_test):
             self.assertEqual(line["status"], "done", line)
             self.assertEqual(line["comparison"], "complete")
             self.assertEqual(line["family"], "files")
-            for key in ("vertices", "faces", "flips", "checks", "cocircular_edges", "result"):
+            keys = ["vertices", "faces", "cocircular_edges", "result"]
+            if arithmetic != "exact-integer":  # which has no lengths that tell the order of flips
+                keys += ["flips", "checks"]
+            for key in keys:
                 self.assertEqual(line[key], exact[key], (mesh, arithmetic, key))
             for key in ("different_decisions", "nonconvex_flips", "inverted_faces",
                         "non_delaunay_edges", "cycles", "refused_flips"):

@@ -100,7 +100,8 @@ TEST(Stress_families, exact_flips_make_all_standard_meshes_Delaunay_with_or_with
     EXPECT_EQ(t.metric().statistics().probable_zero, 0U) << spec;
     IT::Integer_only_triangulation<> integers(meshes::Mesh{m.points, m.faces}.input());
     EXPECT_EQ(IT::flip_to_delaunay(integers).status, IT::Status::done) << spec;
-    EXPECT_EQ(properties::connectivity(integers), properties::connectivity(t)) << spec;
+    // lengths tell exact traits the order of flips, on which the diagonals of ties depend
+    EXPECT_EQ(properties::edges_without_ties(integers), properties::edges_without_ties(t)) << spec;
   }
 }
 

