@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
 
+#include "properties.h"
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
