@@ -98,7 +98,7 @@ public:
     using Interval = Interval_nt<false>;
     // whatever the rounding of magnitudes
     const double c = center_.to_double(), r = static_cast<double>(radius_ * (1 + slack));
-    if (!(r < std::numeric_limits<double>::infinity())) return Interval::largest();
+    if (!(std::abs(c) + r < std::numeric_limits<double>::infinity())) return Interval::largest();
     const double error = std::abs(c) * 0x1p-53 + 0x1p-1060 + r;
     return Interval(c) + Interval(-error, error);
   }
