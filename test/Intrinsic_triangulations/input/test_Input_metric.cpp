@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 using namespace CGAL::Intrinsic_triangulations;
 using CGAL::Gmpq;
 
@@ -52,6 +54,16 @@ TEST(Input_metric, of_lengths_needs_no_points) {
       for (unsigned k = 0; k < 3; ++k)
         EXPECT_EQ(metric.squared_length<double>(f, k), s.squared_length_of_side[3 * f + k]) << s;
   }
+}
+
+TEST(Input_metric, finds_a_side_by_the_names_from_it_on) {
+  const meshes::Mesh m{{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}};
+  const Input_metric metric = Input_metric::from_points(m.map(), m.points, 0);
+  const auto [a, b, c] = metric.sides(0);
+  EXPECT_EQ(metric.slot(0, {a, b, c}), 0U);
+  EXPECT_EQ(metric.slot(0, {b, c, a}), 1U);
+  EXPECT_EQ(metric.slot(0, {c, a, b}), 2U);
+  EXPECT_EQ(metric.slot(0, {a, c, b}), std::nullopt) << "turned around";
 }
 
 TEST(Input_metric, squared_area_of_a_3_4_5_triangle_is_24_squared) {

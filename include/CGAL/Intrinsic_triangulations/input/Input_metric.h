@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -105,6 +106,14 @@ public:
   const std::vector<double>& squared_lengths() const { return squared_lengths_; }
   /// returns what names the sides of face `f`.
   const Sides& sides(std::uint32_t f) const { return sides_[f]; }
+  /// returns the number of the side of face `f` from which on its sides have given names; nothing if they have others.
+  std::optional<unsigned> slot(std::uint32_t f, const Sides& names) const {
+    const auto& [a, b, c] = sides_[f];
+    if (names == Sides{a, b, c}) return 0;
+    if (names == Sides{b, c, a}) return 1;
+    if (names == Sides{c, a, b}) return 2;
+    return std::nullopt;
+  }
 
   /*!
   \brief computes the squared length of side `k` of face `f`, in scaled units.

@@ -77,6 +77,7 @@ public:
     const auto by_figure = [&](const auto& figure) {
       return memory_.ladder.sign(metric(), figure, expression, better, statistics);
     };
+    if (const std::optional<Input_diamond> input = untouched_diamond(d)) return by_figure(*input);
     if (expression.is_linear_in_areas() && can_unfold(d)) {
       if (const std::optional<Input_diamond> input = input_diamond(d)) return by_figure(*input);
       if (const std::optional<Flat_diamond> flat = flat_diamond(d)) return by_figure(*flat);
@@ -184,6 +185,28 @@ private:
           if (metric().template squared_length<FT>(f, k).sup() <= 0) known = false;
     }
     return *known;
+  }
+
+  // Two faces of the input, if flips alone were made and none of an edge of the diamond. Nothing else has to be known:
+  // on many meshes all ties are of this kind.
+  std::optional<Input_diamond> untouched_diamond(const Diamond& d) const {
+    const Flip_list* flips = places_.flips();
+    if (flips == nullptr) return std::nullopt;
+    for (const std::uint32_t e : {d.ij, d.jk, d.ki, d.im, d.mj})
+      if (flips->contains(e)) return std::nullopt;
+    const std::optional<Face_side> left = untouched_side(d.f, d.ij, d.jk),
+                                   right = untouched_side(d.g, d.ij, d.im);
+    return left && right ? std::optional(Input_diamond{*left, *right}) : std::nullopt;
+  }
+  // the side of an input face on an edge, where the next one is on another given edge
+  std::optional<Face_side> untouched_side(std::uint32_t f, std::uint32_t edge,
+                                          std::uint32_t next) const {
+    const std::uint32_t h = halfedge(f, edge, next), n = view_.next(h);
+    const auto name = [this](std::uint32_t x) {
+      return metric().is_embedded() ? view_.source(x) : x / 2;
+    };
+    const std::optional<unsigned> slot = metric().slot(f, {name(h), name(n), name(view_.next(n))});
+    return slot ? std::optional(Face_side{f, *slot}) : std::nullopt;
   }
 
   // two faces of the input, if the diamond consists of them

@@ -20,7 +20,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief lists the halfedges that were flipped, the first flip first.
 
-With the connectivity after the flips, the list tells all: flips are taken back one by one.
+With the connectivity after the flips, the list tells all: flips are taken back one by one. It also remembers which edges
+were ever flipped: a face none of whose sides was is a face of the input.
 */
 class Flip_list {
 public:
@@ -28,12 +29,19 @@ public:
   std::size_t size() const { return halfedges_.size(); }
   /// returns the halfedge that flip `n` turned clockwise.
   Gluing_map::Halfedge operator[](std::size_t n) const { return {halfedges_[n]}; }
+  /// tells whether an edge was ever flipped.
+  bool contains(std::uint32_t edge) const { return edge < is_flipped_.size() && is_flipped_[edge]; }
   /// adds a flip.
-  void add(std::uint32_t halfedge) { halfedges_.push_back(halfedge); }
+  void add(std::uint32_t halfedge) {
+    halfedges_.push_back(halfedge);
+    const std::size_t edge = halfedge / 2;
+    if (edge >= is_flipped_.size()) is_flipped_.resize(edge + edge / 2 + 1);
+    is_flipped_[edge] = true;
+  }
   /// forgets the last flip.
   void forget_last() { halfedges_.pop_back(); }
   /// forgets all flips.
-  void clear() { std::vector<std::uint32_t>().swap(halfedges_); }
+  void clear() { *this = {}; }
 
   /*!
   \brief returns the connectivity before the flips.
@@ -61,8 +69,7 @@ private:
     };
     for (const Gluing_map::Halfedge h : mesh.sides(f)) {
       const Gluing_map::Halfedge n = mesh.next(h);
-      if (metric.sides(f.index) == Input_metric::Sides{name(h), name(n), name(mesh.next(n))})
-        return h;
+      if (metric.slot(f.index, {name(h), name(n), name(mesh.next(n))}) == 0U) return h;
     }
     throw std::logic_error("flips that were taken back do not lead to the input");
   }
@@ -76,6 +83,7 @@ private:
   }
 
   std::vector<std::uint32_t> halfedges_;
+  std::vector<bool> is_flipped_; // by edge; of a flip that was taken back, too
 };
 
 } // namespace CGAL::Intrinsic_triangulations
