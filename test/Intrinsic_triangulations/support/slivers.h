@@ -46,20 +46,11 @@ inline Gmpq exact_d_from_lengths(const Sides& s) {
 
 /// returns p_i from squared lengths.
 inline Gmpq exact_p_from_squares(const Sides& s) { return Gmpq(s[0]) + Gmpq(s[2]) - Gmpq(s[1]); }
-inline Gmpq exact_p_from_lengths(const Sides& s) {
-  return square(Gmpq(s[0])) + square(Gmpq(s[2])) - square(Gmpq(s[1]));
-}
 
 /// returns the relative error of `x` as an approximation of `exact`.
 inline double error(double x, const Gmpq& exact) {
   if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
   return std::abs(CGAL::to_double((Gmpq(x) - exact) / exact));
-}
-
-/// returns the relative error of `x` as an approximation of the root of `exact`, to first order.
-inline double root_error(double x, const Gmpq& exact) {
-  if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
-  return std::abs(CGAL::to_double((square(Gmpq(x)) - exact) / exact)) / 2;
 }
 
 /// returns the relative error of `angle` as an approximation of atan2(sqrt(d), p).

@@ -26,14 +26,13 @@ struct Mapped_point {
   /// The point.
   Surface_point point;
   /// The direction in the frame of the halfedge that the point was given with.
-  Planar_vector<double> given{1, 0};
+  Plane_vector<double> given{1, 0};
   /// The direction in the frame of `point.halfedge`.
-  Planar_vector<double> found{1, 0};
+  Plane_vector<double> found{1, 0};
 
   /// takes a tangent vector from the frame where the point was given to that of `point.halfedge`.
-  Planar_vector<double> transfer(const Planar_vector<double>& v) const {
-    const double along = planar_dot(given, v), left = planar_cross(given, v);
-    return {found[0] * along - found[1] * left, found[1] * along + found[0] * left};
+  Plane_vector<double> transfer(const Plane_vector<double>& v) const {
+    return found * (conjugate(given) * v);
   }
 };
 

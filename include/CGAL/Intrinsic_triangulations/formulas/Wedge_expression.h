@@ -5,6 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_WEDGE_EXPRESSION_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 
 #include <CGAL/Uncertain.h>
 
@@ -24,27 +26,16 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-template <class FT>
-struct Wedge_product {
-  FT real, imaginary;
-};
-
-template <class FT>
-Wedge_product<FT> product(const Wedge_product<FT>& z, const Wedge_product<FT>& w) {
-  return {z.real * w.real - z.imaginary * w.imaginary, z.real * w.imaginary + z.imaginary * w.real};
-}
-
 // the product of the z of the corners at the sources of the first sides, each times its scale
 template <class FT>
-Wedge_product<FT> wedge_product(std::span<const Face_values<FT>> faces,
-                                std::span<const double> scales) {
+Plane_vector<FT> wedge_product(std::span<const Face_values<FT>> faces,
+                               std::span<const double> scales) {
   const auto factor = [&](std::size_t k) {
     const auto& [l, a] = faces[k];
-    const FT scale(scales[k]);
-    return Wedge_product<FT>{(l[0] + l[2] - l[1]) * scale, a * scale};
+    return FT(scales[k]) * scaled_corner(l[0], l[1], l[2], a);
   };
-  Wedge_product<FT> z = factor(0);
-  for (std::size_t k = 1; k < faces.size(); ++k) z = product(z, factor(k));
+  Plane_vector<FT> z = factor(0);
+  for (std::size_t k = 1; k < faces.size(); ++k) z = z * factor(k);
   return z;
 }
 
@@ -59,7 +50,7 @@ struct Wedge_sine_expression {
   /// evaluates the expression
   template <class FT>
   FT operator()(std::span<const Face_values<FT>> faces) const {
-    return internal::wedge_product(faces, scales).imaginary;
+    return internal::wedge_product(faces, scales).y;
   }
 };
 
@@ -72,7 +63,7 @@ struct Wedge_cosine_expression {
   /// evaluates the expression
   template <class FT>
   FT operator()(std::span<const Face_values<FT>> faces) const {
-    return internal::wedge_product(faces, scales).real;
+    return internal::wedge_product(faces, scales).x;
   }
 };
 

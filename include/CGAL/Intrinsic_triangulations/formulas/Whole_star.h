@@ -4,7 +4,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_WHOLE_STAR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_WHOLE_STAR_H
 
-#include <array>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -50,20 +52,16 @@ With the first spoke as unit all points are in the field: S_k = conj(s_0) s_k as
 template <class FT>
 Whole_star_values<FT> moved_in_star(const Whole_star_values<FT>& v, const FT& b, const FT& c) {
   const std::size_t n = v.spokes.size();
-  using Point = std::array<FT, 2>;
-  std::vector<Point> s{{v.spokes[0], FT(0)}};
-  for (std::size_t k = 0; k + 1 < n; ++k) {
-    const FT twice = v.spokes[k] + v.spokes[k + 1] - v.rim[k], scale = v.spokes[k] + v.spokes[k];
-    s.push_back({(s[k][0] * twice - s[k][1] * v.areas[k]) / scale,
-                 (s[k][0] * v.areas[k] + s[k][1] * twice) / scale});
-  }
-  const Point to{b * s[0][0] + c * s[1][0], c * s[1][1]};
-  for (Point& p : s) p = {p[0] - to[0], p[1] - to[1]};
+  std::vector<Plane_vector<FT>> s{{v.spokes[0], FT(0)}};
+  for (std::size_t k = 0; k + 1 < n; ++k)
+    s.push_back(s[k] * scaled_corner(v.spokes[k], v.rim[k], v.spokes[k + 1], v.areas[k]) /
+                FT(v.spokes[k] + v.spokes[k]));
+  const Plane_vector<FT> to{b * s[0].x + c * s[1].x, c * s[1].y};
+  for (Plane_vector<FT>& p : s) p = p - to;
   Whole_star_values<FT> result{{}, v.rim, {}};
   for (std::size_t k = 0; k < n; ++k) {
-    const Point &p = s[k], &q = s[(k + 1) % n];
-    result.spokes.push_back((p[0] * p[0] + p[1] * p[1]) / v.spokes[0]);
-    const FT half = (p[0] * q[1] - p[1] * q[0]) / v.spokes[0];
+    result.spokes.push_back(dot(s[k], s[k]) / v.spokes[0]);
+    const FT half = cross(s[k], s[(k + 1) % n]) / v.spokes[0];
     result.areas.push_back(half + half);
   }
   return result;

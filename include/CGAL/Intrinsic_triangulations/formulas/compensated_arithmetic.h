@@ -18,7 +18,7 @@
 Sums and products whose rounding errors are kept, for the formulas of triangles.
 
 Floating point types take the compensated path (Møller and Knuth's sum, the product by fused
-multiply-add, Kahan's difference of products). Any other number type computes plainly: it is exact,
+multiply-add). Any other number type computes plainly: it is exact,
 or encloses, or its user has chosen its precision.
 */
 
@@ -39,23 +39,13 @@ inline constexpr bool is_rounded =
 template <class FT>
 inline constexpr bool has_precision = is_rounded<FT>&& std::numeric_limits<FT>::is_specialized;
 
-/// What angles are computed in: `FT` if it is floating, else `double`.
-template <class FT>
-using Angle_type = std::conditional_t<is_floating_point<FT>, FT, double>;
-
-/// converts to what angles are computed in.
-template <class FT>
-Angle_type<FT> to_angle_type(const FT& x) {
-  if constexpr (is_floating_point<FT>)
-    return x;
-  else
-    return CGAL::to_double(x);
-}
-
 /// tells whether to treat `x` as less than `y`; never uncertain, wrong at most where they overlap.
 template <class FT>
 bool is_less(const FT& x, const FT& y) {
-  return to_angle_type(x) < to_angle_type(y);
+  if constexpr (is_floating_point<FT>)
+    return x < y;
+  else
+    return CGAL::to_double(x) < CGAL::to_double(y);
 }
 
 /// sorts so that x >= y >= z; does nothing if `FT` is exact or not ordered.
@@ -97,36 +87,6 @@ Unevaluated_sum<FT> two_sum(FT x, FT y, FT z) {
   const Unevaluated_sum<FT> s = two_sum(x, y);
   const Unevaluated_sum<FT> t = two_sum(s.high, z);
   return two_sum(t.high, s.low + t.low);
-}
-
-/// computes a b - c d; relative error at most 2 u for floating types.
-template <class FT>
-FT difference_of_products(const FT& a, const FT& b, const FT& c, const FT& d) {
-  if constexpr (is_floating_point<FT>) {
-    const Unevaluated_sum<FT> cd = two_product(c, d);
-    return std::fma(a, b, -cd.high) - cd.low;
-  } else
-    return a * b - c * d;
-}
-
-/// computes x - y; only floating types need the rounding error, others carry 0.
-template <class FT>
-Unevaluated_sum<FT> difference(const FT& x, const FT& y) {
-  if constexpr (is_floating_point<FT>)
-    return two_sum(x, -y);
-  else
-    return {x - y, FT(0)};
-}
-
-/// computes a b - c d of unevaluated sums; error 3 u |ab - cd| + O(u^2) (|ab| + |cd|).
-template <class FT>
-FT difference_of_products(const Unevaluated_sum<FT>& a, const Unevaluated_sum<FT>& b,
-                          const Unevaluated_sum<FT>& c, const Unevaluated_sum<FT>& d) {
-  const FT high = difference_of_products(a.high, b.high, c.high, d.high);
-  if constexpr (is_floating_point<FT>)
-    return high + ((a.high * b.low + a.low * b.high) - (c.high * d.low + c.low * d.high));
-  else
-    return high;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

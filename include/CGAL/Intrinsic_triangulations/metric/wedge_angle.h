@@ -121,15 +121,15 @@ Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
 template <class Metric>
 std::optional<Comparison_result> certain_comparison_to_pi(const Metric& metric, const Wedge& w) {
   using FT = typename Metric::FT;
-  Wedge_product<FT> z{FT(1), FT(0)};
+  Plane_vector<FT> z{FT(1), FT(0)};
   for (std::size_t k = 0; k < w.faces.size(); ++k) {
     const auto& [f, e] = w.faces[k];
     const FT p =
         metric.squared_length(e[0]) + metric.squared_length(e[2]) - metric.squared_length(e[1]);
-    const Wedge_product<FT> corner{p * w.scales[k], metric.quadruple_area(f) * w.scales[k]};
-    z = k == 0 ? corner : product(z, corner);
-    if (CGAL::certainly(z.imaginary < 0)) return LARGER;
-    if (!CGAL::certainly(z.imaginary > 0)) return std::nullopt;
+    const Plane_vector<FT> corner{p * w.scales[k], metric.quadruple_area(f) * w.scales[k]};
+    z = k == 0 ? corner : z * corner;
+    if (CGAL::certainly(z.y < 0)) return LARGER;
+    if (!CGAL::certainly(z.y > 0)) return std::nullopt;
   }
   return SMALLER;
 }

@@ -5,8 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_GEODESIC_FACE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
-#include <CGAL/Intrinsic_triangulations/formulas/corner_angles.h>
-#include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
+#include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 
 #include <array>
 #include <cmath>
@@ -21,16 +22,6 @@ What they are read from is a model of `NumberedComplex`: `Input`, `Intrinsic_vie
 */
 
 namespace CGAL::Intrinsic_triangulations {
-
-/// Inner product of vectors in the plane.
-inline double planar_dot(const Planar_vector<double>& a, const Planar_vector<double>& b) {
-  return a[0] * b[0] + a[1] * b[1];
-}
-
-/// Cross product of vectors in the plane: positive if `b` is to the left of `a`.
-inline double planar_cross(const Planar_vector<double>& a, const Planar_vector<double>& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
 
 /// returns the sides of the face of `h`, from `h` on.
 template <class Complex>
@@ -51,13 +42,12 @@ std::array<double, 3> squared_lengths_of_face(const Complex& complex, std::uint3
 \brief is a face laid out in the plane, in the frame of one of its halfedges: the source is at the
 origin, the target on the positive x-axis, the apex above.
 
-Sides are stored as vectors, each computed for itself: that from the target to the apex does not lose
-what the difference of their positions would (Eqs. 25 and 26, as p / (2 l) and a / (2 l)).
+Sides are stored as vectors, see `planar_sides()`.
 */
 struct Geodesic_face {
-  std::array<std::uint32_t, 3> side;         ///< the halfedge of the frame, the next and the last
-  std::array<Planar_vector<double>, 3> edge; ///< vector along each side
-  std::array<double, 3> length;              ///< length of each side
+  std::array<std::uint32_t, 3> side;        ///< the halfedge of the frame, the next and the last
+  std::array<Plane_vector<double>, 3> edge; ///< vector along each side
+  std::array<double, 3> length;             ///< length of each side
 
   /*!
   \brief lays out the face of `h`.
@@ -67,42 +57,33 @@ struct Geodesic_face {
   template <NumberedComplex Complex>
   Geodesic_face(const Complex& complex, std::uint32_t h) : side(sides_of_face(complex, h)) {
     const auto [ij, jk, ki] = squared_lengths_of_face(complex, h);
-    length = {std::sqrt(ij), std::sqrt(jk), std::sqrt(ki)};
-    const double two_l = 2 * length[0];
-    if (two_l > 0) {
-      const double height = complex.quadruple_area(complex.face(h)) / two_l;
-      edge = {{{length[0], 0},
-               {-twice_inner_product(jk, ki, ij) / two_l, height},
-               {-twice_inner_product(ij, jk, ki) / two_l, -height}}};
-    } else { // two corners in one place: the other two sides lie on each other
+    length = {0, std::sqrt(jk), std::sqrt(ki)};
+    if (ij > 0) {
+      edge = planar_sides(ij, jk, ki, complex.quadruple_area(complex.face(h)));
+      length[0] = edge[0].x;
+    } else // two corners in one place: the other two sides lie on each other
       edge = {{{0, 0}, {0, length[1]}, {0, -length[2]}}};
-    }
   }
 
   /// returns the vector from a point to a corner; the differences are taken between corners.
-  Planar_vector<double> to_corner(const std::array<double, 3>& weights, unsigned corner) const {
+  Plane_vector<double> to_corner(const std::array<double, 3>& weights, unsigned corner) const {
     const unsigned n = (corner + 1) % 3, p = (corner + 2) % 3;
-    return {weights[p] * edge[p][0] - weights[n] * edge[corner][0],
-            weights[p] * edge[p][1] - weights[n] * edge[corner][1]};
+    return weights[p] * edge[p] - weights[n] * edge[corner];
   }
 
   /// returns where a point is.
-  Planar_vector<double> position(const std::array<double, 3>& weights) const {
-    const Planar_vector<double> back = to_corner(weights, 0);
-    return {0 - back[0], 0 - back[1]};
+  Plane_vector<double> position(const std::array<double, 3>& weights) const {
+    return Plane_vector<double>{0, 0} - to_corner(weights, 0);
   }
 
   /// returns a direction relative to side `s`: along it, and to the left of it.
-  Planar_vector<double> relative_to(unsigned s, const Planar_vector<double>& v) const {
-    if (!(length[s] > 0)) return v;
-    return {planar_dot(edge[s], v) / length[s], planar_cross(edge[s], v) / length[s]};
+  Plane_vector<double> relative_to(unsigned s, const Plane_vector<double>& v) const {
+    return length[s] > 0 ? conjugate(edge[s]) * v / length[s] : v;
   }
 
   /// returns a direction that is given relative to side `s`.
-  Planar_vector<double> from_relative_to(unsigned s, const Planar_vector<double>& v) const {
-    if (!(length[s] > 0)) return v;
-    return {(edge[s][0] * v[0] - edge[s][1] * v[1]) / length[s],
-            (edge[s][1] * v[0] + edge[s][0] * v[1]) / length[s]};
+  Plane_vector<double> from_relative_to(unsigned s, const Plane_vector<double>& v) const {
+    return length[s] > 0 ? edge[s] * v / length[s] : v;
   }
 };
 

@@ -79,9 +79,9 @@ struct Geodesic_target {
 /// An edge that a traced line crosses: the halfedge of the face left, and where its ends are, along
 /// the line and to the left of it.
 struct Strip_side {
-  std::uint32_t halfedge;       ///< its source is to the right of the line
-  Planar_vector<double> source; ///< along the line, and to the left of it
-  Planar_vector<double> target; ///< the same for the target
+  std::uint32_t halfedge;      ///< its source is to the right of the line
+  Plane_vector<double> source; ///< along the line, and to the left of it
+  Plane_vector<double> target; ///< the same for the target
 
   /// returns where the line from the origin in direction (1, `slope`) crosses: 0 at the source.
   double parameter(double slope) const {
@@ -109,7 +109,7 @@ struct Geodesic_to_target {
   /// vertex.
   std::uint32_t end = Gluing::none;
   /// Unit vector along the straight line, in the frame of `end`.
-  Planar_vector<double> direction{1, 0};
+  Plane_vector<double> direction{1, 0};
 };
 
 namespace internal {
@@ -146,8 +146,8 @@ private:
     return std::min(0x1p-4 * length_, std::max(0x1p-20 * length_, rounding));
   }
 
-  Planar_vector<double> place(const Geodesic_walk<Complex>& walk, unsigned corner) const {
-    const Planar_vector<double> r = walk.relative_corner(corner);
+  Plane_vector<double> place(const Geodesic_walk<Complex>& walk, unsigned corner) const {
+    const Plane_vector<double> r = walk.relative_corner(corner);
     return {walk.travelled() + r[0], r[1]};
   }
 
@@ -157,10 +157,10 @@ private:
     bool is_there = false;
     target_.for_each_place(complex_, walk.face(),
                            [&](const std::array<double, 3>& w, unsigned side) {
-                             Planar_vector<double> v{0, 0};
+                             Plane_vector<double> v{0, 0};
                              for (unsigned k = 0; k < 3; ++k) {
                                if (w[k] == 0) continue;
-                               const Planar_vector<double> c = walk.relative_corner(k);
+                               const Plane_vector<double> c = walk.relative_corner(k);
                                v = {v[0] + w[k] * c[0], v[1] + w[k] * c[1]};
                              }
                              v[0] += walk.travelled();
@@ -188,7 +188,7 @@ private:
     result.is_reached = clearance >= 0;
     result.is_certain = clearance > walk.position_error();
     result.end = walk.face().side[end_side_];
-    const Planar_vector<double>& d = walk.direction();
+    const Plane_vector<double>& d = walk.direction();
     const double c = end_[0] / result.length, s = end_[1] / result.length;
     result.direction =
         walk.face().relative_to(end_side_, {c * d[0] - s * d[1], s * d[0] + c * d[1]});
@@ -209,7 +209,7 @@ private:
   const Geodesic_target& target_;
   double length_;
   std::vector<Strip_side>& strip_;
-  Planar_vector<double> end_{0, 0};
+  Plane_vector<double> end_{0, 0};
   std::array<double, 3> end_weights_{0, 0, 0};
   unsigned end_side_ = 0;
 };

@@ -60,7 +60,7 @@ public:
   \param p the point
   \param direction a vector in the frame of the halfedge of `p`, not zero
   */
-  Geodesic_walk(const Complex& complex, const Surface_point& p, Planar_vector<double> direction)
+  Geodesic_walk(const Complex& complex, const Surface_point& p, Plane_vector<double> direction)
       : complex_(&complex), face_(complex, p.halfedge), weights_(p.weights),
         direction_(normalized(direction)) {
     unsigned zeros = 0, corner = 0, edge = 0;
@@ -96,7 +96,7 @@ public:
   /// returns the weights of the point where the line entered the face, or starts in it.
   const std::array<double, 3>& weights() const { return weights_; }
   /// returns the unit vector along the line, in the frame of the face.
-  const Planar_vector<double>& direction() const { return direction_; }
+  const Plane_vector<double>& direction() const { return direction_; }
   /// returns the length of the line up to the face.
   double travelled() const { return travelled_; }
   /// returns a bound on the error of the direction.
@@ -106,17 +106,17 @@ public:
 
   /// returns how far a point of the face is along the line and to the left of it, seen from the
   /// entry, given the vector to it.
-  Planar_vector<double> relative(const Planar_vector<double>& v) const {
-    return {planar_dot(direction_, v), planar_cross(direction_, v)};
+  Plane_vector<double> relative(const Plane_vector<double>& v) const {
+    return conjugate(direction_) * v;
   }
   /// returns the same for a corner.
-  Planar_vector<double> relative_corner(unsigned corner) const {
+  Plane_vector<double> relative_corner(unsigned corner) const {
     return relative(face_.to_corner(weights_, corner));
   }
 
   /// finds the way out of the face.
   Exit exit() const {
-    std::array<Planar_vector<double>, 3> c;
+    std::array<Plane_vector<double>, 3> c;
     for (unsigned k = 0; k < 3; ++k) c[k] = relative_corner(k);
     unsigned s = 1;
     if (origin_ == Origin::side) {
@@ -129,7 +129,7 @@ public:
         if (k == 0 || sign > best) best = sign, s = k;
       }
     }
-    const Planar_vector<double>&a = c[s], &b = c[(s + 1) % 3];
+    const Plane_vector<double>&a = c[s], &b = c[(s + 1) % 3];
     const double right = std::max(0.0, -a[1]), left = std::max(0.0, b[1]), sum = right + left;
     double target = sum > 0 ? right / sum : 0, source = sum > 0 ? left / sum : 1;
     if (!(sum > 0) && b[0] > a[0]) std::swap(source, target); // the side lies on the line
@@ -161,7 +161,7 @@ public:
 
   /// enters the face beyond an exit. \pre there is one
   void cross(const Exit& e) {
-    const double along = planar_dot(direction_, face_.edge[e.side]);
+    const double along = dot(direction_, face_.edge[e.side]);
     face_ = Geodesic_face(*complex_, face_.side[e.side] ^ 1U);
     direction_ = normalized({-along, e.slope});
     weights_ = {e.target_weight, e.source_weight, 0};
@@ -193,10 +193,10 @@ private:
   enum class Origin { inside, side, corner };
   static constexpr double unit = 0x1p-52; // of rounding, in any direction
 
-  static Planar_vector<double> normalized(const Planar_vector<double>& v) {
+  static Plane_vector<double> normalized(const Plane_vector<double>& v) {
     const double l = std::hypot(v[0], v[1]);
     if (!(l > 0)) return {0, 1};
-    return {v[0] / l, v[1] / l};
+    return v / l;
   }
 
   // The angle from a side at its source counterclockwise to where the line came from. A line that
@@ -206,7 +206,7 @@ private:
     if (origin_ == Origin::side && corner == 1)
       return here + std::atan2(direction_[1], direction_[0]);
     if (origin_ == Origin::side && corner == 0) return std::atan2(-direction_[1], -direction_[0]);
-    const Planar_vector<double> back = face_.relative_to(corner, {-direction_[0], -direction_[1]});
+    const Plane_vector<double> back = face_.relative_to(corner, {-direction_[0], -direction_[1]});
     return std::clamp(std::atan2(back[1], back[0]), 0.0, here);
   }
 
@@ -227,12 +227,12 @@ private:
 
   void start_at_corner(unsigned corner) {
     const std::uint32_t h = face_.side[corner];
-    const Planar_vector<double> v = face_.relative_to(corner, direction_);
+    const Plane_vector<double> v = face_.relative_to(corner, direction_);
     double angle = std::atan2(v[1], v[0]);
     const double here = angle_at_source(*complex_, h), full = 2 * std::numbers::pi;
     if (angle < 0 && angle + full - here < -angle) angle += full;
     const Surface_point start{face_.side[0], weights_};
-    const Planar_vector<double> direction = direction_;
+    const Plane_vector<double> direction = direction_;
     leave_vertex({h, angle});
     if (is_blocked_) { // stays as it was
       face_ = Geodesic_face(*complex_, start.halfedge);
@@ -242,7 +242,7 @@ private:
   }
 
   void start_on_side(unsigned s) {
-    const Planar_vector<double> v = face_.relative_to(s, direction_);
+    const Plane_vector<double> v = face_.relative_to(s, direction_);
     const std::array<double, 3> w{weights_[s], weights_[(s + 1) % 3], 0};
     if (v[1] >= 0) {
       face_ = Geodesic_face(*complex_, face_.side[s]);
@@ -262,7 +262,7 @@ private:
   const Complex* complex_;
   Geodesic_face face_;
   std::array<double, 3> weights_{1, 0, 0};
-  Planar_vector<double> direction_{1, 0};
+  Plane_vector<double> direction_{1, 0};
   double travelled_ = 0;
   double angle_error_ = 8 * unit;
   double position_error_ = 0;

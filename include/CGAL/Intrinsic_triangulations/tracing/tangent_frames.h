@@ -130,8 +130,8 @@ halfedge that starts at the vertex, by the cone angle between them.
 \param cone_angle that of the halfedge
 \param v the vector
 */
-inline Planar_vector<double> planar_vector(const Tangent_frames::Fan& fan, double cone_angle,
-                                           const Polar_vector& v) {
+inline Plane_vector<double> planar_vector(const Tangent_frames::Fan& fan, double cone_angle,
+                                          const Polar_vector& v) {
   const double a = v.angle / fan.scale() - cone_angle;
   return {v.length * std::cos(a), v.length * std::sin(a)};
 }
@@ -144,7 +144,7 @@ inline Planar_vector<double> planar_vector(const Tangent_frames::Fan& fan, doubl
 \return the vector, its angle from 0 to 2 pi
 */
 inline Polar_vector polar_vector(const Tangent_frames::Fan& fan, double cone_angle,
-                                 const Planar_vector<double>& v) {
+                                 const Plane_vector<double>& v) {
   const double full = 2 * std::numbers::pi;
   double angle = std::fmod((std::atan2(v[1], v[0]) + cone_angle) * fan.scale(), full);
   if (angle < 0) angle += full;

@@ -35,7 +35,7 @@ namespace internal {
 struct Geodesic_end {
   Status status;       ///< whether the length was reached
   Surface_point point; ///< the end
-  Planar_vector<double>
+  Plane_vector<double>
       direction; ///< unit vector along the geodesic, in the frame of `point.halfedge`
   double length; ///< length from start to end
   double error;  ///< bound of the first order on the error of the end
@@ -104,7 +104,7 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex> walk, do
 // it leaves the face at with parameter 0 or 1.
 template <NumberedComplex Complex>
 Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
-                            const Planar_vector<double>& direction, double length,
+                            const Plane_vector<double>& direction, double length,
                             std::vector<Geodesic_crossing>& crossings,
                             const Trace_options& options = {}) {
   return finish_walk(complex, Geodesic_walk<Complex>(complex, start, direction), length, options,

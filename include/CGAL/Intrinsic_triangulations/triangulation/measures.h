@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/formulas/corner_angles.h>
+#include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <CGAL/enum.h>
@@ -86,7 +86,7 @@ private:
   // where the other end of an edge from the vertex is, that being at the origin
   struct Place {
     std::uint32_t edge;
-    Planar_vector<double> position;
+    Plane_vector<double> position;
   };
 
   // the halfedges from the vertex, counterclockwise; on the border the first has no face on its right
@@ -146,7 +146,7 @@ private:
           !is_border_ && straight_edge() != Traits::null_halfedge())
         return false;
       const Undo u{c.edge, 3, values(c.edge)};
-      const std::array<Planar_vector<double>, 3> kmj = ear(c.edge);
+      const std::array<Plane_vector<double>, 3> kmj = ear(c.edge);
       if (session_.flip_status(c.edge) != Move_status::done ||
           session_.flip_non_delaunay_edge(c.edge) != Move_status::done)
         continue; // whether it is Delaunay or not: an area of rounding alone goes with the vertex
@@ -167,44 +167,42 @@ private:
   void develop() {
     if constexpr (is_corrected) {
       if (edges_.size() <= 4 || has_loop()) return;
-      Planar_vector<double> direction{1, 0};
+      Plane_vector<double> direction{1, 0};
       for_each_outgoing(v_, mesh_, [&](Halfedge h) {
         const std::uint32_t e = t_.index(edge(h, mesh_));
         const double length = std::sqrt(t_.metric().approximate_squared_length(e));
-        places_.push_back({e, {length * direction[0], length * direction[1]}});
+        places_.push_back({e, length * direction});
         if (is_border(h)) return;
         const Halfedge n = next(h, mesh_), l = next(n, mesh_);
         const auto squared = [this](Halfedge g) {
           return t_.metric().approximate_squared_length(t_.index(edge(g, mesh_)));
         };
-        const double x = twice_inner_product(squared(h), squared(n), squared(l));
-        const double y = t_.metric().approximate_quadruple_area(t_.index(face(h, mesh_)));
-        const double norm = std::hypot(x, y);
-        direction = {(direction[0] * x - direction[1] * y) / norm,
-                     (direction[0] * y + direction[1] * x) / norm};
+        const Plane_vector<double> z{
+            twice_inner_product(squared(h), squared(n), squared(l)),
+            t_.metric().approximate_quadruple_area(t_.index(face(h, mesh_)))};
+        direction = direction * z / std::hypot(z.x, z.y);
       });
     }
   }
 
-  Planar_vector<double> place(Halfedge h) const {
+  Plane_vector<double> place(Halfedge h) const {
     const std::uint32_t e = t_.index(edge(h, mesh_));
     return std::find_if(places_.begin(), places_.end(), [e](const Place& p) { return p.edge == e; })
         ->position;
   }
 
   // the corners of the ear that the flip of an edge from the vertex cuts off, the vertex being i
-  std::array<Planar_vector<double>, 3> ear(Halfedge h) const {
+  std::array<Plane_vector<double>, 3> ear(Halfedge h) const {
     if (places_.empty()) return {};
     return {place(next(next(h, mesh_), mesh_)), place(next(opposite(h, mesh_), mesh_)), place(h)};
   }
 
-  void correct(Halfedge h, const std::array<Planar_vector<double>, 3>& kmj) {
+  void correct(Halfedge h, const std::array<Plane_vector<double>, 3>& kmj) {
     if constexpr (is_corrected) {
       if (places_.empty()) return;
       const auto& [k, m, j] = kmj;
-      const double x = m[0] - k[0], y = m[1] - k[1];
-      const Flipped_values<double> n{x * x + y * y, 2 * (x * (j[1] - k[1]) - y * (j[0] - k[0])),
-                                     2 * (m[0] * k[1] - m[1] * k[0])};
+      const Plane_vector<double> km = m - k;
+      const Flipped_values<double> n{dot(km, km), 2 * cross(km, j - k), 2 * cross(m, k)};
       if (n.km > 0 && n.area_f > 0 && n.area_g > 0) session_.correct_values(h, n);
     }
   }

@@ -12,7 +12,7 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Point = IT::Plane_point<double>;
+using Point = IT::Plane_vector<double>;
 
 // The point with the weights that are found is where the point was, up to rounding of coordinates,
 // however thin the triangle.

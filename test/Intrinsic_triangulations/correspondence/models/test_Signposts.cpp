@@ -31,7 +31,7 @@ using IT::Geodesic_crossing;
 using IT::Signposts;
 using IT::Surface_point;
 using Point = std::array<double, 3>;
-using Vector = IT::Planar_vector<double>;
+using Vector = IT::Plane_vector<double>;
 using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Signposts>;
 using Rounded =
     IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>, Signposts>;
@@ -332,7 +332,7 @@ TEST(Signposts, Follow_vertices_that_move_within_the_faces_about_them) {
       ASSERT_TRUE(there) << name;
       const auto n = s.t.reposition_vertex(v, h, weights);
       if (n.status != IT::Move_status::done) continue; // a thin face
-      if (n.vertex != v) { // it would not have seen all others
+      if (n.vertex != v) {                             // it would not have seen all others
         std::replace(inserted.begin(), inserted.end(), v, n.vertex);
         continue;
       }

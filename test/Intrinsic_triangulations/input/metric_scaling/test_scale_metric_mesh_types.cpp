@@ -24,7 +24,7 @@ using IT::Triangle_inequality;
 namespace {
 
 using Vector = std::array<double, 3>;
-using Planar = IT::Planar_vector<double>;
+using Planar = IT::Plane_vector<double>;
 
 double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 

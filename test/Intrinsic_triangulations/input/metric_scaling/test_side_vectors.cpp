@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/formulas/local_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/side_vectors.h>
 
 #include "slivers.h"
@@ -22,14 +21,14 @@ Vector difference(const Vector& p, const Vector& q) {
   return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
 }
 
-double length(const std::array<double, 2>& v) { return std::hypot(v[0], v[1]); }
+double length(const IT::Plane_vector<double>& v) { return std::hypot(v.x, v.y); }
 double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 
 TEST(Side_vectors, of_a_right_triangle_are_known) {
   // i = (0, 0), j = (3, 0), k = (3, 4)
-  const IT::Side_vectors<2> expected{{{3, 0}, {0, 4}, {-3, -4}}};
+  const IT::Plane_sides expected{{{3, 0}, {0, 4}, {-3, -4}}};
   EXPECT_EQ(IT::planar_sides(9, 16, 25), expected);
-  const IT::Side_vectors<3> sides{{{0, 3, 0}, {0, 0, 4}, {0, -3, -4}}};
+  const IT::Space_sides sides{{{0, 3, 0}, {0, 0, 4}, {0, -3, -4}}};
   EXPECT_EQ(IT::planar_sides(sides), expected);
 }
 
@@ -37,12 +36,14 @@ TEST(Side_vectors, agree_with_the_layout_of_the_triangle) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 300; ++i) {
     const slivers::Sides s = slivers::draw_squares(slivers::Shape::random, 1, random);
-    const auto f = IT::planar_layout(s[0], s[1], s[2],
-                                     IT::quadruple_area_from_squared_lengths(s[0], s[1], s[2]));
-    const IT::Side_vectors<2> v = IT::planar_sides(s[0], s[1], s[2]);
-    for (std::size_t k = 0; k < 3; ++k)
+    const double l = std::sqrt(s[0]),
+                 area = std::sqrt(IT::squared_quadruple_area(s[0], s[1], s[2]));
+    const IT::Plane_vector<double> k = l * IT::apex(s[0], s[1], s[2], area);
+    const IT::Plane_sides expected{{{l, 0}, {k.x - l, k.y}, {-k.x, -k.y}}};
+    const IT::Plane_sides v = IT::planar_sides(s[0], s[1], s[2]);
+    for (std::size_t side = 0; side < 3; ++side)
       for (std::size_t c = 0; c < 2; ++c)
-        EXPECT_NEAR(v[k][c], f[(k + 1) % 3][c] - f[k][c], 1e-14); // lengths below 3
+        EXPECT_NEAR(v[side][c], expected[side][c], 1e-14); // lengths below 3
     EXPECT_GE(v[1][1], 0);
   }
 }
@@ -51,7 +52,7 @@ TEST(Side_vectors, are_as_long_as_the_sides_on_needles_and_caps) {
   std::mt19937_64 random(2);
   slivers::for_each_shape([&](slivers::Shape shape, double width) {
     const slivers::Sides s = slivers::draw_squares(shape, width, random);
-    const IT::Side_vectors<2> v = IT::planar_sides(s[0], s[1], s[2]);
+    const IT::Plane_sides v = IT::planar_sides(s[0], s[1], s[2]);
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_NEAR(length(v[k]), std::sqrt(s[k]), 4e-15 * std::sqrt(s[k])) << width;
   });
@@ -65,11 +66,11 @@ TEST(Side_vectors, of_a_triangle_in_space_keep_lengths_and_angles_on_needles) {
     const Vector p = draw(), r = draw(), d = draw();
     const double width = std::pow(2.0, -(i % 30));
     const Vector q{p[0] + width * d[0], p[1] + width * d[1], p[2] + width * d[2]};
-    const IT::Side_vectors<3> sides[3] = {{difference(p, q), difference(q, r), difference(r, p)},
-                                          {difference(q, r), difference(r, p), difference(p, q)},
-                                          {difference(r, p), difference(p, q), difference(q, r)}};
-    for (const IT::Side_vectors<3>& s : sides) {
-      const IT::Side_vectors<2> v = IT::planar_sides(s);
+    const IT::Space_sides sides[3] = {{difference(p, q), difference(q, r), difference(r, p)},
+                                      {difference(q, r), difference(r, p), difference(p, q)},
+                                      {difference(r, p), difference(p, q), difference(q, r)}};
+    for (const IT::Space_sides& s : sides) {
+      const IT::Plane_sides v = IT::planar_sides(s);
       EXPECT_EQ(v[0][1], 0);
       EXPECT_GE(v[1][1], 0);
       EXPECT_LE(v[2][1], 0);
@@ -85,13 +86,13 @@ TEST(Side_vectors, of_a_triangle_in_space_keep_lengths_and_angles_on_needles) {
 }
 
 TEST(Side_vectors, of_a_face_whose_first_side_has_no_length_lie_on_the_x_axis) {
-  EXPECT_EQ(IT::planar_sides(0, 4, 4), (IT::Side_vectors<2>{{{0, 0}, {2, 0}, {-2, 0}}}));
+  EXPECT_EQ(IT::planar_sides(0, 4, 4), (IT::Plane_sides{{{0, 0}, {2, 0}, {-2, 0}}}));
   EXPECT_EQ(IT::planar_sides({{{0, 0, 0}, {0, 2, 0}, {0, -2, 0}}}),
-            (IT::Side_vectors<2>{{{0, 0}, {2, 0}, {-2, 0}}}));
+            (IT::Plane_sides{{{0, 0}, {2, 0}, {-2, 0}}}));
 }
 
 TEST(Side_vectors, of_lengths_that_violate_the_triangle_inequality_have_no_height) {
-  for (const IT::Side_vectors<2>& v : {IT::planar_sides(1, 1, 9), IT::planar_sides(9, 1, 1)})
+  for (const IT::Plane_sides& v : {IT::planar_sides(1, 1, 9), IT::planar_sides(9, 1, 1)})
     for (const auto& side : v) EXPECT_EQ(side[1], 0);
 }
 

@@ -73,7 +73,7 @@ public:
     std::vector<Source_corner> result;
     for (unsigned k = 0; k < 3; ++k) {
       if (at < 3 && k != at) continue;
-      const Planar_vector<double> x = face.to_corner(p.weights, k);
+      const Plane_vector<double> x = face.to_corner(p.weights, k);
       const Corner c(*this, face, k);
       result.push_back(
           {static_cast<int>(number(t_->numbers().vertex_at(view.source(face.side[k])))),
@@ -83,7 +83,7 @@ public:
   }
 
   // A vector at the vertex where a point is, in the frame here: angles from the middle of the corner are scaled.
-  std::complex<double> at_corner(const Surface_point& p, const Planar_vector<double>& v) const {
+  std::complex<double> at_corner(const Surface_point& p, const Plane_vector<double>& v) const {
     const Corner c(*this, p);
     const double turn = std::remainder(std::atan2(v[1], v[0]) - c.middle, full_turn);
     return std::polar(std::hypot(v[0], v[1]), c.polar_middle + c.scale * turn);
@@ -105,8 +105,8 @@ public:
       sum += q.weights[k] * values[number(t_->numbers().vertex_at(view.source(face.side[k])))];
     if (view.face(p.halfedge) != view.face(q.halfedge)) return sum;
     const Geodesic_face here(view, p.halfedge); // the values may be those of paths around
-    const Planar_vector<double> from = here.position(p.weights),
-                                to = here.position(seen_from(view, q, p.halfedge).weights);
+    const Plane_vector<double> from = here.position(p.weights),
+                               to = here.position(seen_from(view, q, p.halfedge).weights);
     return std::ldexp(1., -t_->metric().scale_exponent()) *
            std::complex(to[0] - from[0], to[1] - from[1]);
   }

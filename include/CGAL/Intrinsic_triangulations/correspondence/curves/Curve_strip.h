@@ -82,22 +82,21 @@ public:
   \return the positions of the points; the unit is the first side
   */
   template <class FT>
-  std::vector<Plane_point<FT>> unfold(std::span<const Face_values<FT>> values) const {
-    std::vector<Plane_point<FT>> points{{FT(0), FT(0)}, {FT(1), FT(0)}};
+  std::vector<Plane_vector<FT>> unfold(std::span<const Face_values<FT>> values) const {
+    std::vector<Plane_vector<FT>> points{{FT(0), FT(0)}, {FT(1), FT(0)}};
     points.reserve(triangles_.size() + 2);
     for (std::size_t n = 0; n < triangles_.size(); ++n) {
       const Triangle& t = triangles_[n];
       const auto& [ij, jk, ki] = values[n].squared_lengths;
-      const FT scale = FT(1) / (ij + ij);
-      const Plane_point<FT> turn{(ij + ki - jk) * scale, values[n].quadruple_area * scale};
-      points.push_back(points[t.start] + (points[t.end] - points[t.start]) * turn);
+      points.push_back(points[t.start] + (points[t.end] - points[t.start]) *
+                                             apex(ij, jk, ki, values[n].quadruple_area));
     }
     return points;
   }
 
   /// the same, with the values that `complex` has in double precision
   template <class Complex>
-  std::vector<Plane_point<double>> unfold_approximately(const Complex& complex) const {
+  std::vector<Plane_vector<double>> unfold_approximately(const Complex& complex) const {
     std::vector<Face_values<double>> values;
     values.reserve(faces_.size());
     for (std::size_t n = 0; n < faces_.size(); ++n)

@@ -147,7 +147,7 @@ struct Crossing_parameters {
 namespace internal {
 
 /// A point in the plane of doubles.
-using Point = Plane_point<double>;
+using Point = Plane_vector<double>;
 
 /// Unfolds the input triangles along an intrinsic edge; keeps its memory from edge to edge.
 template <class Input>

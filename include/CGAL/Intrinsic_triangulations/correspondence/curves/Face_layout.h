@@ -77,7 +77,7 @@ template <class FT>
 class Face_layout {
 public:
   /// A point of the plane.
-  using Point = Plane_point<FT>;
+  using Point = Plane_vector<FT>;
   /// Values at an inserted vertex: of ip, jp, kp and of ijp, jkp, kip.
   using Values = Vertex_move_values<FT>;
 
@@ -156,7 +156,7 @@ protected:
     std::array<double, 3> weights;
   };
 
-  static Plane_point<double> approximate(const Point& p) {
+  static Plane_vector<double> approximate(const Point& p) {
     return {internal::approximation(p.x), internal::approximation(p.y)};
   }
   std::uint32_t last() const { return static_cast<std::uint32_t>(triangles_.size() - 1); }
@@ -197,8 +197,7 @@ protected:
   void place_corners(const Point& from, const Point& to, const Input_values& values) {
     const Face_values<FT> v = values(triangles_.back().halfedge);
     const auto& [ij, jk, ki] = v.squared_lengths;
-    const FT scale = FT(1) / (ij + ij);
-    const Point turn{(ij + ki - jk) * scale, v.quadruple_area * scale};
+    const Point turn = apex(ij, jk, ki, v.quadruple_area);
     triangles_.back().point = {from, to, triangles_.size() == 1 ? turn : from + (to - from) * turn};
   }
 
@@ -256,10 +255,10 @@ protected:
     return internal::are_identical(p.x, q.x) && internal::are_identical(p.y, q.y);
   }
 
-  Plane_point<double> combination(const std::array<double, 3>& weights) const {
-    Plane_point<double> p{0, 0};
+  Plane_vector<double> combination(const std::array<double, 3>& weights) const {
+    Plane_vector<double> p{0, 0};
     for (unsigned k = 0; k < 3; ++k) {
-      const Plane_point<double> z = approximate(position(corner_[k]));
+      const Plane_vector<double> z = approximate(position(corner_[k]));
       p = {p.x + weights[k] * z.x, p.y + weights[k] * z.y};
     }
     return p;

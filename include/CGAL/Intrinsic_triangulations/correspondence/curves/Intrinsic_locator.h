@@ -86,26 +86,26 @@ namespace internal {
 /// A face in the plane: its halfedge runs from source to target.
 struct Placed_face {
   std::uint32_t halfedge;
-  Plane_point<double> source, target, apex;
+  Plane_vector<double> source, target, apex;
 };
 
 /// returns twice the signed area of a triangle
-inline double orientation(const Plane_point<double>& a, const Plane_point<double>& b,
-                          const Plane_point<double>& c) {
+inline double orientation(const Plane_vector<double>& a, const Plane_vector<double>& b,
+                          const Plane_vector<double>& c) {
   return cross(b - a, c - a);
 }
 
 /// A point of an intrinsic face, and the direction of its halfedge in the frame that the walk began with.
 struct Walked {
   Surface_point point;
-  Plane_point<double> direction; // not a unit vector
+  Plane_vector<double> direction; // not a unit vector
 };
 
 /// Walks over the intrinsic triangulation, unfolding faces into the plane.
 template <class View>
 class Plane_walk {
 public:
-  using Point = Plane_point<double>;
+  using Point = Plane_vector<double>;
 
   explicit Plane_walk(const View& view) : view_(view) {}
 
@@ -168,7 +168,7 @@ private:
 template <class Triangulation, CurveCoordinates Coordinates>
 class Intrinsic_locator {
   using View = Intrinsic_view<Triangulation>;
-  using Point = Plane_point<double>;
+  using Point = Plane_vector<double>;
 
 public:
   Intrinsic_locator(const Triangulation& t, const Coordinates& coordinates)

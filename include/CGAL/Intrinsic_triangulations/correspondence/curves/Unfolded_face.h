@@ -57,7 +57,7 @@ public:
   */
   std::optional<Place> place(const Input& input, const std::array<double, 3>& weights,
                              double nearness = usual_nearness) const {
-    const Plane_point<double> p = combination(weights);
+    const Plane_vector<double> p = combination(weights);
     Place result;
     result.region = middle_region();
     walk(p, result);
@@ -82,7 +82,7 @@ public:
     result.weights =
         seen_from(input, result.location, triangles_[result.triangle].halfedge).weights;
     for (unsigned k = 0; k < 2; ++k) { // not at an end, which may be inside the input edge
-      const Plane_point<double> d =
+      const Plane_vector<double> d =
           approximate(vector({result.triangle, result.weights}, corner_[k]));
       if (d.x == 0 && d.y == 0) return std::nullopt;
     }
@@ -99,13 +99,13 @@ public:
   */
   std::optional<Place> place_at(const Input& input, const Surface_point& wanted,
                                 const std::array<double, 3>& weights) const {
-    const Plane_point<double> near = combination(weights);
+    const Plane_vector<double> near = combination(weights);
     double least = std::numeric_limits<double>::infinity();
     Place result;
     for (std::uint32_t t = 0; t <= last(); ++t) {
       const std::optional<Surface_point> p = seen_in(input, t, wanted);
       if (!p) continue;
-      const Plane_point<double> d = point_in(t, p->weights) - near;
+      const Plane_vector<double> d = point_in(t, p->weights) - near;
       if (!(dot(d, d) < least)) continue;
       least = dot(d, d);
       result.triangle = t;
@@ -132,11 +132,11 @@ public:
 
   /// returns the corner of the face that is farthest from a place: its direction is the most accurate one.
   Seen_corner farthest_corner(const Input& input, const Place& p) const {
-    const Plane_point<double> axis = along(input, p);
+    const Plane_vector<double> axis = along(input, p);
     Seen_corner result;
     double farthest = 0;
     for (unsigned k = 0; k < 3; ++k) {
-      const Plane_point<double> to = approximate(vector({p.triangle, p.weights}, corner_[k]));
+      const Plane_vector<double> to = approximate(vector({p.triangle, p.weights}, corner_[k]));
       if (!(dot(to, to) > farthest)) continue;
       farthest = dot(to, to);
       result = {k, std::atan2(cross(axis, to), dot(axis, to))};
@@ -150,13 +150,13 @@ public:
   \return the point, and the direction of its halfedge from the first side of the face
   */
   Mapped_point locate(const std::array<double, 3>& weights) const {
-    const Plane_point<double> p = combination(weights);
+    const Plane_vector<double> p = combination(weights);
     Place place;
     place.region = middle_region();
     walk(p, place);
     const Triangle& t = triangles_[place.triangle];
-    const Plane_point<double> d = approximate(t.point[1]) - approximate(t.point[0]);
-    const Plane_point<double> side =
+    const Plane_vector<double> d = approximate(t.point[1]) - approximate(t.point[0]);
+    const Plane_vector<double> side =
         approximate(position(corner_[1])) - approximate(position(corner_[0]));
     const double length = std::sqrt(dot(d, d) * dot(side, side));
     return {
@@ -179,10 +179,10 @@ private:
     return seen_from(input, {o, {p.weights[1], p.weights[0], 0}}, h);
   }
 
-  Plane_point<double> point_in(std::uint32_t t, const std::array<double, 3>& w) const {
-    Plane_point<double> p{0, 0};
+  Plane_vector<double> point_in(std::uint32_t t, const std::array<double, 3>& w) const {
+    Plane_vector<double> p{0, 0};
     for (std::size_t k = 0; k < 3; ++k) {
-      const Plane_point<double> z = approximate(triangles_[t].point[k]);
+      const Plane_vector<double> z = approximate(triangles_[t].point[k]);
       p = {p.x + w[k] * z.x, p.y + w[k] * z.y};
     }
     return p;
@@ -228,14 +228,14 @@ private:
   }
 
   // whether a point is beyond the side by which triangle t is entered
-  bool is_in(std::uint32_t t, const Plane_point<double>& p) const {
-    const Plane_point<double> a = approximate(triangles_[t].point[0]),
-                              b = approximate(triangles_[t].point[1]), d = b - a, q = p - a;
+  bool is_in(std::uint32_t t, const Plane_vector<double>& p) const {
+    const Plane_vector<double> a = approximate(triangles_[t].point[0]),
+                               b = approximate(triangles_[t].point[1]), d = b - a, q = p - a;
     return d.x * q.y - d.y * q.x > 0;
   }
 
   // to the region that contains a point
-  void walk(const Plane_point<double>& p, Place& result) const {
+  void walk(const Plane_vector<double>& p, Place& result) const {
     if (fan_ < 3) {
       Normal_coordinate m = 0;
       while (m < along_ && is_in(static_cast<std::uint32_t>(m) + 1, p)) ++m;
@@ -266,7 +266,7 @@ private:
 
   // the direction of the halfedge of the location; where the triangle has both sides of its edge, at the one that the
   // place is on
-  Plane_point<double> along(const Input& input, const Place& p) const {
+  Plane_vector<double> along(const Input& input, const Place& p) const {
     const bool is_on_edge = p.location.weights[2] == 0;
     const auto is_side = [&](std::uint32_t side, std::size_t k) {
       return side / 2 == p.location.halfedge / 2 && !(is_on_edge && p.weights[(k + 2) % 3] != 0);
@@ -275,15 +275,16 @@ private:
     std::uint32_t side = t.halfedge;
     std::size_t k = 0;
     for (; k < 2 && !is_side(side, k); ++k) side = input.next(side);
-    const Plane_point<double> a = approximate(t.point[k]), b = approximate(t.point[(k + 1) % 3]);
+    const Plane_vector<double> a = approximate(t.point[k]), b = approximate(t.point[(k + 1) % 3]);
     return side == p.location.halfedge ? b - a : a - b;
   }
 
-  static std::array<double, 3> barycentric(const Triangle& t, const Plane_point<double>& p) {
-    const Plane_point<double> from = approximate(t.point[0]), side = approximate(t.point[1]) - from;
-    const auto seen = [&](const Plane_point<double>& q) {
-      const Plane_point<double> v = q - from;
-      return Plane_point<double>{dot(side, v) / dot(side, side), cross(side, v) / dot(side, side)};
+  static std::array<double, 3> barycentric(const Triangle& t, const Plane_vector<double>& p) {
+    const Plane_vector<double> from = approximate(t.point[0]),
+                               side = approximate(t.point[1]) - from;
+    const auto seen = [&](const Plane_vector<double>& q) {
+      const Plane_vector<double> v = q - from;
+      return Plane_vector<double>{dot(side, v) / dot(side, side), cross(side, v) / dot(side, side)};
     };
     return weights_above_side(seen(p), seen(approximate(t.point[2])));
   }

@@ -70,12 +70,11 @@ Surface_point seen_from(const Input& input, const Surface_point& p, std::uint32_
 
 /// returns the vector from a point of the input to another one of the same face, in the frame of the first.
 template <class Input>
-Planar_vector<double> vector_between(const Input& input, const Surface_point& from,
-                                     const Surface_point& to) {
+Plane_vector<double> vector_between(const Input& input, const Surface_point& from,
+                                    const Surface_point& to) {
   const Geodesic_face face(input, from.halfedge);
-  const Planar_vector<double> a = face.to_corner(from.weights, 0),
-                              b = face.to_corner(seen_from(input, to, from.halfedge).weights, 0);
-  return {a[0] - b[0], a[1] - b[1]};
+  return face.to_corner(from.weights, 0) -
+         face.to_corner(seen_from(input, to, from.halfedge).weights, 0);
 }
 
 /*!

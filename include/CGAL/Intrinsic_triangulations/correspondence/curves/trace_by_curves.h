@@ -162,7 +162,7 @@ Corner_direction direction_on_input(const Triangulation& t, const Coordinates& c
     strip.unfold(view, coordinates, h, entered);
     p = {first, {0, strip.parameter(0), 1 - strip.parameter(0)}};
   }
-  const Planar_vector<double> v = Geodesic_face(input, first).position(p.weights);
+  const Plane_vector<double> v = Geodesic_face(input, first).position(p.weights);
   return {first, std::atan2(std::max(0.0, v[1]), v[0])};
 }
 
@@ -182,7 +182,7 @@ double angle_at_inserted_vertex(const Triangulation& t, const Coordinates& coord
   start = corner_on_input(view, coordinates, h);
   const std::vector<std::uint32_t> entered = entered_by_halfedge(t, coordinates, h);
   if (entered.empty()) {
-    const Planar_vector<double> v =
+    const Plane_vector<double> v =
         vector_between(input, start, corner_on_input(view, coordinates, h ^ 1U));
     return std::atan2(v[1], v[0]);
   }

@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_WEIGHTS_ABOVE_SIDE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_WEIGHTS_ABOVE_SIDE_H
 
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <algorithm>
@@ -12,37 +14,10 @@
 
 /*!
 \file
-Points in the plane, and in a triangle that stands on a side from 0 to 1.
+Points in a triangle that stands on a side from 0 to 1.
 */
 
 namespace CGAL::Intrinsic_triangulations {
-
-/*!
-\brief is a point in the plane, in any number type.
-\tparam FT a model of `Field`
-*/
-template <class FT>
-struct Plane_point {
-  FT x; ///< first coordinate
-  FT y; ///< second coordinate
-
-  /// sum of vectors
-  friend Plane_point operator+(const Plane_point& a, const Plane_point& b) {
-    return {a.x + b.x, a.y + b.y};
-  }
-  /// difference of vectors
-  friend Plane_point operator-(const Plane_point& a, const Plane_point& b) {
-    return {a.x - b.x, a.y - b.y};
-  }
-  /// product of complex numbers: turns and stretches
-  friend Plane_point operator*(const Plane_point& a, const Plane_point& b) {
-    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-  }
-  /// inner product of vectors
-  friend FT dot(const Plane_point& a, const Plane_point& b) { return a.x * b.x + a.y * b.y; }
-  /// positive if `b` is to the left of `a`
-  friend FT cross(const Plane_point& a, const Plane_point& b) { return a.x * b.y - a.y * b.x; }
-};
 
 /*!
 \brief returns where the third corner of the face of `h` is if the ends of `h` are at 0 and 1.
@@ -50,9 +25,9 @@ struct Plane_point {
 \pre `h` has a face, and a length
 */
 template <class Complex>
-Plane_point<double> apex_above_side(const Complex& complex, std::uint32_t h) {
+Plane_vector<double> apex_above_side(const Complex& complex, std::uint32_t h) {
   const auto [ij, jk, ki] = squared_lengths_of_face(complex, h);
-  return {(ij + ki - jk) / (2 * ij), complex.quadruple_area(complex.face(h)) / (2 * ij)};
+  return apex(ij, jk, ki, complex.quadruple_area(complex.face(h)));
 }
 
 /*!
@@ -64,8 +39,8 @@ as it lets the weights reproduce where the point is along the side, up to roundi
 \param apex the third corner; with `y` zero or less, the triangle has no area
 \return weights of 0, of 1 and of the apex: not negative, their sum is 1
 */
-inline std::array<double, 3> weights_above_side(const Plane_point<double>& p,
-                                                const Plane_point<double>& apex) {
+inline std::array<double, 3> weights_above_side(const Plane_vector<double>& p,
+                                                const Plane_vector<double>& apex) {
   double least = 0, most = 1; // of the apex
   // Weights of 1 and 0 are not negative: k apex.x <= p.x and k (1 - apex.x) <= 1 - p.x. Where k gives way
   // the point moves up or down by apex.y, else it moves along the side by the slope: the less the better.

@@ -164,7 +164,7 @@ public:
     if (!p) p = internal::find_on_input(t, *this, {h, move.weights});
     if (!p) return false;
     inserted_ = p->point;
-    const Planar_vector<double> to_source =
+    const Plane_vector<double> to_source =
         p->transfer(Geodesic_face(view, h).to_corner(move.weights, 0));
     seen_ = {0, std::atan2(to_source[1], to_source[0])};
     return true;
@@ -190,7 +190,7 @@ public:
     if (!p) return false;
     inserted_ = p->point;
     const Geodesic_face face(Intrinsic_view<Triangulation>(t), move.spoke);
-    const Planar_vector<double> to_target = p->transfer(face.to_corner(move.weights, 1));
+    const Plane_vector<double> to_target = p->transfer(face.to_corner(move.weights, 1));
     seen_ = {1, std::atan2(to_target[1], to_target[0])};
     return true;
   }

@@ -96,7 +96,7 @@ private:
                         b = corner_on_input(view_, coordinates_, h ^ 1U);
     if (normal(h) == 0) {
       if (input.face(a.halfedge) != input.face(b.halfedge)) return std::nan("");
-      const Planar_vector<double> v = vector_between(input, a, b);
+      const Plane_vector<double> v = vector_between(input, a, b);
       return std::hypot(v[0], v[1]);
     }
     entered_.clear();

@@ -70,7 +70,7 @@ public:
   // point. Of `degree` vectors that differ by turns of a full turn by it, one is given: their
   // common powers are averaged, and one root is returned.
   template <class At>
-  Planar_vector<double> in_face(const Surface_point& p, const At& at, unsigned degree = 1) const {
+  Plane_vector<double> in_face(const Surface_point& p, const At& at, unsigned degree = 1) const {
     const Geodesic_face face(surface_, p.halfedge);
     const double n = degree;
     std::complex<double> sum = 0;
@@ -79,7 +79,7 @@ public:
       const std::complex<double> z = at(v);
       const double turn = std::remainder(angle(v, z) - angle_[face.side[k]],
                                          2 * std::numbers::pi / (n * scale_[v]));
-      const Planar_vector<double> x = face.from_relative_to(k, {std::cos(turn), std::sin(turn)});
+      const Plane_vector<double> x = face.from_relative_to(k, {std::cos(turn), std::sin(turn)});
       sum += p.weights[k] * std::abs(z) * std::polar(1., n * std::atan2(x[1], x[0]));
     }
     const std::complex<double> root = std::polar(std::abs(sum), std::arg(sum) / n);
@@ -91,7 +91,7 @@ public:
   // the polar angle of a vector at corner `k` of the face of its point
   double polar_angle(const Tangent_vector& v, unsigned k) const {
     const Geodesic_face face(surface_, v.point.halfedge);
-    const Planar_vector<double> r = face.relative_to(k, v.vector);
+    const Plane_vector<double> r = face.relative_to(k, v.vector);
     return scale_[surface_.source(face.side[k])] * (angle_[face.side[k]] + std::atan2(r[1], r[0]));
   }
 

@@ -31,7 +31,7 @@ that it has from the side of the face that starts there.
 */
 struct Tangent_vector {
   Surface_point point; ///< the point
-  Planar_vector<double>
+  Plane_vector<double>
       vector; ///< in the frame of `point.halfedge`: along it, and to the left of it
 };
 
@@ -69,7 +69,7 @@ walk_on_intrinsic(const Intrinsic_view<Triangulation>& view, const Triangulation
 // The vector where a walk starts in the direction that it goes.
 template <class Walk>
 Tangent_vector at_start(const Walk& walk, double length, double turn = 0) {
-  const Planar_vector<double>& d = walk.direction();
+  const Plane_vector<double>& d = walk.direction();
   const double c = length * std::cos(turn), s = length * std::sin(turn);
   return {{walk.face().side[0], walk.weights()}, {d[0] * c - d[1] * s, d[0] * s + d[1] * c}};
 }
@@ -86,7 +86,7 @@ std::optional<Tangent_vector> take_tangent(const Complex& complex, const Tangent
     return Tangent_vector{p->point, p->transfer(v.vector)};
   }
   const Geodesic_face face(complex, v.point.halfedge);
-  const Planar_vector<double> r = face.relative_to(corner, v.vector);
+  const Plane_vector<double> r = face.relative_to(corner, v.vector);
   const double length = std::hypot(r[0], r[1]), angle = std::atan2(r[1], r[0]);
   const auto turned = walk(face.side[corner], angle);
   if (turned && !turned->is_blocked()) return at_start(*turned, length);

@@ -28,13 +28,13 @@ struct Geodesic {
   /// The start, a point on each edge that is crossed, in a face that it leaves, and the end.
   std::vector<Surface_point> points;
   /// Unit vector along it at its end, in the frame of the halfedge of the last point.
-  Planar_vector<double> direction{1, 0};
+  Plane_vector<double> direction{1, 0};
   /// Its length, in the units of the input.
   double length = 0;
   /// Bound of the first order on the error of the end, in the units of the input.
   double error = 0;
   /// Vector along it at its start, as it was given, in the frame of the halfedge of the first point.
-  Planar_vector<double> start_direction{1, 0};
+  Plane_vector<double> start_direction{1, 0};
 };
 
 namespace internal {
@@ -42,7 +42,7 @@ namespace internal {
 // `scale_exponent`: lengths on the complex are 2^scale_exponent times those of the user
 template <class Complex, class NP>
 Geodesic trace_scaled(const Complex& complex, int scale_exponent, const Surface_point& start,
-                      const Planar_vector<double>& direction, double length, const NP& np) {
+                      const Plane_vector<double>& direction, double length, const NP& np) {
   using namespace tags;
   expect_names<maximum_faces, snaps_to_vertices>(np);
   const Trace_options d;
@@ -87,7 +87,7 @@ Inside faces and across edges it is straight, at an interior vertex it goes stra
 */
 template <NumberedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Geodesic trace_geodesic(const Triangulation& t, const Surface_point& start,
-                        const Planar_vector<double>& direction, double length,
+                        const Plane_vector<double>& direction, double length,
                         const NP& np = parameters::default_values()) {
   return internal::trace_scaled(Intrinsic_view<Triangulation>(t), t.metric().scale_exponent(),
                                 start, direction, length, np);
@@ -102,7 +102,7 @@ See `trace_geodesic()`; points are those of the input.
 template <internal::Queried_triangulation Triangulation,
           NamedParameters NP = parameters::Parameters<>>
 Geodesic trace_geodesic_on_input(const Triangulation& t, const Surface_point& start,
-                                 const Planar_vector<double>& direction, double length,
+                                 const Plane_vector<double>& direction, double length,
                                  const NP& np = parameters::default_values()) {
   return internal::trace_scaled(t.correspondence().input(), t.metric().scale_exponent(), start,
                                 direction, length, np);
@@ -125,7 +125,7 @@ template <internal::Queried_triangulation Triangulation, class Mesh,
   requires(!NamedParameters<Mesh>)
 Geodesic trace_geodesic(const Triangulation& t,
                         const Face_location<std::type_identity_t<Mesh>>& start,
-                        const Planar_vector<double>& direction, double length, const Mesh& mesh,
+                        const Plane_vector<double>& direction, double length, const Mesh& mesh,
                         const NP& np = parameters::default_values()) {
   return trace_geodesic_on_input(t, surface_point(t, start, mesh), direction, length, np);
 }

@@ -62,7 +62,7 @@ template <class View, class Named>
 std::array<double, 3> face_vector_in_space(const View& view, const Named& named, std::uint32_t h,
                                            const Common_subdivision& s, std::size_t f,
                                            const std::vector<std::array<double, 3>>& points,
-                                           const Planar_vector<double>& v) {
+                                           const Plane_vector<double>& v) {
   using Complex = std::complex<double>;
   const std::array<double, 3> a = vector_in_space(named, {{h, {1, 0, 0}}, {1, 0}}),
                               b = vector_in_space(named, {{h, {1, 0, 0}}, {0, 1}});
@@ -70,7 +70,7 @@ std::array<double, 3> face_vector_in_space(const View& view, const Named& named,
   const Geodesic_face face(view, base);
   const Complex rotation =
       fitting_rotation(s.face_begin[f], s.face_begin[f + 1], [&](std::size_t c) {
-        const Planar_vector<double> p = face.position(corner_in_face(view, s, base, c));
+        const Plane_vector<double> p = face.position(corner_in_face(view, s, base, c));
         const std::array<double, 3>& x = points[s.corner[c]];
         return std::array{Complex(p[0], p[1]), Complex(x[0] * a[0] + x[1] * a[1] + x[2] * a[2],
                                                        x[0] * b[0] + x[1] * b[1] + x[2] * b[2])};
@@ -129,7 +129,7 @@ face_vectors_in_space(const Triangulation& t, const Tangent_field& field,
         centre.weights[k] += w[k] / static_cast<double>(end - begin);
     }
     const std::uint32_t input_face = t.input().names().faces.here(s.input_face[f]);
-    const Planar_vector<double> first = frames.in_face(centre, at, degree);
+    const Plane_vector<double> first = frames.in_face(centre, at, degree);
     for (unsigned k = 0; k < degree; ++k) {
       const std::complex<double> z = std::complex<double>(first[0], first[1]) *
                                      std::polar(1., 2 * std::numbers::pi * k / degree);

@@ -59,14 +59,14 @@ public:
   Growing_paths<Triangulation>& paths() { return paths_; }
 
   // Inserts a vertex where a line starts, unless there is one; `d` becomes the direction of the line there.
-  Move_status start(const Surface_point& p, const Planar_vector<double>& direction,
+  Move_status start(const Surface_point& p, const Plane_vector<double>& direction,
                     Corner_direction& d) {
     const Geodesic_face face(view_, p.halfedge);
     unsigned k = 0; // a weight that is zero becomes the last
     while (k < 2 && p.weights[(k + 2) % 3] != 0) ++k;
     const Surface_point q{face.side[k],
                           {p.weights[k], p.weights[(k + 1) % 3], p.weights[(k + 2) % 3]}};
-    const Planar_vector<double> v = face.relative_to(k, direction);
+    const Plane_vector<double> v = face.relative_to(k, direction);
     if (q.weights[2] != 0) return start_in_face(q, v, d);
     if (q.weights[0] != 0 && q.weights[1] != 0) return start_on_edge(q, v, d);
     d = at_corner(Walk(view_, p, direction)); // a line that is blocked has no length
@@ -129,19 +129,19 @@ private:
 
   // ---- the start
 
-  Move_status start_on_edge(const Surface_point& p, const Planar_vector<double>& v,
+  Move_status start_on_edge(const Surface_point& p, const Plane_vector<double>& v,
                             Corner_direction& d) {
     const Split s = paths_.split(t_, p.halfedge, p.weights[1]);
     d = from_split(s, p.weights[1], std::atan2(v[1], v[0]));
     return s.status;
   }
 
-  Move_status start_in_face(const Surface_point& p, const Planar_vector<double>& v,
+  Move_status start_in_face(const Surface_point& p, const Plane_vector<double>& v,
                             Corner_direction& d) {
     const Geodesic_face face(view_, p.halfedge);
-    std::array<Planar_vector<double>, 3> corner;
+    std::array<Plane_vector<double>, 3> corner;
     for (unsigned k = 0; k < 3; ++k) corner[k] = face.to_corner(p.weights, k);
-    const auto length = [](const Planar_vector<double>& c) { return planar_dot(c, c); };
+    const auto length = [](const Plane_vector<double>& c) { return dot(c, c); };
     const auto k = static_cast<unsigned>(
         std::max_element(corner.begin(), corner.end(),
                          [&](const auto& a, const auto& b) { return length(a) < length(b); }) -
@@ -149,8 +149,7 @@ private:
     const Move_status status =
         Session(t_).insert_vertex(t_.numbers().halfedge_at(p.halfedge), p.weights).status;
     if (status == Move_status::done)
-      d = {last(face.side[k]), std::atan2(Intrinsic_triangulations::planar_cross(corner[k], v),
-                                          planar_dot(corner[k], v))};
+      d = {last(face.side[k]), std::atan2(cross(corner[k], v), dot(corner[k], v))};
     return status;
   }
 
@@ -267,7 +266,7 @@ private:
   bool reaches(const Walk& walk, std::uint32_t target, double length, double distance) {
     for (unsigned k = crossed_.empty() ? 1 : 0; k < 3; ++k) {
       if (view_.source(walk.face().side[k]) != target) continue;
-      const Planar_vector<double> corner = walk.relative_corner(k);
+      const Plane_vector<double> corner = walk.relative_corner(k);
       if (!(std::hypot(corner[0] - length, corner[1]) <= distance)) continue;
       append_line_to(walk, k);
       return true;
@@ -293,7 +292,7 @@ private:
   }
   // of the end of a line
   static double distance_from_side(const Walk& walk, unsigned k, double length) {
-    const Planar_vector<double> a = walk.relative_corner(k), b = walk.relative_corner((k + 1) % 3);
+    const Plane_vector<double> a = walk.relative_corner(k), b = walk.relative_corner((k + 1) % 3);
     return std::abs((b[0] - a[0]) * a[1] - (b[1] - a[1]) * (a[0] - length)) / walk.face().length[k];
   }
 

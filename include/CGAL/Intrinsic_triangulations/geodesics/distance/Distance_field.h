@@ -22,7 +22,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /// A point of a face.
 struct Point_in_face {
   std::uint32_t side;            ///< a corner
-  Planar_point point;            ///< in the frame of the side
+  Plane_vector<double> point;    ///< in the frame of the side
   std::array<double, 3> weights; ///< of the source of the side, its target, and the apex
 };
 
@@ -36,7 +36,7 @@ struct Arrival {
     following, ///< along `side`, from its source to its target
     copied     ///< the point is a copy of vertex `source` on a cover, where the path comes to
   };
-  Planar_point image{0, 0};            ///< of the source, in the frame of `side`
+  Plane_vector<double> image{0, 0};    ///< of the source, in the frame of `side`
   std::uint32_t side = Gluing::none;   ///< a corner
   std::uint32_t source = Gluing::none; ///< number of the source: a vertex, or one in a face
   Kind kind = Kind::none;
@@ -79,15 +79,16 @@ struct Distance_field {
   /// returns the sources in a face.
   std::span<const std::uint32_t> sources_in_face(std::uint32_t face) const;
   /// returns a point in the frame of a side in that of another side of the face.
-  Planar_point turned_to(std::uint32_t side, Planar_point p, std::uint32_t from) const;
+  Plane_vector<double> turned_to(std::uint32_t side, Plane_vector<double> p,
+                                 std::uint32_t from) const;
   /// returns the point of the face of a side with given weights of the source of the side, its target, and the apex.
   Point_in_face point(std::uint32_t side, const std::array<double, 3>& weights) const;
   /// finds the distance of a point of a face.
   Distance_and_arrival at(const Point_in_face& p) const;
 
 private:
-  void look_through(std::uint32_t side, Planar_point p, Distance_and_arrival& best) const;
-  void go_to_corner(std::uint32_t side, Planar_point p, Distance_and_arrival& best) const;
+  void look_through(std::uint32_t side, Plane_vector<double> p, Distance_and_arrival& best) const;
+  void go_to_corner(std::uint32_t side, Plane_vector<double> p, Distance_and_arrival& best) const;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

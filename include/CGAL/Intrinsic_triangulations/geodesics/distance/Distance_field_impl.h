@@ -24,12 +24,13 @@ Distance_field::sources_in_face(std::uint32_t face) const {
   return {first, last};
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Planar_point
-Distance_field::turned_to(std::uint32_t side, Planar_point p, std::uint32_t from) const {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Plane_vector<double>
+Distance_field::turned_to(std::uint32_t side, Plane_vector<double> p, std::uint32_t from) const {
   while (from != side) {
     const std::uint32_t n = Corner_table::next(from);
     // seen in the mirror, and turned about the target, where n starts
-    const Planar_point back = turned({table.corners[from].length - p.x, p.y}, table.corners[n]);
+    const Plane_vector<double> back =
+        turned({table.corners[from].length - p.x, p.y}, table.corners[n]);
     p = {back.x, -back.y};
     from = n;
   }
@@ -46,7 +47,8 @@ Distance_field::point(std::uint32_t side, const std::array<double, 3>& weights) 
 
 // Through the windows of a side.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Distance_field::look_through(std::uint32_t side, Planar_point p, Distance_and_arrival& best) const {
+Distance_field::look_through(std::uint32_t side, Plane_vector<double> p,
+                             Distance_and_arrival& best) const {
   const double length = table.corners[side].length;
   windows.for_each(side, [&](const Stored_windows::Record& w) {
     const double distance = offset(w.source) + planar_distance(w.image, p);
@@ -62,7 +64,8 @@ Distance_field::look_through(std::uint32_t side, Planar_point p, Distance_and_ar
 
 // By way of the vertex where a side starts.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Distance_field::go_to_corner(std::uint32_t side, Planar_point p, Distance_and_arrival& best) const {
+Distance_field::go_to_corner(std::uint32_t side, Plane_vector<double> p,
+                             Distance_and_arrival& best) const {
   const std::uint32_t v = table.corners[side].origin;
   const double distance = vertices[v].distance + planar_distance(p, {0, 0});
   if (distance < best.distance) best = {distance, {{0, 0}, side, v, Arrival::Kind::straight}};
@@ -74,13 +77,13 @@ Distance_field::at(const Point_in_face& p) const {
   const std::uint32_t face = p.side / 3;
   for (const std::uint32_t s : sources_in_face(face)) {
     const Point_in_face& source = face_sources[s];
-    const Planar_point q = turned_to(p.side, source.point, source.side);
+    const Plane_vector<double> q = turned_to(p.side, source.point, source.side);
     const double distance = planar_distance(q, p.point);
     const auto number = static_cast<std::uint32_t>(vertices.size() + s);
     if (distance < best.distance) best = {distance, {q, p.side, number, Arrival::Kind::straight}};
   }
   for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
-    const Planar_point q = turned_to(side, p.point, p.side);
+    const Plane_vector<double> q = turned_to(side, p.point, p.side);
     go_to_corner(side, q, best);
     look_through(side, q, best);
   }

@@ -44,29 +44,29 @@ public:
   /// returns a direction in which the path leaves the last of its places, in the frame of the side
   /// there: far along the first piece of
   /// the path.
-  Planar_point departure() const { return departure_; }
+  Plane_vector<double> departure() const { return departure_; }
 
 private:
   // A place of a straight line to the image of a source: both in the frame of a side, as the far
   // end of the line.
   struct Ray {
     std::uint32_t side;
-    Planar_point from;
-    Planar_point end;
-    Planar_point image;
+    Plane_vector<double> from;
+    Plane_vector<double> end;
+    Plane_vector<double> image;
     std::uint32_t source;
     double tolerance;
   };
   enum class Step { crossed, at_vertex, at_source, lost };
 
-  Status follow(Arrival arrival, Planar_point from);
+  Status follow(Arrival arrival, Plane_vector<double> from);
   Step start(const Ray& ray);
   Step cross(Ray& ray);
   bool arrive(const Ray& ray, Step& step);
   bool arrive_at_corner(const Ray& ray);
   void turn_to(Ray& ray, std::uint32_t side) const;
-  bool passes(const Ray& ray, Planar_point p) const;
-  Arrival move_to(std::uint32_t corner, Planar_point departure = {0, 0});
+  bool passes(const Ray& ray, Plane_vector<double> p) const;
+  Arrival move_to(std::uint32_t corner, Plane_vector<double> departure = {0, 0});
   void end_at(const Ray& ray, const Path_place& place);
   std::uint32_t vertex() const { return table_.corners[places_.back().side].origin; }
 
@@ -75,7 +75,7 @@ private:
   const Distance_field& field_;
   const Corner_table& table_;
   std::vector<Path_place> places_;
-  Planar_point departure_{0, 0};
+  Plane_vector<double> departure_{0, 0};
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -17,7 +17,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // The path comes to the vertex at a corner. Returns how it goes on.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Arrival Path_tracer::move_to(std::uint32_t corner,
-                                                                  Planar_point departure) {
+                                                                  Plane_vector<double> departure) {
   places_.push_back({corner, {1, 0, 0}});
   departure_ = departure;
   return field_.vertices[vertex()].arrival;
@@ -27,8 +27,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Arrival Path_tracer::move_to(std::uint32_t 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Path_tracer::end_at(const Ray& ray,
                                                               const Path_place& place) {
   places_.push_back(place);
-  const Planar_point end = field_.turned_to(place.side, ray.end, ray.side),
-                     begin = field_.point(place.side, place.weights).point;
+  const Plane_vector<double> end = field_.turned_to(place.side, ray.end, ray.side),
+                             begin = field_.point(place.side, place.weights).point;
   departure_ = {end.x - begin.x, end.y - begin.y};
 }
 
@@ -53,7 +53,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::trace(const Point_in_fa
 }
 
 // Goes on piece by piece; the first may come from a point in a face.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::follow(Arrival a, Planar_point from) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Path_tracer::follow(Arrival a,
+                                                                Plane_vector<double> from) {
   bool is_at_vertex = places_.back().weights[0] == 1 && from.x == 0 && from.y == 0;
   while (places_.size() < most_places) {
     if (a.kind == Arrival::Kind::at_source) return Status::done;
@@ -93,7 +94,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Path_tracer::arrive(const Ray& ray, St
   }
   const Point_in_face& source = field_.face_sources[ray.source - vertices];
   if (source.side / 3 != ray.side / 3) return false;
-  const Planar_point place = field_.turned_to(ray.side, source.point, source.side);
+  const Plane_vector<double> place = field_.turned_to(ray.side, source.point, source.side);
   if (!(planar_distance(place, ray.image) <= near)) return false;
   step = Step::at_source;
   end_at(ray, {source.side, source.weights});
@@ -118,7 +119,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Path_tracer::arrive_at_corner(const Ra
 
 // Whether a ray passes a point as far as can be told.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Path_tracer::passes(const Ray& ray,
-                                                              Planar_point p) const {
+                                                              Plane_vector<double> p) const {
   const double x = ray.image.x - ray.from.x, y = ray.image.y - ray.from.y;
   const double off = x * (p.y - ray.from.y) - y * (p.x - ray.from.x);
   return std::abs(off) <= ray.tolerance * std::sqrt(x * x + y * y);
@@ -137,7 +138,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Path_tracer::Step Path_tracer::start(const 
   if (arrive(ray, step)) return step;
   const double length = table_.corners[ray.side].length;
   for (const bool at_target : {false, true}) {
-    const Planar_point end{at_target ? length : 0, 0};
+    const Plane_vector<double> end{at_target ? length : 0, 0};
     if (!passes(ray, end) || planar_distance(end, ray.from) == 0) continue;
     end_at(ray, {at_target ? Corner_table::next(ray.side) : ray.side, {1, 0, 0}});
     return Step::at_vertex;
@@ -162,7 +163,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Path_tracer::Step Path_tracer::cross(Ray& r
          ray.tolerance};
   Step step = Step::crossed;
   if (arrive(ray, step)) return step;
-  const Planar_point apex = Window_face(table_, ray.side).apex;
+  const Plane_vector<double> apex = Window_face(table_, ray.side).apex;
   const std::uint32_t left = Corner_table::previous(ray.side);
   if (passes(ray, apex)) {
     end_at(ray, {left, {1, 0, 0}});

@@ -243,7 +243,7 @@ private:
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     if (!is_known) return {{Gluing::none, {unknown, unknown, unknown}}, {unknown, unknown}};
     const internal::Path_place& place = tracer.places().back();
-    const internal::Planar_point d = tracer.departure();
+    const Plane_vector<double> d = tracer.departure();
     const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
     return {{halfedge_of(place.side), place.weights}, {scale * d.x, scale * d.y}};
   }

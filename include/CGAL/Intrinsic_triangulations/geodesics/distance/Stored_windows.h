@@ -26,11 +26,11 @@ class Stored_windows {
 public:
   /// A window without what its side tells.
   struct Record {
-    Planar_point image;   ///< the source, in the frame of the side
-    std::uint32_t begin;  ///< of the interval, in units of the side
-    std::uint32_t end;    ///< of the interval
-    std::uint32_t source; ///< number of the source
-    std::uint32_t next;   ///< another window of the side, or `Gluing::none`
+    Plane_vector<double> image; ///< the source, in the frame of the side
+    std::uint32_t begin;        ///< of the interval, in units of the side
+    std::uint32_t end;          ///< of the interval
+    std::uint32_t source;       ///< number of the source
+    std::uint32_t next;         ///< another window of the side, or `Gluing::none`
   };
 
   /// has no windows yet.

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_DISTANCE_WINDOW_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_DISTANCE_WINDOW_H
 
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Corner_table.h>
 
 #include <algorithm>
@@ -28,23 +29,18 @@ inline constexpr double window_angle_tolerance = 4e-13;
 /// Distances that differ by less, relative to them, are not told apart.
 inline constexpr double window_distance_tolerance = 0x1p-48;
 
-struct Planar_point {
-  double x; ///< along the side
-  double y; ///< above it
-};
-
 /*!
 \brief is an interval of a side that a source sees.
 */
 struct Window {
-  double begin;          ///< where the interval begins on the side, from its source on
-  double end;            ///< where it ends
-  Planar_point image;    ///< the source, in the frame of the side
-  double offset;         ///< distance of the source from the nearest true one
-  double begin_distance; ///< from the image to the begin
-  double end_distance;   ///< from the image to the end
-  std::uint32_t side;    ///< a corner: the side of the face into which the window looks
-  std::uint32_t source;  ///< number of the source: a vertex, or one in a face
+  double begin;               ///< where the interval begins on the side, from its source on
+  double end;                 ///< where it ends
+  Plane_vector<double> image; ///< the source, in the frame of the side
+  double offset;              ///< distance of the source from the nearest true one
+  double begin_distance;      ///< from the image to the begin
+  double end_distance;        ///< from the image to the end
+  std::uint32_t side;         ///< a corner: the side of the face into which the window looks
+  std::uint32_t source;       ///< number of the source: a vertex, or one in a face
 
   /// returns the least distance of a point of the interval from a true source.
   double least_distance() const {
@@ -53,19 +49,18 @@ struct Window {
   }
 };
 
-inline double planar_distance(Planar_point p, Planar_point q) {
-  const double x = p.x - q.x, y = p.y - q.y;
-  return std::sqrt(x * x + y * y);
+inline double planar_distance(const Plane_vector<double>& p, const Plane_vector<double>& q) {
+  return std::sqrt(dot(p - q, p - q));
 }
 
 /*!
 \brief is a face as a window sees it that looks into it: in the frame of the side.
 */
 struct Window_face {
-  const Face_corner& base;  ///< the side
-  const Face_corner& right; ///< the side after it
-  const Face_corner& left;  ///< the side before it
-  Planar_point apex;        ///< the corner opposite the side
+  const Face_corner& base;   ///< the side
+  const Face_corner& right;  ///< the side after it
+  const Face_corner& left;   ///< the side before it
+  Plane_vector<double> apex; ///< the corner opposite the side
 
   Window_face(const Corner_table& table, std::uint32_t side)
       : base(table.corners[side]), right(table.corners[Corner_table::next(side)]),
@@ -99,13 +94,13 @@ struct Apex_view {
 
 // Where the ray from an image through the point x of the side hits the line that leaves the corner at the origin at an angle:
 // the distance from the corner.
-inline double ray_hit(double x, Planar_point image, const Face_corner& angle) {
+inline double ray_hit(double x, Plane_vector<double> image, const Face_corner& angle) {
   const double hit = x * -image.y / ((image.x - x) * angle.sine - image.y * angle.cosine);
   return hit >= 0 ? hit : 0; // also if it is not a number
 }
 
 // The image in the frame of the side that leaves the corner at the origin at an angle.
-inline Planar_point turned(Planar_point image, const Face_corner& angle) {
+inline Plane_vector<double> turned(Plane_vector<double> image, const Face_corner& angle) {
   return {image.x * angle.cosine + image.y * angle.sine,
           image.y * angle.cosine - image.x * angle.sine};
 }
@@ -137,8 +132,8 @@ inline bool right_child(const Window& w, const Window_face& f, bool from_apex, W
   if (f.right.opposite == Gluing::none) return false;
   // seen in the mirror, from the target of the side
   const double length = f.base.length;
-  const Planar_point mirrored{length - w.image.x, w.image.y};
-  const Planar_point image = turned(mirrored, f.right);
+  const Plane_vector<double> mirrored{length - w.image.x, w.image.y};
+  const Plane_vector<double> image = turned(mirrored, f.right);
   child.image = {f.right.length - image.x, image.y};
   child.begin =
       from_apex ? 0 : std::max(0.0, f.right.length - ray_hit(length - w.begin, mirrored, f.right));

@@ -38,7 +38,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_source(const P
                                 static_cast<std::uint32_t>(field_.face_sources.size()));
   field_.face_sources.push_back(p);
   for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
-    const Planar_point q = field_.turned_to(side, p.point, p.side);
+    const Plane_vector<double> q = field_.turned_to(side, p.point, p.side);
     const Face_corner& c = table_.corners[side];
     const Window_face f(table_, side);
     reach(f.left.origin, planar_distance(q, f.apex), {q, side, source, Arrival::Kind::straight});
@@ -254,7 +254,7 @@ Window_propagation::split(const Window& w, Window& left, Window& right) {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::part_at_sources(Window& w) {
   for (const std::uint32_t s : field_.sources_in_face(w.side / 3)) {
     const Point_in_face& source = field_.face_sources[s];
-    const Planar_point p = field_.turned_to(w.side, source.point, source.side);
+    const Plane_vector<double> p = field_.turned_to(w.side, source.point, source.side);
     const double cut = w.image.x - (p.x - w.image.x) * (w.image.y / (p.y - w.image.y));
     if (!(cut > w.begin && cut < w.end)) continue;
     Window right = w;

@@ -65,11 +65,11 @@ public:
   Laid_out_line(const Input& input, const Traced_curve& curve) : input_(input), curve_(curve) {}
 
   // The line from point `first` to point `last` of the curve, in the frame of its first face.
-  Planar_vector<double> vector(std::size_t first, std::size_t last) const {
-    Planar_vector<double> sum{0, 0}, x{1, 0}; // x: the x-axis of the frame
+  Plane_vector<double> vector(std::size_t first, std::size_t last) const {
+    Plane_vector<double> sum{0, 0}, x{1, 0}; // x: the x-axis of the frame
     for (std::size_t i = first; i < last; ++i) {
       if (i > first && !turn(i, x)) break;
-      const Planar_vector<double> v = piece(i);
+      const Plane_vector<double> v = piece(i);
       sum = {sum[0] + x[0] * v[0] - x[1] * v[1], sum[1] + x[0] * v[1] + x[1] * v[0]};
     }
     return sum;
@@ -78,7 +78,7 @@ public:
   double length(std::size_t first, std::size_t last) const {
     double sum = 0;
     for (std::size_t i = first; i < last; ++i) {
-      const Planar_vector<double> v = piece(i);
+      const Plane_vector<double> v = piece(i);
       sum += std::hypot(v[0], v[1]);
     }
     return sum;
@@ -89,13 +89,13 @@ public:
   }
 
 private:
-  Planar_vector<double> piece(std::size_t i) const {
+  Plane_vector<double> piece(std::size_t i) const {
     return vector_between(input_, point(i, i), point(i + 1, i));
   }
 
   // From the frame of the face before point i to that of the face after it. False if they are not
   // beside each other there.
-  bool turn(std::size_t i, Planar_vector<double>& x) const {
+  bool turn(std::size_t i, Plane_vector<double>& x) const {
     if (curve_.faces[i - 1] == curve_.faces[i]) return true;
     const Surface_point p = point(i, i - 1);
     std::uint32_t h = p.halfedge;
@@ -103,17 +103,16 @@ private:
       if (p.weights[(k + 2) % 3] != 0 || input_.is_border(h ^ 1U) ||
           input_.face(h ^ 1U) != curve_.faces[i])
         continue;
-      const Planar_vector<double> a = edge_in_frame(h, curve_.faces[i - 1]),
-                                  b = edge_in_frame(h ^ 1U, curve_.faces[i]);
+      const Plane_vector<double> a = edge_in_frame(h, curve_.faces[i - 1]),
+                                 b = edge_in_frame(h ^ 1U, curve_.faces[i]);
       // the turn from -b to a
-      const double c = -planar_dot(a, b), s = Intrinsic_triangulations::planar_cross(a, b),
-                   l = std::hypot(c, s);
+      const double c = -dot(a, b), s = cross(a, b), l = std::hypot(c, s);
       x = {(x[0] * c - x[1] * s) / l, (x[0] * s + x[1] * c) / l};
       return true;
     }
     return false;
   }
-  Planar_vector<double> edge_in_frame(std::uint32_t h, std::uint32_t f) const {
+  Plane_vector<double> edge_in_frame(std::uint32_t h, std::uint32_t f) const {
     const Geodesic_face face(input_, input_.halfedge_of_face(f));
     return face.edge[face.side[0] == h ? 0 : face.side[1] == h ? 1 : 2];
   }

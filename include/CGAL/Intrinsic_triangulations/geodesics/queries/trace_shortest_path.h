@@ -44,7 +44,7 @@ public:
       const Surface_point& p = path.points[i];
       const std::optional<Surface_point> q = in_face(path.points[i + 1], p);
       if (!q) continue; // a copy of the same vertex on a cover
-      const Planar_vector<double> v = vector_between(view_, p, *q);
+      const Plane_vector<double> v = vector_between(view_, p, *q);
       auto from = tangent_to_input(t_, {p, v});
       auto to = locate_on_input(t_, *q);
       if (!from || !to) return {Status::not_traceable, {}, {}, 0, {0}};

@@ -125,8 +125,7 @@ Scaled_metric scale_by_norm(const Mesh& mesh, Metric_source&& s, const Sides& si
 }
 
 // The lengths of a triangulation are rounded: those of a face without area may not be exact.
-inline Side_vectors<2> planar_sides_of_face(const Metric_source& s, std::uint32_t f,
-                                            bool are_exact) {
+inline Plane_sides planar_sides_of_face(const Metric_source& s, std::uint32_t f, bool are_exact) {
   const std::array<std::uint32_t, 3> e = edges_of_face(s.in.mesh, f);
   const std::vector<double>& l = s.in.squared_lengths;
   if (are_exact && !squares_satisfy_triangle_inequality(l[e[0]], l[e[1]], l[e[2]]))
@@ -136,7 +135,7 @@ inline Side_vectors<2> planar_sides_of_face(const Metric_source& s, std::uint32_
   return planar_sides(l[e[0]], l[e[1]], l[e[2]]);
 }
 
-inline Side_vectors<3> sides_of_face_in_space(const Metric_source& s, std::uint32_t f) {
+inline Space_sides sides_of_face_in_space(const Metric_source& s, std::uint32_t f) {
   const auto [h, n, l] = s.in.mesh.sides({f});
   return {s.side_in_space(h), s.side_in_space(n), s.side_in_space(l)};
 }
@@ -194,7 +193,7 @@ Scaled_metric scale_conformally(const Mesh& mesh, const Factors& u,
 \brief scales the metric of a surface by a norm per face, which may depend on the direction: the new
 length of an edge is that of its vector, averaged over the faces at the edge (§4.8 of the course).
 
-The frame of a face is that of `planar_layout()`: i and j are source and target of
+In the frame of a face i and j are source and target of
 `halfedge(face, mesh)`, k is the third corner; i is the origin, j lies on the positive x-axis, k above
 it. If i and j are in the same place, k lies on the x-axis.
 
@@ -203,7 +202,7 @@ the side with the face on its left: i -> j, j -> k, k -> i. On the border one fa
 sides of an edge are in one face, the norms of two vectors of that face are averaged. `Tensor_norm`
 makes norms from tensors and from stretches.
 \tparam Mesh see the file's description; faces must be triangles
-\tparam Norm a functor: `norm(face_descriptor, Planar_vector<double>)` is a length, positive and
+\tparam Norm a functor: `norm(face_descriptor, Plane_vector<double>)` is a length, positive and
   homogeneous in the vector; descriptors as for `scale_conformally()`
 \param mesh the surface
 \param norm the norms

@@ -4,25 +4,22 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SIDE_VECTORS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SIDE_VECTORS_H
 
-#include <CGAL/Intrinsic_triangulations/formulas/corner_angles.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 
 /*!
 \file
-The sides of a triangle ijk as vectors of the plane, in the frame of `planar_layout()`: i -> j along the
-positive x-axis, k above it. Each side is as accurate as it is long, on needles too, which differences
-of the corners of the layout are not; so the three sum to zero only up to rounding.
+The sides of triangles as vectors of the plane, whatever lengths there are. They sum to zero only up to rounding.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// The vectors i -> j, j -> k, k -> i.
-template <std::size_t n>
-using Side_vectors = std::array<std::array<double, n>, 3>;
+/// The sides i -> j, j -> k, k -> i as vectors of space.
+using Space_sides = std::array<std::array<double, 3>, 3>;
 
 /*!
 \brief computes the sides of a triangle from its squared lengths.
@@ -31,14 +28,10 @@ Where `ij` has length zero, `jk` lies on the x-axis. Lengths that violate the tr
 triangle without area.
 \return the vectors; each coordinate has an error of a few u times the length of its side
 */
-inline Side_vectors<2> planar_sides(double L_ij, double L_jk, double L_ki) {
+inline Plane_sides planar_sides(double L_ij, double L_jk, double L_ki) {
   if (L_ij == 0) return {{{0, 0}, {std::sqrt(L_jk), 0}, {-std::sqrt(L_ki), 0}}};
-  const double l = std::sqrt(L_ij), two_l = l + l;
   const double squared_area = squared_quadruple_area(L_ij, L_jk, L_ki);
-  const double height = squared_area > 0 ? std::sqrt(squared_area) / two_l : 0;
-  return {{{l, 0},
-           {-twice_inner_product(L_ij, L_ki, L_jk) / two_l, height},
-           {-twice_inner_product(L_ij, L_jk, L_ki) / two_l, -height}}};
+  return planar_sides(L_ij, L_jk, L_ki, squared_area > 0 ? std::sqrt(squared_area) : 0);
 }
 
 /*!
@@ -48,7 +41,7 @@ Where `ij` has length zero, `jk` lies on the x-axis. Without area k has height z
 \param s the vectors i -> j, j -> k, k -> i
 \return the vectors; each coordinate has an error of a few u times the length of its side
 */
-inline Side_vectors<2> planar_sides(const Side_vectors<3>& s) {
+inline Plane_sides planar_sides(const Space_sides& s) {
   const auto length = [](const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); };
   const double l = length(s[0]);
   if (l == 0) return {{{0, 0}, {length(s[1]), 0}, {-length(s[2]), 0}}};

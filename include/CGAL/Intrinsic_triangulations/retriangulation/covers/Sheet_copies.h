@@ -200,9 +200,9 @@ private:
   bool keeps_distance(Surface_point p, double distance, const Is_segment& is_segment) const {
     for (int k = 0; k < 3; ++k, p = turned(p)) {
       const Geodesic_face face(View(t_), p.halfedge);
-      const Planar_vector<double> at{p.weights[1] * face.length[0] - p.weights[2] * face.edge[2][0],
-                                     -p.weights[2] * face.edge[2][1]};
-      if (planar_dot(at, at) < distance) return false;
+      const Plane_vector<double> at{p.weights[1] * face.length[0] - p.weights[2] * face.edge[2][0],
+                                    -p.weights[2] * face.edge[2][1]};
+      if (dot(at, at) < distance) return false;
       const std::uint32_t o = p.halfedge ^ 1U;
       if (is_segment(o)) continue;
       // turned by half a turn about the middle of the side

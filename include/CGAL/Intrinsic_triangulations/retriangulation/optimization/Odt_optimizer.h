@@ -258,7 +258,7 @@ private:
   // The optimum, or as far on the way there as leaves some space to the rim; nowhere if that is about where
   // the vertex is.
   std::optional<Surface_point> next_place() const {
-    Planar_vector<double> p = star_.optimum();
+    Plane_vector<double> p = star_.optimum();
     const double space = least_space * star_.clearance({0, 0});
     if (!(space > 0)) return std::nullopt;
     for (int halvings = 0; halvings < maximum_halvings; ++halvings) {

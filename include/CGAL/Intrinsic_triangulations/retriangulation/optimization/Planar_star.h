@@ -55,39 +55,37 @@ public:
   4 A c = (|a|^2 b_y - |b|^2 a_y, |b|^2 a_x - |a|^2 b_x) for the circumcenter c and the area A of the face
   (0, a, b): no division by an area that may be small.
   */
-  Planar_vector<double> optimum() const {
+  Plane_vector<double> optimum() const {
     double x = 0, y = 0, area = 0;
     for (std::size_t k = 0; k < rim_.size(); ++k) {
-      const Planar_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
-      const double aa = planar_dot(a, a), bb = planar_dot(b, b);
+      const Plane_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
+      const double aa = dot(a, a), bb = dot(b, b);
       x += aa * b[1] - bb * a[1];
       y += bb * a[0] - aa * b[0];
-      area += Intrinsic_triangulations::planar_cross(a, b);
+      area += cross(a, b);
     }
     return {x / (2 * area), y / (2 * area)};
   }
 
   /// The least distance from a point to the lines along the sides of the rim; negative where one is not
   /// seen from inside.
-  double clearance(const Planar_vector<double>& p) const {
+  double clearance(const Plane_vector<double>& p) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < rim_.size(); ++k) {
-      const Planar_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
-      const Planar_vector<double> side{b[0] - a[0], b[1] - a[1]};
+      const Plane_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
+      const Plane_vector<double> side{b[0] - a[0], b[1] - a[1]};
       const double length = std::hypot(side[0], side[1]);
-      least = std::min(
-          least, Intrinsic_triangulations::planar_cross(side, {p[0] - a[0], p[1] - a[1]}) / length);
+      least = std::min(least, cross(side, {p[0] - a[0], p[1] - a[1]}) / length);
     }
     return least;
   }
 
   /// The face that a point of the star is in, and its weights there; on an edge if it is close.
-  std::optional<Surface_point> locate(const Planar_vector<double>& p) const {
+  std::optional<Surface_point> locate(const Plane_vector<double>& p) const {
     for (std::size_t k = 0; k < rim_.size(); ++k) {
-      const Planar_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
-      const double area = Intrinsic_triangulations::planar_cross(a, b);
-      double u = Intrinsic_triangulations::planar_cross(p, b) / area,
-             v = Intrinsic_triangulations::planar_cross(a, p) / area;
+      const Plane_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
+      const double area = cross(a, b);
+      double u = cross(p, b) / area, v = cross(a, p) / area;
       if (!(u >= -on_spoke && v >= -on_spoke && u + v < 1)) continue;
       if (u < on_spoke) u = 0;
       if (v < on_spoke) v = 0;
@@ -103,7 +101,7 @@ private:
   static constexpr double on_spoke = 0x1p-30;
 
   std::vector<std::uint32_t> spokes_;
-  std::vector<Planar_vector<double>> rim_;
+  std::vector<Plane_vector<double>> rim_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

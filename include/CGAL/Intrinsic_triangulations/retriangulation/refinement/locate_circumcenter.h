@@ -95,7 +95,7 @@ border
 template <NumberedComplex Complex, class Is_segment>
 Located_circumcenter locate_circumcenter(const Complex& complex, std::uint32_t h,
                                          const Is_segment& is_segment,
-                                         const Planar_vector<double>& offset = {0, 0}) {
+                                         const Plane_vector<double>& offset = {0, 0}) {
   using Kind = Located_circumcenter::Kind;
   const Located_circumcenter nowhere{Kind::none, {Gluing::none, {}}, Gluing::none};
   const Geodesic_face face(complex, h);
@@ -113,8 +113,8 @@ Located_circumcenter locate_circumcenter(const Complex& complex, std::uint32_t h
   if (w[0] >= 0 && w[1] >= 0 && w[2] >= 0) return internal::arrived({h, w}, face, is_segment);
   // from the barycenter, which is at a third of the sum of the vectors to the corners
   const double third = 1.0 / 3, x = w[1] - third, y = w[2] - third;
-  const Planar_vector<double> v{x * face.edge[0][0] - y * face.edge[2][0],
-                                x * face.edge[0][1] - y * face.edge[2][1]};
+  const Plane_vector<double> v{x * face.edge[0][0] - y * face.edge[2][0],
+                               x * face.edge[0][1] - y * face.edge[2][1]};
   const double length = std::hypot(v[0], v[1]);
   if (!(length > 0) || !std::isfinite(length)) return nowhere;
   Geodesic_walk<Complex> walk(complex, {h, {1 - 2 * third, third, third}}, v);

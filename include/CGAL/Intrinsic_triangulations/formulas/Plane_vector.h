@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_PLANE_VECTOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_PLANE_VECTOR_H
+
+#include <cstddef>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a vector or a point of the plane, and the complex number x + i y.
+\tparam FT a model of `Field`
+*/
+template <class FT>
+struct Plane_vector {
+  FT x; ///< first coordinate
+  FT y; ///< second coordinate
+
+  /// returns coordinate 0 or 1.
+  constexpr const FT& operator[](std::size_t c) const { return c == 0 ? x : y; }
+  /// returns coordinate 0 or 1.
+  constexpr FT& operator[](std::size_t c) { return c == 0 ? x : y; }
+
+  /// adds
+  friend Plane_vector operator+(const Plane_vector& a, const Plane_vector& b) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  /// subtracts
+  friend Plane_vector operator-(const Plane_vector& a, const Plane_vector& b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+  /// stretches
+  friend Plane_vector operator*(const FT& s, const Plane_vector& a) { return {s * a.x, s * a.y}; }
+  /// shrinks
+  friend Plane_vector operator/(const Plane_vector& a, const FT& s) { return {a.x / s, a.y / s}; }
+  /// multiplies complex numbers: turns and stretches.
+  friend Plane_vector operator*(const Plane_vector& a, const Plane_vector& b) {
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+  }
+  /// tells whether coordinates are equal.
+  friend bool operator==(const Plane_vector& a, const Plane_vector& b) {
+    return a.x == b.x && a.y == b.y;
+  }
+
+  /// returns the mirror image in the x-axis; `conjugate(a) * b` is `b` in the frame of `a`, times the length of `a`.
+  friend Plane_vector conjugate(const Plane_vector& a) { return {a.x, -a.y}; }
+  /// returns the inner product.
+  friend FT dot(const Plane_vector& a, const Plane_vector& b) { return a.x * b.x + a.y * b.y; }
+  /// returns the area that two vectors span: positive if `b` is to the left of `a`.
+  friend FT cross(const Plane_vector& a, const Plane_vector& b) { return a.x * b.y - a.y * b.x; }
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_PLANE_VECTOR_H
