@@ -73,7 +73,7 @@ void expect_invalid(const Make& make, Element_kind kind, std::size_t index,
 
 const auto euclidean = [](auto, const auto& v) {
   double sum = 0;
-  for (const double x : v) sum += x * x;
+  for (std::size_t c = 0; c < sizeof v / sizeof v[0]; ++c) sum += v[c] * v[c];
   return std::sqrt(sum);
 };
 

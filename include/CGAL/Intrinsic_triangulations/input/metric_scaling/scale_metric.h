@@ -106,8 +106,9 @@ Scaled_metric scale_by_norm(const Mesh& mesh, Metric_source&& s, const Sides& si
     for (std::size_t k = 0; k < 3; ++k) {
       ++count[e[k]];
       if (s.in.squared_lengths[e[k]] == 0) continue;
-      for (double& x : vectors[k]) x = unit(x);
-      const double length = CGAL::to_double(norm(face, vectors[k]));
+      auto& v = vectors[k]; // of the plane or of space
+      for (std::size_t c = 0; c < sizeof v / sizeof v[0]; ++c) v[c] = unit(v[c]);
+      const double length = CGAL::to_double(norm(face, v));
       if (!std::isfinite(length) || !(length > 0))
         throw Invalid_input::about(Element_kind::face, f,
                                    " has a norm that gives its side " + std::to_string(k) +
