@@ -181,7 +181,7 @@ public:
   */
   explicit Integer_only_triangulation(Intrinsic_input input)
       : Integer_only_triangulation(
-            internal::prepare<Exact_euclidean_metric>(std::move(input), true)) {}
+            internal::prepare<Exact_euclidean_metric, Input>(std::move(input))) {}
 
   /// builds the triangulation of a mesh in space; see above.
   /// \tparam FaceGraph a model of `FaceListGraph` with a point map of its own, or `Triangle_soup`
@@ -240,7 +240,7 @@ public:
 private:
   using View = Intrinsic_view<Integer_only_triangulation>;
 
-  explicit Integer_only_triangulation(internal::Prepared_input<Exact_euclidean_metric>&& p)
+  explicit Integer_only_triangulation(internal::Prepared_input<Exact_euclidean_metric, Input>&& p)
       : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_), geometry_(p.input),
         has_only_positive_areas_(true) {
     correspondence_.start(*this);

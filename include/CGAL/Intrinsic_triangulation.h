@@ -68,6 +68,8 @@ public:
   using Correspondence = Correspondence_; ///< Observer of the moves.
   /// Whether the input keeps its surface for the correspondence.
   static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
+  /// What is kept of the input.
+  using Kept_input = std::conditional_t<has_correspondence, Input, Input_definition>;
   using FT = typename Traits::FT;         ///< Number type of stored values.
   using Metric = typename Traits::Metric; ///< Stores the values and decides.
   /// Vertex of the mesh.
@@ -120,18 +122,19 @@ public:
   \param input what it was built from; vertices that it has not are inserted ones
   \pre there is no correspondence, or `map` is the connectivity of `input`
   */
-  Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input);
+  Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Kept_input> input);
 
   /*!
   \brief restores a triangulation, vertices of which may have been inserted, from its parts.
   \param map the connectivity, with the numbers that the other parts use
   \param metric values for its edges and faces
-  \param input what it was built from, with its surface
-  \param coordinates how `map` lies on `input`; the correspondence, if there is one, derives from their class
+  \param input what it was built from
+  \param coordinates how `map` lies on `input`, from which the correspondence is restored
   */
   Intrinsic_triangulation(
       Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
-      const Integer_coordinates& coordinates) requires internal::Restorable<Correspondence_>;
+      const Integer_coordinates& coordinates) 
+        requires internal::Restorable<Correspondence_, Intrinsic_triangulation>;
 
   /// copies everything but the input, which is shared; elements keep their numbers.
   Intrinsic_triangulation(const Intrinsic_triangulation& other)
@@ -166,10 +169,10 @@ public:
   const Correspondence& correspondence() const { return correspondence_; }
   /// returns the numbers of the elements of the mesh, and the elements with given numbers.
   const Mesh_adaptor<Mesh>& numbers() const { return number_; }
-  /// returns the surface that the triangulation was built from.
-  const Input& input() const { return *input_; }
-  /// returns the surface that the triangulation was built from, to be shared.
-  const std::shared_ptr<const Input>& shared_input() const { return input_; }
+  /// returns the surface that the triangulation was built from; without correspondence, what defines it.
+  const Kept_input& input() const { return *input_; }
+  /// returns the same, to be shared.
+  const std::shared_ptr<const Kept_input>& shared_input() const { return input_; }
   /// returns what was done to the input.
   const Input_report& report() const { return input_->report(); }
 
@@ -293,10 +296,10 @@ private:
                                     internal::Vertex_places<Intrinsic_triangulation>,
                                     internal::No_vertex_places<Intrinsic_triangulation>>;
 
-  explicit Intrinsic_triangulation(internal::Prepared_input<Metric>&& p)
+  explicit Intrinsic_triangulation(internal::Prepared_input<Metric, Kept_input>&& p)
       : Intrinsic_triangulation(std::move(p.mesh), std::move(p.metric), std::move(p.input)) {}
 
-  std::shared_ptr<const Input> input_;
+  std::shared_ptr<const Kept_input> input_;
   Mesh mesh_;
   Mesh_adaptor<Mesh> number_;
   Metric metric_;
@@ -310,11 +313,11 @@ private:
 
 template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
 Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Intrinsic_input input)
-    : Intrinsic_triangulation(internal::prepare<Metric>(std::move(input), has_correspondence)) {}
+    : Intrinsic_triangulation(internal::prepare<Metric, Kept_input>(std::move(input))) {}
 
 template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
 Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
-                                                          std::shared_ptr<const Input> input)
+                                                          std::shared_ptr<const Kept_input> input)
     : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
       metric_(std::move(metric)), rows_(*this) {
   internal::expect_correspondence<Correspondence, Intrinsic_triangulation>();
@@ -324,14 +327,13 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric
 template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
 Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(
     Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
-    const Integer_coordinates& coordinates) requires internal::Restorable<C>
+    const Integer_coordinates& coordinates) requires internal::Restorable<C, Intrinsic_triangulation>
     : input_(std::move(input)),
       mesh_(mesh_from_gluing_map<Mesh>(std::move(map))),
       number_(mesh_),
       metric_(std::move(metric)),
       rows_(*this) {
-  if constexpr (std::is_base_of_v<Integer_coordinates, C>)
-    correspondence_.restore(*this, coordinates);
+  correspondence_.restore(*this, coordinates);
   places_.restore(*this, coordinates);
 }
 

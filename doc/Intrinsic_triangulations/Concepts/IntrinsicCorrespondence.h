@@ -60,6 +60,9 @@ in the opposite order.
 The C++20 concept asks for all five, so that a triangulation can make every move. If you need only
 one of them, derive from \itc{No_correspondence}, as the example does.
 
+A model may also have `restore(t, coordinates)`, which is called in place of `start(t)` when a triangulation is read from a
+file, with its \itc{Integer_coordinates}; a class that derives from \itc{No_correspondence} inherits one that does nothing.
+
 \cgalHeading{Invariants}
 
 - After `start()` and after every `after()` the model describes the triangulation that it was called with.

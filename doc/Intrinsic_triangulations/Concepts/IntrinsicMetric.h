@@ -77,12 +77,14 @@ public:
   /// constructs an empty metric.
   IntrinsicMetric();
   /*!
-  \brief evaluates the input: the values that `input->metric()` defines for the edges and faces of `input->mesh()`.
-  \param input the surface, which the model may keep, shared
+  \brief evaluates the input.
+  \param mesh the connectivity
+  \param input what defines the values of the edges and faces of `mesh`
   \throws CGAL::Intrinsic_triangulations::Invalid_input naming a face that breaks the triangle
     inequality, or for which `FT` cannot represent the area
   */
-  explicit IntrinsicMetric(std::shared_ptr<const CGAL::Intrinsic_triangulations::Input> input);
+  IntrinsicMetric(const CGAL::Intrinsic_triangulations::Gluing_map& mesh,
+                  const CGAL::Intrinsic_triangulations::Input_metric& input);
 
   /// tells whether the angles opposite the edge sum to at most pi; ties do.
   bool is_locally_delaunay(const CGAL::Intrinsic_triangulations::Diamond& d) const;

@@ -79,8 +79,8 @@ public:
   std::uint32_t input_vertex(vertex_descriptor v) const;
   /// returns the number of vertices, which is that of rows.
   std::uint32_t number_of_vertices() const;
-  /// returns the surface that the triangulation was built from, for the names of its elements.
-  const CGAL::Intrinsic_triangulations::Input& input() const;
+  /// returns what defines the surface that the triangulation was built from, for the names of its elements.
+  const CGAL::Intrinsic_triangulations::Input_definition& input() const;
   /// returns the squared length of an edge, in the units of the input.
   double squared_length(edge_descriptor e) const;
   /// returns the metric.

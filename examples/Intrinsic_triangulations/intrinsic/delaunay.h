@@ -162,7 +162,7 @@ void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& p
                       : " as far as double arithmetic can tell; --arithmetic exact decides them\n");
   Stopwatch watch;
   Output_files files;
-  if constexpr (!std::is_same_v<typename Triangulation::Correspondence, IT::No_correspondence>)
+  if constexpr (Triangulation::has_correspondence)
     if (needs_subdivision(options))
       write_subdivision(loaded, options, json, files, progress, watch);
   if (!options.output.empty() && !is_mesh_output(options)) {

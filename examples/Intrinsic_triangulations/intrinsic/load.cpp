@@ -33,9 +33,9 @@ Surface_choice surface_of(const Options& options) {
       options.polygons == "planar" ? IT::Nonplanar_polygons::planar : IT::Nonplanar_polygons::fan};
 }
 
-std::size_t number_of_polygons(const IT::Input& input) {
+std::size_t number_of_polygons(const IT::Input_definition& input) {
   const std::vector<std::uint32_t>& polygon = input.names().polygon_of_triangle;
-  return polygon.empty() ? input.number_of_faces() : std::size_t{polygon.back()} + 1;
+  return polygon.empty() ? input.metric().number_of_faces() : std::size_t{polygon.back()} + 1;
 }
 
 std::string arithmetic_of(const Options& options) {

@@ -66,7 +66,7 @@ inline bool is_triangulation_file(const std::string& path) {
 }
 
 /// returns the number of faces of the user that an input was made of, as far as it has parts of them.
-std::size_t number_of_polygons(const IT::Input& input);
+std::size_t number_of_polygons(const IT::Input_definition& input);
 
 /// counts the elements of a triangulation before its first move: those of the input, in an order that is fast.
 template <class Triangulation>
@@ -144,7 +144,7 @@ Loaded<Triangulation> load_triangulation(const Options& options, Progress& progr
       {}};
   loaded.seconds.read = watch.lap();
   describe(loaded);
-  const IT::Input& input = loaded.triangulation.input();
+  const auto& input = loaded.triangulation.input();
   loaded.facts.polygons = number_of_polygons(input);
   loaded.facts.triangulated_polygons = loaded.triangulation.report().triangulated_polygons;
   if constexpr (Triangulation::has_correspondence) {

@@ -39,7 +39,7 @@ struct Refinement_progress : IT::Refinement_visitor {
   /// tells whether a face has a side that is too long
   template <class Triangulation>
   bool is_bad(const Triangulation& t, typename Triangulation::face_descriptor f) const {
-    if constexpr (std::is_same_v<typename Triangulation::Correspondence, IT::No_correspondence>)
+    if constexpr (!Triangulation::has_correspondence)
       return false;
     else
       return !sizes.empty() && sizes.longest_side(t, f) > 1;
@@ -158,7 +158,7 @@ void refine(Triangulation& t, const Constrained& constrained, const Options& opt
                       {"small_angle", reasons[1]},
                       {"refused", reasons[2]},
                       {"stopped", reasons[3]}}}};
-  if constexpr (!std::is_same_v<typename Triangulation::Correspondence, IT::No_correspondence>)
+  if constexpr (Triangulation::has_correspondence)
     if (!visitor.sizes.empty()) {
       double longest = 0;
       for (const typename Triangulation::face_descriptor f : faces(t.mesh()))

@@ -147,7 +147,7 @@ double input_area(const Loaded<Triangulation>& loaded) {
              t.input().names().sheets;
     }
   }
-  if (Triangulation::has_correspondence && t.input().has_surface()) { // stored ones were flipped
+  if constexpr (Triangulation::has_correspondence) { // stored ones were flipped
     const IT::Input& input = t.input();
     for (std::uint32_t f = 0; f < input.number_of_faces(); ++f) {
       const std::uint32_t h = input.halfedge_of_face(f);

@@ -54,9 +54,15 @@ CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(Interval_nt<false>);
 CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(Ball<Double_double>);
 CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(Ball<Mpfr_number>);
 CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE
-internal::Prepared_input<Exact_euclidean_metric> internal::prepare(Intrinsic_input&&, bool);
+internal::Prepared_input<Exact_euclidean_metric, Input> internal::prepare(Intrinsic_input&&);
 CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE
-internal::Prepared_input<Euclidean_metric<double>> internal::prepare(Intrinsic_input&&, bool);
+internal::Prepared_input<Exact_euclidean_metric, Input_definition>
+internal::prepare(Intrinsic_input&&);
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE
+internal::Prepared_input<Euclidean_metric<double>, Input> internal::prepare(Intrinsic_input&&);
+CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE
+internal::Prepared_input<Euclidean_metric<double>, Input_definition>
+internal::prepare(Intrinsic_input&&);
 CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class internal::First_copies<
     Integer_coordinates>;
 

@@ -142,11 +142,20 @@ TEST(Input, is_shared_by_copies_and_correspondence_and_never_changes) {
   EXPECT_TRUE(t.input().is_defined_by_metric());
 }
 
+TEST(Input, knows_lengths_and_areas_that_no_metric_gave_it) {
+  const Integer t(meshes::rough_grid(8, 1).input());
+  const IT::Input defined(t.input().mesh(), t.input().metric());
+  for (std::uint32_t e = 0; e < defined.number_of_edges(); ++e)
+    EXPECT_NEAR(defined.squared_length(e), t.input().squared_length(e), 1e-14);
+  for (std::uint32_t f = 0; f < defined.number_of_faces(); ++f)
+    EXPECT_NEAR(defined.quadruple_area(f), t.input().quadruple_area(f), 1e-13);
+}
+
 TEST(Input, keeps_lengths_and_areas_where_a_correspondence_needs_them) {
   const meshes::Mesh m = meshes::box(2, 1, 1);
-  EXPECT_FALSE(Triangulation(m.input()).input().has_surface());
+  EXPECT_EQ(Triangulation(m.input()).input().surface(), nullptr);
   const Integer t(m.input());
-  ASSERT_TRUE(t.input().has_surface());
+  ASSERT_EQ(t.input().surface(), &t.input());
   for (std::uint32_t f = 0; f < t.input().number_of_faces(); ++f) // 4 A, scaled
     EXPECT_EQ(t.input().quadruple_area(f), std::ldexp(2.0, 2 * t.input().scale_exponent()));
 }

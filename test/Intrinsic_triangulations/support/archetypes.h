@@ -39,7 +39,7 @@ struct Metric {
   Metric& operator=(Metric&&) = default;
   Metric(const Metric&) = delete;
   Metric& operator=(const Metric&) = delete;
-  explicit Metric(const std::shared_ptr<const IT::Input>&) {}
+  Metric(const IT::Gluing_map&, const IT::Input_metric&) {}
 
   bool is_locally_delaunay(const IT::Diamond&) const { return true; }
   template <class Expression>

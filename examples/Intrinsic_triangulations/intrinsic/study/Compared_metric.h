@@ -28,10 +28,11 @@ template <class Metric>
 class Compared_metric : public Metric {
 public:
   Compared_metric() = default;
-  explicit Compared_metric(const std::shared_ptr<const IT::Input>& input)
-      : Metric(input),
-        exact_(std::in_place, IT::Gluing_map(input->mesh()), IT::Exact_euclidean_metric(input),
-               input) {}
+  Compared_metric(const IT::Gluing_map& mesh, const IT::Input_metric& input)
+      : Metric(mesh, input), exact_(std::in_place, mesh, IT::Exact_euclidean_metric(mesh, input),
+                                    std::make_shared<const IT::Input_definition>(
+                                        IT::Input_definition::Parts{
+                                            mesh.number_of_vertices(), input, {}, {}, {}})) {}
 
   bool is_locally_delaunay(const IT::Diamond& d) const {
     const bool answer = Metric::is_locally_delaunay(d);

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
+#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -54,66 +55,122 @@ struct Input_report {
   std::size_t reversed_faces = 0;
 };
 
+class Input;
+
+/*!
+\brief is what defines a surface, and what the user calls its elements: all that a triangulation without correspondence keeps
+of its input.
+
+It never changes. Numbers of vertices and faces are those of the triangulation before its first move.
+*/
+class Input_definition {
+public:
+  /// What it is made of.
+  struct Parts {
+    std::uint32_t number_of_vertices = 0; ///< isolated ones included
+    Input_metric metric;                  ///< what defines lengths and areas
+    Input_names names;                    ///< the numbers in the user's mesh
+    Planar_polygons planar_polygons;      ///< the user's faces that became planar polygons
+    Input_report report;                  ///< what was done to the input
+  };
+
+  /// defines the surface without elements.
+  Input_definition() = default;
+  /// takes the parts.
+  explicit Input_definition(Parts parts) : parts_(std::move(parts)) {}
+  /// copies.
+  Input_definition(const Input_definition&) = default;
+  /// moves.
+  Input_definition(Input_definition&&) = default;
+  /// copies.
+  Input_definition& operator=(const Input_definition&) = default;
+  /// moves.
+  Input_definition& operator=(Input_definition&&) = default;
+  /// destructs.
+  virtual ~Input_definition() = default;
+
+  /// returns what defines lengths and areas exactly.
+  const Input_metric& metric() const { return parts_.metric; }
+  /// returns how the user's mesh numbers the vertices, edges and faces.
+  const Input_names& names() const { return parts_.names; }
+  /// returns what was done to the input.
+  const Input_report& report() const { return parts_.report; }
+  /// returns the user's faces that became planar polygons.
+  const Planar_polygons& planar_polygons() const { return parts_.planar_polygons; }
+  /// returns s, where coordinates are scaled by 2^s and squared lengths by 4^s.
+  int scale_exponent() const { return metric().scale_exponent(); }
+  /// returns the number of vertices.
+  std::uint32_t number_of_vertices() const { return parts_.number_of_vertices; }
+  /// returns the number of the user's vertices: fewer on a cover, where vertices are copies of them.
+  std::uint32_t number_of_rows() const { return names().number_of_rows(number_of_vertices()); }
+  /// returns the surface, if its connectivity is kept, too; otherwise null.
+  virtual const Input* surface() const { return nullptr; }
+
+private:
+  Parts parts_;
+};
+
 /*!
 \brief is the surface that an intrinsic triangulation was built from: connectivity, exact metric, the
 user's names of its elements, and what was done to it.
 
-The triangulation owns it, shared with its copies and with all that reads it: metric, correspondence,
+A triangulation with correspondence owns it, shared with its copies and with all that reads it: correspondence,
 queries, certificates and files. It never changes. Numbers of vertices, edges and faces are those of the
 triangulation before its first move; halfedges `2e` and `2e + 1` are the sides of edge `e`.
 
-Connectivity, lengths and areas are kept where a correspondence needs them, see `has_surface()`: to copy them
-costs a triangulation without one as much as its flips.
-
-A triangulation that was read from a file has the input of the one that was written, with its surface if the file
-says how the two lie on each other; if not, names are all that is known.
+To copy connectivity, lengths and areas would cost a triangulation without correspondence as much as its flips: that has
+an `Input_definition`, unless it was read from a file that says how it lies on its input.
 \cgalModels{NumberedComplex}
 */
-class Input {
+class Input final : public Input_definition {
 public:
   /// constructs the empty surface.
   Input() = default;
 
-  /*!
-  \brief takes the parts of the surface.
-  \param mesh the connectivity
-  \param metric what defines lengths and areas
-  \param names the numbers in the user's mesh
-  */
-  Input(Gluing_map mesh, Input_metric metric, Input_names names = {})
-      : mesh_(std::move(mesh)), number_of_vertices_(mesh_.number_of_vertices()),
-        metric_(std::move(metric)), names_(std::move(names)) {}
+  /// takes the parts of the surface. \param mesh the connectivity \param parts all else
+  Input(Gluing_map mesh, Parts parts) : Input_definition(std::move(parts)), mesh_(std::move(mesh)) {}
 
-  /// returns the connectivity. \pre `has_surface()`, for all that asks for edges or faces
+  /// takes the parts of the surface.
+  /// \param mesh the connectivity \param metric what defines lengths and areas \param names the numbers in the user's mesh
+  Input(Gluing_map mesh, Input_metric metric, Input_names names = {})
+      : Input_definition(
+            Parts{mesh.number_of_vertices(), std::move(metric), std::move(names), {}, {}}),
+        mesh_(std::move(mesh)) {}
+
+  /*!
+  \brief takes the parts of the surface, and keeps the lengths and areas that a metric has as doubles.
+  \tparam Metric a model of `IntrinsicMetric`
+  \param mesh the connectivity
+  \param parts all else
+  \param values the metric of the surface
+  */
+  template <class Metric>
+  Input(Gluing_map mesh, Parts parts, const Metric& values) : Input(std::move(mesh), std::move(parts)) {
+    squared_length_.reserve(number_of_edges());
+    quadruple_area_.reserve(number_of_faces());
+    for (std::uint32_t e = 0; e < number_of_edges(); ++e)
+      squared_length_.push_back(values.approximate_squared_length(e));
+    for (std::uint32_t f = 0; f < number_of_faces(); ++f)
+      quadruple_area_.push_back(values.approximate_quadruple_area(f));
+  }
+
+  const Input* surface() const override { return this; }
+  /// returns the connectivity.
   const Gluing_map& mesh() const { return mesh_; }
-  /// returns what defines lengths and areas exactly.
-  const Input_metric& metric() const { return metric_; }
   /// tells whether `metric()` defines the lengths of the faces of `mesh()`, which it does if there are any but those
   /// that users put together. \complexity linear
   bool is_defined_by_metric() const {
-    if (metric_.number_of_faces() != number_of_faces()) return false;
+    if (metric().number_of_faces() != number_of_faces()) return false;
     for (std::uint32_t f = 0; f < number_of_faces(); ++f) {
       std::uint32_t h = halfedge_of_face(f);
-      for (const std::uint32_t name : metric_.sides(f)) {
-        if (name != (metric_.is_embedded() ? source(h) : h / 2)) return false;
+      for (const std::uint32_t name : metric().sides(f)) {
+        if (name != (metric().is_embedded() ? source(h) : h / 2)) return false;
         h = next(h);
       }
     }
     return true;
   }
-  /// returns how the user's mesh numbers the vertices, edges and faces.
-  const Input_names& names() const { return names_; }
-  /// returns what was done to the input.
-  const Input_report& report() const { return report_; }
-  /// returns the user's faces that became planar polygons.
-  const Planar_polygons& planar_polygons() const { return planar_polygons_; }
-  /// returns s, where coordinates are scaled by 2^s and squared lengths by 4^s.
-  int scale_exponent() const { return metric_.scale_exponent(); }
 
-  /// returns the number of vertices.
-  std::uint32_t number_of_vertices() const { return number_of_vertices_; }
-  /// returns the number of the user's vertices: fewer on a cover, where vertices are copies of them.
-  std::uint32_t number_of_rows() const { return names_.number_of_rows(number_of_vertices_); }
   /// returns the number of edges.
   std::uint32_t number_of_edges() const { return mesh_.number_of_edges(); }
   /// returns the number of halfedges.
@@ -126,7 +183,7 @@ public:
   }
   /// returns the other side of the edge of `h`.
   static std::uint32_t opposite(std::uint32_t h) { return h ^ 1U; }
-  /// \cond the functions of `NumberedComplex`; lengths and areas only if `has_surface()`
+  /// \cond the functions of `NumberedComplex`
   std::uint32_t next(std::uint32_t h) const { return mesh_.next({h}).index; }
   bool is_border(std::uint32_t h) const { return face(h) == Gluing::none; }
   std::uint32_t face(std::uint32_t h) const { return mesh_.face({h}).index; }
@@ -139,47 +196,23 @@ public:
   std::uint32_t outgoing_halfedge(std::uint32_t v) const {
     return mesh_.halfedge(Gluing_map::Vertex{v}).index ^ 1U;
   }
-  double squared_length(std::uint32_t e) const { return squared_length_[e]; }
-  double quadruple_area(std::uint32_t f) const { return quadruple_area_[f]; }
-  /// \endcond
-  /// tells whether connectivity, lengths and areas are kept: those of a triangulation with correspondence are.
-  bool has_surface() const { return !squared_length_.empty(); }
-
-  /// \name Construction
-  /// A triangulation that is being built completes its input; afterwards all see it const.
-  /// @{
-
-  /// keeps the lengths and areas that a metric of the surface has, as doubles.
-  /// \tparam Metric a model of `IntrinsicMetric` \complexity linear
-  template <class Metric>
-  void keep_values(const Metric& metric) {
-    squared_length_.clear();
-    quadruple_area_.clear();
-    squared_length_.reserve(number_of_edges());
-    quadruple_area_.reserve(number_of_faces());
-    for (std::uint32_t e = 0; e < number_of_edges(); ++e)
-      squared_length_.push_back(metric.approximate_squared_length(e));
-    for (std::uint32_t f = 0; f < number_of_faces(); ++f)
-      quadruple_area_.push_back(metric.approximate_quadruple_area(f));
+  double squared_length(std::uint32_t e) const {
+    return squared_length_.empty() ? defined_squared_length(e) : squared_length_[e];
   }
-  /// gives the connectivity away.
-  Gluing_map release_mesh() { return std::exchange(mesh_, {}); }
-  /// changes what defines lengths and areas.
-  void set_metric(Input_metric metric) { metric_ = std::move(metric); }
-  /// reports what was done to the input.
-  void set_report(const Input_report& report) { report_ = report; }
-  /// tells which of the user's faces became planar polygons.
-  void set_planar_polygons(Planar_polygons polygons) { planar_polygons_ = std::move(polygons); }
-  /// @}
+  double quadruple_area(std::uint32_t f) const {
+    return quadruple_area_.empty() ? Intrinsic_triangulations::quadruple_area<double>(metric(), f)
+                                   : quadruple_area_[f];
+  }
+  /// \endcond
 
 private:
+  double defined_squared_length(std::uint32_t e) const {
+    const std::uint32_t h = is_border(2 * e) ? 2 * e + 1 : 2 * e, first = halfedge_of_face(face(h));
+    return metric().squared_length<double>(face(h), h == first ? 0 : h == next(first) ? 1 : 2);
+  }
+
   Gluing_map mesh_;
-  std::uint32_t number_of_vertices_ = 0;
-  Input_metric metric_;
-  Input_names names_;
-  Planar_polygons planar_polygons_;
-  Input_report report_;
-  std::vector<double> squared_length_;
+  std::vector<double> squared_length_; // as the metric has them, or none
   std::vector<double> quadruple_area_;
 };
 

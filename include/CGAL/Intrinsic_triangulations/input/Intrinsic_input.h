@@ -22,6 +22,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -153,23 +154,24 @@ struct Intrinsic_input {
 namespace internal {
 
 // What a triangulation starts from.
-template <class Metric>
+// \tparam Kept what it keeps of its input: `Input`, or `Input_definition`
+template <class Metric, class Kept>
 struct Prepared_input {
-  std::shared_ptr<const Input> input;
+  std::shared_ptr<const Kept> input;
   Gluing_map mesh;
   Metric metric;
 };
 
 // What is to be done about degenerate faces: never `automatic` or `nearly_degenerate`.
 template <class Metric>
-Mollification needed_mollification(Mollification asked, const Input& input, const Metric& metric,
-                                   const Input_report& report) {
+Mollification needed_mollification(Mollification asked, const Gluing_map& mesh,
+                                   const Input_definition::Parts& parts, const Metric& metric) {
   if (asked == Mollification::nearly_degenerate)
-    return has_nearly_degenerate_face(input.mesh(), edge_lengths(input.mesh(), input.metric()))
+    return has_nearly_degenerate_face(mesh, edge_lengths(mesh, parts.metric))
                ? Mollification::lengths
                : Mollification::none;
   if (asked != Mollification::automatic) return asked;
-  return report.degenerate_faces > 0 && has_irremovable_degeneracy(input.mesh(), metric)
+  return parts.report.degenerate_faces > 0 && has_irremovable_degeneracy(mesh, metric)
              ? Mollification::squared_lengths
              : Mollification::none;
 }
@@ -187,35 +189,32 @@ std::vector<std::array<double, 3>>
 planar_excess(const Gluing_map& mesh, const std::vector<std::array<double, 3>>& points,
               const Input_names& names, const Planar_polygons& polygons, int scale_exponent);
 
-// Makes every triangle inequality strict; the input's metric is changed. The amount is a part of the mean edge.
-Mollification_report mollify(Input& input, Mollification kind, std::optional<double> amount);
+// Makes every triangle inequality strict: changes the metric. The amount is a part of the mean edge.
+Mollification_report mollify(const Gluing_map& mesh, Input_metric& metric, Mollification kind,
+                             std::optional<double> amount);
 
-// The input in scaled units and in an order that is fast; throws if it has no faces, they do not fit, or an option makes no
-// sense.
-std::shared_ptr<Input> scaled_and_ordered(Intrinsic_input&& in, Input_report& report);
+// The input in scaled units and in an order that is fast, but for its connectivity, which stays in `in`; throws if it has no
+// faces, they do not fit, or an option makes no sense.
+Input_definition::Parts scaled_and_ordered(Intrinsic_input& in);
 
-// \tparam Metric a model of `IntrinsicMetric`
-// \param keep_surface whether the input keeps its surface, for a correspondence
-template <class Metric>
-Prepared_input<Metric> prepare(Intrinsic_input&& in, bool keep_surface) {
-  Input_report report;
-  report.triangulated_polygons = in.triangulated_polygons;
-  report.reversed_faces = in.reversed_faces;
-  const Mollification asked = in.mollification;
-  const std::optional<double> amount = in.mollification_amount;
-  const std::shared_ptr<Input> input = scaled_and_ordered(std::move(in), report);
-  Metric metric(input);
-  for (std::uint32_t f = 0; f < input->number_of_faces(); ++f)
-    if (metric.is_degenerate(f)) ++report.degenerate_faces;
-  const Mollification needed = needed_mollification(asked, *input, metric, report);
+template <class Metric, class Kept>
+Prepared_input<Metric, Kept> prepare(Intrinsic_input&& in) {
+  Input_definition::Parts parts = scaled_and_ordered(in);
+  Gluing_map& mesh = in.mesh;
+  Metric metric(mesh, parts.metric);
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
+    if (metric.is_degenerate(f)) ++parts.report.degenerate_faces;
+  const Mollification needed = needed_mollification(in.mollification, mesh, parts, metric);
   if (needed != Mollification::none) {
-    report.mollification = mollify(*input, needed, amount);
-    metric = Metric(input);
+    parts.report.mollification = mollify(mesh, parts.metric, needed, in.mollification_amount);
+    metric = Metric(mesh, parts.metric);
   }
-  input->set_report(report);
-  if (keep_surface) input->keep_values(metric);
-  Gluing_map mesh = keep_surface ? input->mesh() : input->release_mesh();
-  return {input, std::move(mesh), std::move(metric)};
+  std::shared_ptr<const Kept> input;
+  if constexpr (std::is_same_v<Kept, Input>)
+    input = std::make_shared<const Input>(mesh, std::move(parts), metric);
+  else
+    input = std::make_shared<const Input_definition>(std::move(parts));
+  return {std::move(input), std::move(mesh), std::move(metric)};
 }
 
 } // namespace internal

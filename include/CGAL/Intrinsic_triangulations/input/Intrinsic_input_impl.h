@@ -99,21 +99,21 @@ planar_excess(const Gluing_map& mesh, const std::vector<std::array<double, 3>>& 
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(Input& input, Mollification kind,
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(const Gluing_map& mesh,
+                                                                  Input_metric& metric,
+                                                                  Mollification kind,
                                                                   std::optional<double> amount) {
-  Input_metric metric = input.metric();
   if (amount) { // in scaled units
-    const std::vector<double> lengths = edge_lengths(input.mesh(), metric);
+    const std::vector<double> lengths = edge_lengths(mesh, metric);
     *amount *=
         std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
   }
   double added = amount ? *amount * *amount : default_squared_length_delta();
   if (kind == Mollification::lengths)
-    metric = mollify_lengths(input.mesh(), metric, amount.value_or(1e-5), added);
+    metric = mollify_lengths(mesh, metric, amount.value_or(1e-5), added);
   else
     metric.set_delta(added);
   const int s = metric.scale_exponent() * (kind == Mollification::lengths ? 1 : 2);
-  input.set_metric(std::move(metric));
   return {kind, std::ldexp(added, -s)};
 }
 
@@ -156,32 +156,35 @@ inline void check_mollification_amount(const std::optional<double>& amount) {
                             "; it is a part of the mean edge, above 0 and at most 1");
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::shared_ptr<Input>
-scaled_and_ordered(Intrinsic_input&& in, Input_report& report) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Input_definition::Parts
+scaled_and_ordered(Intrinsic_input& in) {
   check_mollification_amount(in.mollification_amount);
   check_faces(in.mesh);
   check_sizes(in);
   const bool embedded = in.squared_lengths.empty();
   const int scale =
       embedded ? scale_points(in.mesh, in.points) : scale_squared_lengths(in.squared_lengths);
-  Input_names names = std::move(in.names);
+  Input_definition::Parts parts;
+  parts.number_of_vertices = in.mesh.number_of_vertices();
+  parts.names = std::move(in.names);
+  parts.planar_polygons = std::move(in.planar_polygons);
+  parts.report.triangulated_polygons = in.triangulated_polygons;
+  parts.report.reversed_faces = in.reversed_faces;
   if (embedded && in.may_renumber && is_badly_ordered(in.mesh)) {
     Input_names order = renumber(in.mesh, in.points);
-    names.vertices = std::move(order.vertices);
-    names.edges = names.edges.after(order.edges);
-    names.faces = std::move(order.faces);
-    report.renumbered = true;
+    parts.names.vertices = std::move(order.vertices);
+    parts.names.edges = parts.names.edges.after(order.edges);
+    parts.names.faces = std::move(order.faces);
+    parts.report.renumbered = true;
   }
   start_at_single_sides(in.mesh);
-  Input_metric metric =
+  parts.metric =
       embedded ? Input_metric::from_points(in.mesh, std::move(in.points), scale)
                : Input_metric::from_squared_lengths(in.mesh, std::move(in.squared_lengths), scale);
   if (embedded)
-    metric.set_excess(planar_excess(in.mesh, metric.points(), names, in.planar_polygons, scale));
-  const auto input =
-      std::make_shared<Input>(std::move(in.mesh), std::move(metric), std::move(names));
-  input->set_planar_polygons(std::move(in.planar_polygons));
-  return input;
+    parts.metric.set_excess(
+        planar_excess(in.mesh, parts.metric.points(), parts.names, parts.planar_polygons, scale));
+  return parts;
 }
 
 } // namespace internal

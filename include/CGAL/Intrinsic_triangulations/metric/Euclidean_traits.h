@@ -61,11 +61,10 @@ public:
   \throws Invalid_input see `quadruple_area()`
   \complexity linear
   */
-  explicit Euclidean_metric(const std::shared_ptr<const Input>& input)
-      : scale_exponent_(input->scale_exponent()),
-        squared_length_(
-            Intrinsic_triangulations::squared_lengths<FT>(input->metric(), input->mesh())),
-        quadruple_area_(Intrinsic_triangulations::quadruple_areas<FT>(input->metric())) {}
+  Euclidean_metric(const Gluing_map& mesh, const Input_metric& input)
+      : scale_exponent_(input.scale_exponent()),
+        squared_length_(Intrinsic_triangulations::squared_lengths<FT>(input, mesh)),
+        quadruple_area_(Intrinsic_triangulations::quadruple_areas<FT>(input)) {}
 
   /// restores a metric from its stored values.
   Euclidean_metric(int scale_exponent, std::vector<FT> squared_lengths,

@@ -58,12 +58,12 @@ public:
   \throws Invalid_input see `quadruple_area()`
   \complexity linear
   */
-  explicit Exact_euclidean_metric(const std::shared_ptr<const Input>& input)
-      : Enclosed_values(enclose(*input)), scale_exponent_(input->scale_exponent()) {}
+  Exact_euclidean_metric(const Gluing_map& mesh, const Input_metric& input)
+      : Enclosed_values(enclose(mesh, input)), scale_exponent_(input.scale_exponent()) {}
 
   /// restores a metric. \pre the intervals contain the values that the input defines
-  Exact_euclidean_metric(const std::shared_ptr<const Input>& input, Enclosed_values values)
-      : Enclosed_values(std::move(values)), scale_exponent_(input->scale_exponent()) {}
+  Exact_euclidean_metric(int scale_exponent, Enclosed_values values)
+      : Enclosed_values(std::move(values)), scale_exponent_(scale_exponent) {}
 
   /// tells whether the angles opposite the edge sum to at most pi.
   // the call would cost a tenth of the flips where compilers, by chance, do not inline it
@@ -227,7 +227,7 @@ private:
   // in which values are computed, one after the other until they are narrow
   static constexpr std::array<unsigned, 6> precisions{53, 106, 256, 1024, 2048, 4096};
 
-  static Enclosed_values enclose(const Input& input);
+  static Enclosed_values enclose(const Gluing_map& mesh, const Input_metric& input);
 
   static Vertex_move_values<double> approximations(const Vertex_move_values<FT>& values) {
     Vertex_move_values<double> result{};

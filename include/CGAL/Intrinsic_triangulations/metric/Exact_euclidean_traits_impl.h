@@ -25,10 +25,10 @@
 namespace CGAL::Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Enclosed_values
-Exact_euclidean_metric::enclose(const Input& input) {
+Exact_euclidean_metric::enclose(const Gluing_map& mesh, const Input_metric& input) {
   const Scope scope;
-  return {Intrinsic_triangulations::squared_lengths<FT>(input.metric(), input.mesh()),
-          Intrinsic_triangulations::quadruple_areas<FT>(input.metric())};
+  return {Intrinsic_triangulations::squared_lengths<FT>(input, mesh),
+          Intrinsic_triangulations::quadruple_areas<FT>(input)};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

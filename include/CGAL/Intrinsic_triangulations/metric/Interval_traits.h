@@ -53,7 +53,8 @@ public:
   \throws Invalid_input see `quadruple_area()`
   \complexity linear
   */
-  explicit Interval_metric(const std::shared_ptr<const Input>& input) : Base(evaluate(input)) {}
+  Interval_metric(const Gluing_map& mesh, const Input_metric& input)
+      : Base(evaluate(mesh, input)) {}
 
   /// restores a metric from its stored values.
   Interval_metric(int scale_exponent, std::vector<FT> squared_lengths,
@@ -100,9 +101,9 @@ public:
   }
 
 private:
-  static Base evaluate(const std::shared_ptr<const Input>& input) {
+  static Base evaluate(const Gluing_map& mesh, const Input_metric& input) {
     const Scope scope;
-    return Base(input);
+    return Base(mesh, input);
   }
 
   Sign sign_of(const FT& value) const {

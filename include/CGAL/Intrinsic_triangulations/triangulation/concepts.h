@@ -167,7 +167,7 @@ template <class Metric>
 concept IntrinsicMetric = (internal::Decides<Metric> || internal::Decides_by_input<Metric>)&&
     std::default_initializable<Metric> && std::movable<Metric> &&
     std::default_initializable<typename Metric::Scope> &&
-    std::constructible_from<Metric, std::shared_ptr<const Input>> &&
+    std::constructible_from<Metric, const Gluing_map&, const Input_metric&> &&
     requires(Metric& m, const Metric& c, const Diamond& d, std::uint32_t i) {
   typename Metric::FT;
   { Metric::is_exact } -> std::convertible_to<bool>;
@@ -315,7 +315,7 @@ template <class Triangulation>
 concept Has_matrix_rows = requires(const Triangulation& t,
                                    typename Triangulation::vertex_descriptor v) {
   { t.index(v) } -> std::same_as<std::uint32_t>;
-  { t.input() } -> std::same_as<const Input&>;
+  { t.input() } -> std::convertible_to<const Input_definition&>;
   { t.input_vertex(v) } -> std::same_as<std::uint32_t>;
   { t.number_of_vertices() } -> std::same_as<std::uint32_t>;
   { t.numbers().edge_capacity(t.mesh()) } -> std::same_as<std::uint32_t>;

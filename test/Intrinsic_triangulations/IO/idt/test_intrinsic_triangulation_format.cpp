@@ -174,10 +174,10 @@ TEST(Intrinsic_triangulation_format, renumbered_triangulation_keeps_the_way_back
   IT::Intrinsic_input input = terrain(3, false);
   const IT::Input_names names = IT::renumber(input.mesh, input.points);
   const Double built(input);
-  IT::Input_report report;
-  report.renumbered = true;
-  auto renumbered = std::make_shared<IT::Input>(input.mesh, built.input().metric(), names);
-  renumbered->set_report(report);
+  IT::Input_definition::Parts parts{
+      input.mesh.number_of_vertices(), built.input().metric(), names, {}, {}};
+  parts.report.renumbered = true;
+  const auto renumbered = std::make_shared<const IT::Input>(input.mesh, std::move(parts));
   const Double t(input.mesh, built.metric(), renumbered);
   const Double back = from_text<Double>(text(t));
   EXPECT_TRUE(back.report().renumbered);

@@ -302,7 +302,7 @@ void expect_constrained_edges_without_correspondence(const Surface_mesh& mesh) {
     if (is_sharp[e]) expected.insert(ends(source(e, mesh).idx(), target(e, mesh).idx()));
   }
   const Triangulation<IT::No_correspondence> t(mesh);
-  ASSERT_FALSE(t.input().has_surface());
+  ASSERT_EQ(t.input().surface(), nullptr);
   const auto constrained =
       IT::constrained_input_edges(t, mesh, boost::make_assoc_property_map(is_sharp));
   for (const auto e : edges(t.mesh()))

@@ -34,7 +34,7 @@ public:
 
   // \tparam Metric of the triangulation, which gives the surface its lengths and areas
   template <class Metric>
-  std::shared_ptr<const Input> run() {
+  std::shared_ptr<const Input_definition> run() {
     int scale_exponent = 0;
     in_.line("scale", [&] {
       scale_exponent = in_.integer<int>("exponent");
@@ -46,18 +46,20 @@ public:
     read_vertices();
     read_edges();
     read_faces();
-    Input_metric defined = metric(scale_exponent);
-    Input_names names = read_names();
-    Planar_polygons polygons = read_planar_polygons(names);
-    if (!polygons.empty())
-      defined.set_excess(
-          planar_excess(connectivity_.mesh, defined.points(), names, polygons, scale_exponent));
-    auto input = std::make_shared<Input>(std::move(connectivity_.mesh), std::move(defined),
-                                         std::move(names));
-    input->set_planar_polygons(std::move(polygons));
-    input->set_report(report_);
-    if (has_surface()) keep_values<Metric>(input);
-    return input;
+    Gluing_map& mesh = connectivity_.mesh;
+    Input_definition::Parts parts{mesh.number_of_vertices(), metric(scale_exponent), read_names(),
+                                  {}, report_};
+    if (!has_surface()) return std::make_shared<const Input_definition>(std::move(parts));
+    parts.planar_polygons = read_planar_polygons(parts.names);
+    if (!parts.planar_polygons.empty())
+      parts.metric.set_excess(planar_excess(mesh, parts.metric.points(), parts.names,
+                                            parts.planar_polygons, scale_exponent));
+    try {
+      const Metric values(mesh, parts.metric);
+      return std::make_shared<const Input>(std::move(mesh), std::move(parts), values);
+    } catch (const Invalid_input& e) {
+      in_.fail(e.what());
+    }
   }
 
 private:
@@ -151,16 +153,6 @@ private:
             : Input_metric::from_squared_lengths(mesh, std::move(squared_lengths_), scale_exponent);
     result.set_delta(delta_);
     return result;
-  }
-
-  template <class Metric>
-  void keep_values(const std::shared_ptr<Input>& input) const {
-    try {
-      const Metric metric{std::shared_ptr<const Input>(input)};
-      input->keep_values(metric);
-    } catch (const Invalid_input& e) {
-      in_.fail(e.what());
-    }
   }
 
   Input_names read_names() {

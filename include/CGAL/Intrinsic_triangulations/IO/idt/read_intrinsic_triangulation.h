@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
@@ -63,21 +63,25 @@ public:
   explicit Intrinsic_triangulation_reader(Text_reader& in) : in_(in), connectivity_(in) {}
 
   Triangulation run() {
-    const std::shared_ptr<const Input> input = Input_reader(in_).run<Metric>();
+    const std::shared_ptr<const Input_definition> input = Input_reader(in_).run<Metric>();
     check_input(*input);
-    if (input->has_surface()) coordinates_.emplace(in_, input);
+    if (input->surface() != nullptr)
+      coordinates_.emplace(in_, std::shared_ptr<const Input>(input, input->surface()));
     read_vertices(input->number_of_vertices());
     connectivity_.start_faces("faces", read_edges());
     read_faces();
     connectivity_.read_border("border");
-    if (coordinates_) return on_surface(input);
+    if (coordinates_) return on_surface(std::shared_ptr<const Input>(input, input->surface()));
     in_.line("end", [] {});
-    return Triangulation(std::move(connectivity_.mesh), metric(input), input);
+    if constexpr (Triangulation::has_correspondence)
+      in_.fail("nothing is known of the input"); // check_input() has refused it
+    else
+      return Triangulation(std::move(connectivity_.mesh), metric(input->scale_exponent()), input);
   }
 
 private:
-  void check_input(const Input& input) const {
-    if (input.has_surface()) return;
+  void check_input(const Input_definition& input) const {
+    if (input.surface() != nullptr) return;
     if (Metric::is_exact) in_.fail("exact values need the input that defines them");
     if (Triangulation::has_correspondence)
       in_.refuse("how the triangulation lies on its input is not stored; start from the mesh, or "
@@ -89,7 +93,7 @@ private:
     in_.line("end", [] {});
     const Numbered_mesh numbered(connectivity_.mesh);
     check_curves(in_, numbered, coordinates);
-    Metric values = metric(input);
+    Metric values = metric(input->scale_exponent());
     if constexpr (Metric::is_exact) Value_check(in_, numbered, coordinates).run(values);
     return Triangulation(std::move(connectivity_.mesh), std::move(values), input, coordinates);
   }
@@ -141,12 +145,13 @@ private:
     }
   }
 
-  Metric metric(const std::shared_ptr<const Input>& input) {
+  Metric metric(int scale_exponent) {
     if constexpr (Metric::is_exact)
-      return Metric(input, Enclosed_values(std::move(squared_lengths_), std::move(areas_),
-                                           std::move(near_lengths_), std::move(near_areas_)));
+      return Metric(scale_exponent,
+                    Enclosed_values(std::move(squared_lengths_), std::move(areas_),
+                                    std::move(near_lengths_), std::move(near_areas_)));
     else
-      return Metric(input->scale_exponent(), std::move(squared_lengths_), std::move(areas_));
+      return Metric(scale_exponent, std::move(squared_lengths_), std::move(areas_));
   }
 
   Text_reader& in_;
@@ -196,9 +201,8 @@ Triangulation read_intrinsic_triangulation(std::istream& in, const std::string& 
   constexpr std::string_view arithmetic = internal::arithmetic_name<typename Triangulation::Metric>;
   static_assert(!arithmetic.empty(),
                 "the file format holds exact traits and Euclidean_traits<double>");
-  using Correspondence = typename Triangulation::Correspondence;
-  constexpr bool is_readable = std::is_same_v<Correspondence, No_correspondence> ||
-                               std::is_base_of_v<Integer_coordinates, Correspondence>;
+  constexpr bool is_readable =
+      internal::Restorable<typename Triangulation::Correspondence, Triangulation>;
   static_assert(is_readable, "files hold integer coordinates, from which signposts are not made; "
                              "read with Integer_coordinates");
   internal::Text_reader text(in, name);

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -34,7 +35,6 @@ namespace internal {
 template <class Triangulation>
 class Intrinsic_triangulation_writer {
   using Metric = typename Triangulation::Metric;
-  using Correspondence = typename Triangulation::Correspondence;
 
 public:
   Intrinsic_triangulation_writer(std::ostream& out, const Triangulation& t)
@@ -70,8 +70,9 @@ private:
       coordinates_ = t_.places_.coordinates(t_);
       if (coordinates_ == nullptr)
         throw std::length_error("an edge crosses more input edges than a file can count");
-    } else if constexpr (std::is_base_of_v<Integer_coordinates, Correspondence>) {
-      if (t_.input().is_defined_by_metric()) coordinates_ = &t_.correspondence();
+    } else if constexpr (Triangulation::has_correspondence) {
+      if (t_.input().is_defined_by_metric())
+        coordinates_ = integer_coordinates_of(t_.correspondence());
     }
   }
 

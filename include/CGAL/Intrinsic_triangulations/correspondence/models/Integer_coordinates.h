@@ -90,6 +90,8 @@ public:
     *this = std::move(coordinates);
   }
 
+  /// returns itself: the triangulation need not make coordinates of its own where it needs some.
+  const Integer_coordinates& integer_coordinates() const { return *this; }
   /// returns the input.
   const Input& input() const { return *input_; }
   /// returns the curves at the vertices.

@@ -17,6 +17,9 @@ struct No_correspondence {
   /// observes a triangulation before its first move.
   template <class Triangulation>
   void start(const Triangulation&) {}
+  /// observes a triangulation that is restored, and how it lies on its input.
+  template <class Triangulation, class Coordinates>
+  void restore(const Triangulation&, const Coordinates&) {}
   /// is asked before a move. \return true
   template <class Triangulation, class Move>
   bool before(const Triangulation&, const Move&) {

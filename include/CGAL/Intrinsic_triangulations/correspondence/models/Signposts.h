@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/locate_by_signposts.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signpost_queries.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
@@ -79,6 +79,12 @@ public:
   /// returns the direction of an intrinsic halfedge at its source: a cone angle at a vertex of the
   /// input, an angle in the frame of the location at an inserted vertex.
   double angle(std::uint32_t h) const { return signpost_[h].angle; }
+
+  /// answers queries about the triangulation by tracing geodesics, see `Curve_queries`.
+  template <class Triangulation>
+  auto queries(const Triangulation& t) const {
+    return internal::Signpost_queries<Triangulation, Signposts>(t, *this);
+  }
 
   /// returns the end of a traced geodesic that ends at a vertex.
   Geodesic_target target(std::uint32_t vertex) const {

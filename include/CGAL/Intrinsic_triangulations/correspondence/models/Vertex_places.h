@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
@@ -26,10 +25,21 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What integer coordinates restore.
+// Integer coordinates restore it.
+template <class Correspondence, class Triangulation>
+concept Restorable = requires(Correspondence& c, const Triangulation& t,
+                              const Integer_coordinates& coordinates) {
+  c.restore(t, coordinates);
+};
+
+// The integer coordinates that a correspondence has; null: it has none.
 template <class Correspondence>
-concept Restorable = std::is_same_v<Correspondence, No_correspondence> ||
-    std::is_base_of_v<Integer_coordinates, Correspondence>;
+const Integer_coordinates* integer_coordinates_of(const Correspondence& c) {
+  if constexpr (requires { c.integer_coordinates(); })
+    return &c.integer_coordinates();
+  else
+    return nullptr;
+}
 
 // Knows where the vertices and edges of a triangulation are on the input, for a metric that is exact: by the
 // correspondence, if that has integer coordinates on the input, else by coordinates of its own. These are made from
@@ -37,8 +47,6 @@ concept Restorable = std::is_same_v<Correspondence, No_correspondence> ||
 // they alone define the vertices, and there is no list.
 template <class Triangulation>
 class Vertex_places {
-  using Correspondence = typename Triangulation::Correspondence;
-
 public:
   // takes the coordinates of a triangulation that is restored, which its correspondence has too if it can
   void restore(const Triangulation& t, const Integer_coordinates& coordinates) {
@@ -60,15 +68,14 @@ public:
 
   // the coordinates; null if an edge crosses more input edges than they can count
   const Integer_coordinates* coordinates(const Triangulation& t) const {
-    if constexpr (std::derived_from<Correspondence, Integer_coordinates>)
-      if (is_shared(t)) return &t.correspondence();
+    if (is_shared(t)) return integer_coordinates_of(t.correspondence());
     if (!own_ && can_count_) start(t);
     return own_ ? &*own_ : nullptr;
   }
 
   // the same, if they are about the input of the triangulation and that has its surface
   const Integer_coordinates* on_input(const Triangulation& t) const {
-    return t.input().has_surface() && is_defined_by_metric(t) ? coordinates(t) : nullptr;
+    return is_defined_by_metric(t) ? coordinates(t) : nullptr;
   }
 
   // the values at the vertex whose insertion was announced last
@@ -111,12 +118,15 @@ private:
     const std::shared_ptr<const Input>& shared_input() const { return input; }
   };
 
+  // whether the surface of the input is known, and is what the metric defines
   bool is_defined_by_metric(const Triangulation& t) const {
-    if (!is_defined_by_metric_) is_defined_by_metric_ = t.input().is_defined_by_metric();
+    const Input* const surface = t.input().surface();
+    if (!is_defined_by_metric_)
+      is_defined_by_metric_ = surface != nullptr && surface->is_defined_by_metric();
     return *is_defined_by_metric_; // linear: not to be found at every insertion
   }
   bool is_shared(const Triangulation& t) const {
-    return std::derived_from<Correspondence, Integer_coordinates> && is_defined_by_metric(t);
+    return integer_coordinates_of(t.correspondence()) != nullptr && is_defined_by_metric(t);
   }
 
   void start(const Triangulation& t) const;
@@ -132,10 +142,10 @@ private:
 template <class Triangulation>
 void Vertex_places<Triangulation>::start(const Triangulation& t) const {
   Gluing_map mesh = flips_.undone(connectivity(t), t.input());
-  const bool is_kept = t.input().has_surface() && is_defined_by_metric(t);
   own_.emplace();
-  own_->start(Started{is_kept ? t.shared_input()
-                              : std::make_shared<Input>(mesh, t.input().metric(), t.input().names())});
+  own_->start(Started{is_defined_by_metric(t)
+                          ? std::shared_ptr<const Input>(t.shared_input(), t.input().surface())
+                          : std::make_shared<const Input>(mesh, t.input().metric(), t.input().names())});
   const Mesh_adaptor<Gluing_map> numbers(mesh);
   for (std::size_t n = 0; n < flips_.size(); ++n) {
     const Flip move = flip_record(flips_[n], mesh, numbers);
@@ -153,10 +163,7 @@ void Vertex_places<Triangulation>::start(const Triangulation& t) const {
 template <class Triangulation>
 struct No_vertex_places {
   static const Integer_coordinates* on_input(const Triangulation& t) {
-    if constexpr (std::derived_from<typename Triangulation::Correspondence, Integer_coordinates>)
-      return &t.correspondence();
-    else
-      return nullptr;
+    return integer_coordinates_of(t.correspondence());
   }
   bool define(const Triangulation&) { return true; }
   void restore(const Triangulation&, const Integer_coordinates&) {}

@@ -25,14 +25,15 @@ template <class Triangulation>
 using Correspondence_of =
     std::remove_cvref_t<decltype(std::declval<const Triangulation&>().correspondence())>;
 
-// The correspondence is by curves: integer coordinates, explicit crossings. If not, it is by directions.
+// The correspondence is by curves: integer coordinates, explicit crossings.
 template <class Triangulation>
 concept Has_curves = CurveCoordinates<Correspondence_of<Triangulation>>;
 
-template <class Correspondence>
-concept Has_directions = requires(const Correspondence& c, std::uint32_t h, double turn) {
-  { c.input() } -> std::same_as<const Input&>;
-  c.walk(h, turn);
+// The correspondence answers queries itself, see `Curve_queries`.
+template <class Triangulation>
+concept Has_queries = requires(const Triangulation& t) {
+  { t.correspondence().input() } -> std::same_as<const Input&>;
+  t.correspondence().queries(t);
 };
 
 } // namespace internal
@@ -49,8 +50,7 @@ concept CorrespondingTriangulation = NumberedTriangulation<Triangulation> &&
   { Triangulation::Metric::is_exact } -> std::convertible_to<bool>;
   { t.sign(faces, Long_side_expression()) } -> std::same_as<Sign>;
   t.sharpen(faces);
-  requires internal::Has_curves<Triangulation> ||
-      internal::Has_directions<internal::Correspondence_of<Triangulation>>;
+  requires internal::Has_curves<Triangulation> || internal::Has_queries<Triangulation>;
 };
 
 namespace internal {

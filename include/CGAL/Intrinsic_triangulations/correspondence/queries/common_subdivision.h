@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_COMMON_SUBDIVISION_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/extract_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
@@ -25,12 +25,7 @@ does to the locations of the crossings.
 */
 template <internal::Queried_triangulation Triangulation>
 Common_subdivision common_subdivision(const Triangulation& t) {
-  const auto& c = t.correspondence();
-  if constexpr (internal::Has_curves<Triangulation>)
-    return internal::extract_subdivision(t, c);
-  else
-    return internal::extract_subdivision(
-        t, integer_coordinates(t, c)); // found by argument-dependent lookup
+  return internal::extract_subdivision(t, internal::queries(t).curves());
 }
 
 /// \cond

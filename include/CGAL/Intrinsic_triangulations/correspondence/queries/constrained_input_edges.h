@@ -5,8 +5,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_CONSTRAINED_INPUT_EDGES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -14,10 +17,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// The edge of the input that the user calls by a number.
+inline std::uint32_t edge_of_name(const Input_definition& input, std::uint32_t name) {
+  const std::uint32_t here = input.names().edges.here(name);
+  if (here == Gluing::none)
+    throw Invalid_input(Element_kind::edge, name,
+                        "edge " + std::to_string(name) +
+                            " is not one of those that the triangulation was built from");
+  return here;
+}
+
+} // namespace internal
 
 /*!
 \brief is a writable property map from the edges of an intrinsic triangulation to marks; copies share their values,
@@ -65,16 +83,10 @@ template <NumberedTriangulation Triangulation>
 Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t,
                                                     const std::vector<char>& is_constrained) {
   const auto along = [&](const auto& e) -> std::uint32_t {
-    if constexpr (!requires { t.correspondence().input(); })
+    if constexpr (requires { t.correspondence().input(); })
+      return internal::queries(t).input_edge_along(t.index(e));
+    else
       return t.index(e);
-    else if constexpr (internal::Has_curves<Triangulation>) {
-      const auto& c = t.correspondence();
-      if (c.normal_coordinate(t.index(e)) >= 0) return Gluing::none;
-      return c.fans().halfedge(c.roundabout(2 * t.index(e))) / 2;
-    } else {
-      const std::uint32_t h = trace_edge(t, e).along;
-      return h == Gluing::none ? h : h / 2;
-    }
   };
   Marked_edges<Triangulation> result(t);
   for (const auto e : edges(t.mesh())) {
@@ -99,16 +111,19 @@ To be passed as named parameter `edge_is_constrained_map`. Edges that refinement
 template <NumberedTriangulation Triangulation, class Mesh, class EdgeIsConstrained>
 Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t, const Mesh& mesh,
                                                     EdgeIsConstrained map) {
-  const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
-  const auto on_input = [&](const auto& e) -> std::uint32_t {
-    if constexpr (requires { t.correspondence().input(); })
-      return named.halfedge_on_input(halfedge(e, mesh)) / 2;
-    else // the input keeps names, no surface
-      return named.edge_on_input(e);
-  };
   std::vector<char> is_constrained(t.numbers().edge_capacity(t.mesh()), 0);
-  for (const auto e : edges(mesh))
-    if (get(map, e)) is_constrained[on_input(e)] = 1;
+  if constexpr (requires { t.correspondence().input(); }) {
+    const internal::Named_mesh_elements<Mesh> named(t.correspondence().input(), mesh);
+    for (const auto e : edges(mesh))
+      if (get(map, e)) is_constrained[named.halfedge_on_input(halfedge(e, mesh)) / 2] = 1;
+  } else { // names are all that is known of the edges of the input
+    const Mesh_adaptor<Mesh> number(mesh);
+    internal::check_is_mesh_of(t.input(), number.vertex_capacity(mesh));
+    for (const auto e : edges(mesh))
+      if (get(map, e))
+        is_constrained[internal::edge_of_name(t.input(), number.halfedge(halfedge(e, mesh)) / 2)] =
+            1;
+  }
   return constrained_input_edges(t, is_constrained);
 }
 

@@ -4,10 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/locate_by_signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -21,32 +19,6 @@ Points taken from one triangulation to the other, by whatever correspondence the
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace internal {
-
-template <class Triangulation>
-std::optional<Mapped_point> map_to_input(const Triangulation& t, const Surface_point& p) {
-  if constexpr (Has_curves<Triangulation>) {
-    const auto& coordinates = t.correspondence();
-    Unfolded_face<double> face;
-    face.unfold(Intrinsic_view<Triangulation>(t), coordinates, p.halfedge,
-                approximate_values(coordinates.input()));
-    return face.locate(p.weights);
-  } else {
-    return find_on_input(t, t.correspondence(), p);
-  }
-}
-
-template <class Triangulation>
-std::optional<Mapped_point> map_to_intrinsic(const Triangulation& t, const Surface_point& p) {
-  if constexpr (Has_curves<Triangulation>)
-    return Intrinsic_locator<Triangulation, Correspondence_of<Triangulation>>(t, t.correspondence())
-        .locate(p);
-  else
-    return find_on_intrinsic(t, t.correspondence(), p);
-}
-
-} // namespace internal
-
 /*!
 \brief finds the point of the input at a point of the intrinsic triangulation.
 \tparam Triangulation a model of `CorrespondingTriangulation`
@@ -57,7 +29,7 @@ std::optional<Mapped_point> map_to_intrinsic(const Triangulation& t, const Surfa
 */
 template <internal::Queried_triangulation Triangulation>
 std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surface_point& p) {
-  const std::optional<Mapped_point> q = internal::map_to_input(t, p);
+  const std::optional<Mapped_point> q = internal::queries(t).on_input(p);
   return q ? std::optional(q->point) : std::nullopt;
 }
 
@@ -72,7 +44,7 @@ std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surfa
 */
 template <internal::Queried_triangulation Triangulation>
 std::optional<Surface_point> locate_on_intrinsic(const Triangulation& t, const Surface_point& p) {
-  const std::optional<Mapped_point> q = internal::map_to_intrinsic(t, p);
+  const std::optional<Mapped_point> q = internal::queries(t).on_intrinsic(p);
   return q ? std::optional(q->point) : std::nullopt;
 }
 

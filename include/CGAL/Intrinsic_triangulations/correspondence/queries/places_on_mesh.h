@@ -48,7 +48,7 @@ using Face_location =
 namespace internal {
 
 // `vertices`: number of vertices of the mesh, removed ones included
-inline void check_is_mesh_of(const Input& input, std::uint32_t vertices) {
+inline void check_is_mesh_of(const Input_definition& input, std::uint32_t vertices) {
   if (vertices != input.number_of_vertices())
     throw Invalid_input(
         Element_kind::none, 0,
@@ -90,17 +90,6 @@ public:
         return h;
     throw Invalid_input(Element_kind::face, number_.face(face(u, mesh_)),
                         "the mesh has been changed since the triangulation was built from it");
-  }
-
-  // The edge of the input at the user's edge, by names alone.
-  std::uint32_t edge_on_input(typename Traits::edge_descriptor e) const {
-    const std::uint32_t name = number_.halfedge(halfedge(e, mesh_)) / 2;
-    const std::uint32_t here = input_.names().edges.here(name);
-    if (here == Gluing::none)
-      throw Invalid_input(Element_kind::edge, name,
-                          "edge " + std::to_string(name) +
-                              " is not one of those that the triangulation was built from");
-    return here;
   }
 
   // The halfedge of the input at the user's halfedge.
@@ -162,11 +151,11 @@ private:
 // The input of a triangulation, if it has kept its surface.
 template <class Triangulation>
 const Input& kept_input(const Triangulation& t) {
-  if (!t.input().has_surface())
+  if (t.input().surface() == nullptr)
     throw Invalid_input(Element_kind::none, 0,
                         "a triangulation without correspondence does not keep the faces of its "
                         "input; use Integer_coordinates as its third argument");
-  return t.input();
+  return *t.input().surface();
 }
 
 } // namespace internal

@@ -5,9 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TANGENT_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/trace_by_curves.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -42,28 +41,6 @@ inline unsigned corner_of(const Surface_point& p) {
   for (unsigned k = 0; k < 3; ++k)
     if (p.weights[(k + 1) % 3] == 0 && p.weights[(k + 2) % 3] == 0) return k;
   return 3;
-}
-
-template <class Triangulation>
-auto walk_on_input(const Triangulation& t, std::uint32_t h, double turn) {
-  if constexpr (Has_curves<Triangulation>)
-    return walk_by_curves(t, t.correspondence(), h, turn);
-  else
-    return t.correspondence().walk(h, turn);
-}
-
-template <class Triangulation>
-std::optional<Geodesic_walk<Intrinsic_view<Triangulation>>>
-walk_on_intrinsic(const Intrinsic_view<Triangulation>& view, const Triangulation& t,
-                  std::uint32_t x, double turn) {
-  using Walk = Geodesic_walk<Intrinsic_view<Triangulation>>;
-  if constexpr (Has_curves<Triangulation>) {
-    const auto d = direction_on_intrinsic(t, t.correspondence(), x);
-    if (!d) return std::nullopt;
-    return Walk(view, Corner_direction{d->halfedge, d->angle + turn});
-  } else {
-    return Walk(view, t.correspondence().intrinsic_direction(view, x, turn));
-  }
 }
 
 // The vector where a walk starts in the direction that it goes.
@@ -110,12 +87,11 @@ the border is given in the frame of a face beside it.
 */
 template <internal::Queried_triangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tangent_vector& v) {
+  const auto queries = internal::queries(t);
   return internal::take_tangent(
       Intrinsic_view<Triangulation>(t), v,
-      [&](const Surface_point& p) { return internal::map_to_input(t, p); },
-      [&](std::uint32_t h, double turn) {
-        return std::optional(internal::walk_on_input(t, h, turn));
-      });
+      [&](const Surface_point& p) { return queries.on_input(p); },
+      [&](std::uint32_t h, double turn) { return std::optional(queries.walk_on_input(h, turn)); });
 }
 
 /*!
@@ -131,11 +107,15 @@ See `tangent_to_input()`.
 template <internal::Queried_triangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_intrinsic(const Triangulation& t,
                                                    const Tangent_vector& v) {
+  using Walk = Geodesic_walk<Intrinsic_view<Triangulation>>;
   const Intrinsic_view<Triangulation> view(t);
+  const auto queries = internal::queries(t);
   return internal::take_tangent(
-      t.correspondence().input(), v,
-      [&](const Surface_point& p) { return internal::map_to_intrinsic(t, p); },
-      [&](std::uint32_t h, double turn) { return internal::walk_on_intrinsic(view, t, h, turn); });
+      t.correspondence().input(), v, [&](const Surface_point& p) { return queries.on_intrinsic(p); },
+      [&](std::uint32_t h, double turn) {
+        const auto direction = queries.direction_on_intrinsic(h, turn);
+        return direction ? std::optional(Walk(view, *direction)) : std::nullopt;
+      });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

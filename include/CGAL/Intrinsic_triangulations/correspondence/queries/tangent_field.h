@@ -120,7 +120,7 @@ private:
   // the unit vector along the real axis of an intrinsic vertex
   Tangent_vector axis_on_input(Vertex v) const {
     const std::uint32_t h = Intrinsic_view<Triangulation>(t_).outgoing_halfedge(t_.index(v));
-    return at_start(walk_on_input(t_, h, 0), 1);
+    return at_start(queries(t_).walk_on_input(h, 0), 1);
   }
 
   const Triangulation& t_;

@@ -5,10 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TRACE_EDGE_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/trace_by_curves.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
@@ -35,10 +33,7 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <internal::Queried_triangulation Triangulation>
 Edge_path trace_edge(const Triangulation& t, typename Triangulation::edge_descriptor e) {
-  if constexpr (internal::Has_curves<Triangulation>)
-    return internal::trace_edge_by_curves(t, t.correspondence(), t.index(e));
-  else
-    return internal::trace_edge_by_signposts(t, t.correspondence(), t.index(e));
+  return internal::queries(t).path_on_input(t.index(e));
 }
 
 /*!
@@ -52,10 +47,7 @@ Edge_path trace_edge(const Triangulation& t, typename Triangulation::edge_descri
 */
 template <internal::Queried_triangulation Triangulation>
 Edge_path trace_input_edge(const Triangulation& t, std::uint32_t x) {
-  if constexpr (internal::Has_curves<Triangulation>)
-    return internal::trace_input_edge_by_curves(t, t.correspondence(), x);
-  else
-    return internal::trace_input_edge_by_signposts(t, t.correspondence(), x);
+  return internal::queries(t).path_on_intrinsic(x);
 }
 
 /*!

@@ -49,7 +49,7 @@ public:
   \param input the surface, which knows the sides of its faces
   \complexity linear in the number of flips and of elements
   */
-  Gluing_map undone(Gluing_map mesh, const Input& input) const {
+  Gluing_map undone(Gluing_map mesh, const Input_definition& input) const {
     for (std::size_t n = size(); n-- > 0;) flip_edge_back((*this)[n], mesh);
     for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
       mesh.set_halfedge(Gluing_map::Face{f}, first_side(mesh, {f}, input));
@@ -58,11 +58,10 @@ public:
   }
 
 private:
-  // The side that the metric names first. A triangulation without correspondence has got the connectivity of its input, but the
-  // names are left.
+  // The side that the metric names first, where the connectivity of the input is not kept.
   static Gluing_map::Halfedge first_side(const Gluing_map& mesh, Gluing_map::Face f,
-                                         const Input& input) {
-    if (input.number_of_faces() > 0) return {input.halfedge_of_face(f.index)};
+                                         const Input_definition& input) {
+    if (input.surface() != nullptr) return {input.surface()->halfedge_of_face(f.index)};
     const Input_metric& metric = input.metric();
     const auto name = [&](Gluing_map::Halfedge h) {
       return metric.is_embedded() ? mesh.source(h).index : h.index / 2;

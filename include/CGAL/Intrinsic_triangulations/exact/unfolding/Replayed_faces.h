@@ -37,7 +37,7 @@ public:
   \param faces the faces, each from a side on
   \complexity linear in the number of flips and of elements
   */
-  Replayed_faces(const Input& input, const Gluing_map& mesh, const Flip_list& flips,
+  Replayed_faces(const Input_definition& input, const Gluing_map& mesh, const Flip_list& flips,
                  std::vector<Indexed_face> faces)
       : faces_(std::move(faces)) {
     Gluing_map before = mesh;

@@ -5,10 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_COVERS_RESTORE_INPUT_EDGES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edge.h>
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -30,14 +29,14 @@ were inserted on them.
 
 Other edges may not be Delaunay afterwards. With constraints on those that were restored (`constrained_input_edges()`),
 `flip_to_delaunay()` makes the constrained Delaunay triangulation, as if no flip had come before.
-\tparam Triangulation an `Intrinsic_triangulation` with `Integer_coordinates`
+\tparam Triangulation an `Intrinsic_triangulation` with a model of `CurveCoordinates` as correspondence
 \param t the triangulation
 \param is_wanted nonzero for each edge to be restored, by its number in `t.input()`; the others are as they may
 \return what was done; an edge that crosses a face more than once may stay away
 \complexity quadratic in the number of edges that cross an edge
 */
 template <class Triangulation>
-  requires std::derived_from<typename Triangulation::Correspondence, Integer_coordinates>
+  requires CurveCoordinates<typename Triangulation::Correspondence>
       Restored_edges restore_input_edges(Triangulation& t, const std::vector<char>& is_wanted) {
     Restored_edges result;
     typename Triangulation::Session session(t);
