@@ -5,25 +5,16 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup_impl.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_impl.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map_impl.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input_impl.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing_impl.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/orientation_impl.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans_impl.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision_impl.h>
-#include <CGAL/Intrinsic_triangulations/domains/Delaunay_star_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud_impl.h>
-#include <CGAL/Intrinsic_triangulations/domains/sort_around_edge_impl.h>
-#include <CGAL/Intrinsic_triangulations/domains/triangulate_polygons_impl.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Path_record_impl.h>
-#include <CGAL/Intrinsic_triangulations/input/Element_names_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_flattener_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator_impl.h>
-#include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality_impl.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments_impl.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue_impl.h>
 

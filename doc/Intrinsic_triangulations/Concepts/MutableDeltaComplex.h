@@ -52,13 +52,12 @@ The functions of the concepts that it refines, found by argument-dependent looku
 | `insert_vertex()` | `add_vertex`, `add_edge`, `add_face`, `prev` at the border, all setters |
 | `remove_vertex()` | `remove_vertex`, `remove_edge`, `remove_face`, `prev` at the border, all setters |
 | \itf{flip_to_delaunay} | `edges`, `halfedge(e)`, `edge(h)`, `next`, `opposite` |
-| \itf{delta_complex_defect} | also `prev`, unless the mesh is a `Gluing_map` |
 
 A mesh that is only *input*, to be copied, need not be a model: see \ref meshes.
 
 \cgalHeading{Invariants}
 
-\itf{delta_complex_defect} checks that
+The checker of the tests, `delta_complex_defect()`, finds out whether
 - `opposite()` is an involution without fixed point, and `edge()` the same for both halfedges;
 - `next()` applied three times in a face is the identity; `face()` is constant around a face;
 - `source(next(h)) == target(h)`; the two sides of an edge have the same end vertices;

@@ -5,10 +5,10 @@
 
 #include "gallery.h"
 #include "mesh_types.h"
+#include "validity.h"
 
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/validity.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 

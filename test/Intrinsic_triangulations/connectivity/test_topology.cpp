@@ -5,9 +5,9 @@
 
 #include "gallery.h"
 #include "mesh_types.h"
+#include "validity.h"
 
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/validity.h>
 
 #include <gtest/gtest.h>
 

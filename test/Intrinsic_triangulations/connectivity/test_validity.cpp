@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/connectivity/validity.h>
-
 #include "gallery.h"
 #include "mesh_types.h"
+#include "validity.h"
 
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 

@@ -4,13 +4,13 @@
 #include "gallery.h"
 #include "meshes.h"
 #include "soups.h"
+#include "validity.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/validity.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/validity.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_traced_path.h>
@@ -11,6 +10,7 @@
 #include "gallery.h"
 #include "meshes.h"
 #include "paths.h"
+#include "validity.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 
 #include "gallery.h"
+#include "validity.h"
 
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/validity.h>
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include "mesh_types.h"
 #include "meshes.h"
 #include "subdivision_oracle.h"
+#include "validity.h"
 
-#include <CGAL/Intrinsic_triangulations/connectivity/validity.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>

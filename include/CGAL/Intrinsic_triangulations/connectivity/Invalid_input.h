@@ -38,10 +38,13 @@ private:
   std::size_t index_;
 };
 
-} // namespace CGAL::Intrinsic_triangulations
+inline Invalid_input Invalid_input::about(Element_kind kind,
+                                                                        std::size_t index,
+                                                                        const std::string& what) {
+  constexpr const char* names[] = {"element ", "vertex ", "halfedge ", "edge ", "face "};
+  return Invalid_input(kind, index, names[static_cast<int>(kind)] + std::to_string(index) + what);
+}
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input_impl.h>
-#endif
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_INVALID_INPUT_H

@@ -24,7 +24,7 @@ Side 0 of face `f` is `map.halfedge(f)`; where elements have been removed, the o
 the order of iteration. Building a gluing map from the result gives the same faces
 and vertices; edges are numbered anew, in the order in which the faces meet them.
 \param map the gluing map, oriented or not
-\pre `is_valid_delta_complex(map)`
+\pre the map has the invariants of `MutableDeltaComplex`
 \complexity linear
 */
 inline Gluing gluing_from_map(const Gluing_map& map) {

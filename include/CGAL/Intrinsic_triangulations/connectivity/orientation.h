@@ -5,8 +5,13 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ORIENTATION_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -24,13 +29,59 @@ struct Orientation_result {
   std::vector<char> reversed_faces;
 };
 
+namespace internal {
+
+// What a face is called in messages: by its number if there are no names.
+inline std::uint32_t face_name(std::uint32_t f, const std::vector<std::uint32_t>& names) {
+  return names.empty() ? f : names[f];
+}
+
+// turns the choice of faces to reverse around if it is more than half of a component
+inline void reverse_fewer(const std::vector<std::uint32_t>& component,
+                          std::vector<char>& reversed) {
+  const auto is_reversed = [&](std::uint32_t f) { return reversed[f] != 0; };
+  const auto count = std::count_if(component.begin(), component.end(), is_reversed);
+  if (2 * static_cast<std::size_t>(count) <= component.size()) return;
+  for (const std::uint32_t f : component) reversed[f] = static_cast<char>(1 - reversed[f]);
+}
+
+} // namespace internal
+
 /*!
 \brief finds out which faces to reverse so that all gluings respect the orientation.
 \param g the gluing
 \pre `validate(g)` does not throw
 \complexity linear
 */
-Orientation_result find_orientation(const Gluing& g);
+inline Orientation_result find_orientation(const Gluing& g) {
+  constexpr char unseen = 2;
+  Orientation_result r;
+  r.reversed_faces.assign(g.number_of_faces(), unseen);
+  std::vector<std::uint32_t> queue;
+  queue.reserve(g.number_of_faces());
+  for (std::uint32_t start = 0; start < g.number_of_faces(); ++start) {
+    if (r.reversed_faces[start] != unseen) continue;
+    r.reversed_faces[start] = 0;
+    queue.assign(1, start);
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const std::uint32_t f = queue[i];
+      for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
+        if (g.glue[h] == Gluing::none) continue;
+        const std::uint32_t neighbour = Gluing::partner(g.glue[h]) / 3;
+        const auto wanted = static_cast<char>(r.reversed_faces[f] ^ // 0 or 1
+                                              static_cast<char>(Gluing::is_reversed(g.glue[h])));
+        char& reversed = r.reversed_faces[neighbour];
+        if (reversed == unseen) {
+          reversed = wanted;
+          queue.push_back(neighbour);
+        } else if (reversed != wanted)
+          return {false, h, {}};
+      }
+    }
+    internal::reverse_fewer(queue, r.reversed_faces);
+  }
+  return r;
+}
 
 /*!
 \brief reverses faces of a gluing so that all gluings respect the orientation, if that is possible.
@@ -41,25 +92,41 @@ A reversed face keeps its corner 0; its side `k` becomes side `2 - k`. Which fac
 \pre `validate(g)` does not throw
 \complexity linear
 */
-Orientation_result orient_faces(Gluing& g);
+inline Orientation_result orient_faces(Gluing& g) {
+  Orientation_result r = find_orientation(g);
+  if (!r.is_orientable) return r;
+  const auto renamed = [&r](std::uint32_t h) {
+    return r.reversed_faces[h / 3] != 0 ? h - h % 3 + (2 - h % 3) : h;
+  };
+  std::vector<std::uint32_t> glue(g.glue.size(), Gluing::none);
+  for (std::uint32_t h = 0; h < g.glue.size(); ++h) // no gluing along both sides remains
+    if (g.glue[h] != Gluing::none) glue[renamed(h)] = renamed(Gluing::partner(g.glue[h]));
+  g.glue = std::move(glue);
+  for (std::uint32_t f = 0; f < g.number_of_faces(); ++f)
+    if (r.reversed_faces[f] != 0) std::swap(g.origin[3 * f + 1], g.origin[3 * f + 2]);
+  return r;
+}
 
 namespace internal {
 
-// What a face is called in messages: by its number if there are no names.
-inline std::uint32_t face_name(std::uint32_t f, const std::vector<std::uint32_t>& names) {
-  return names.empty() ? f : names[f];
-}
-
 // Reports two faces that run along an edge in the same direction.
-[[noreturn]] void fail_orientation(const Gluing& g, std::uint32_t h,
-                                   const std::vector<std::uint32_t>& names);
+[[noreturn]] inline void fail_orientation(const Gluing& g, std::uint32_t h,
+                                          const std::vector<std::uint32_t>& names) {
+  const std::uint32_t other = Gluing::partner(g.glue[h]);
+  throw Invalid_input(
+      Element_kind::edge, h,
+      "edge (" + std::to_string(g.origin[h]) + ", " + std::to_string(g.origin[Gluing::next(h)]) +
+          ") is traversed in the same direction by faces " +
+          std::to_string(face_name(h / 3, names)) + " and " +
+          std::to_string(face_name(other / 3, names)) +
+          (find_orientation(g).is_orientable
+               ? "; reverse one of them to orient the mesh consistently"
+               : "; the surface has only one side, as a Moebius strip has: no reversal of faces "
+                 "orients it; cut it open, or take the orientation double cover"));
+}
 
 } // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/connectivity/orientation_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ORIENTATION_H

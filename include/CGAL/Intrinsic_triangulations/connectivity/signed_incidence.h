@@ -61,7 +61,7 @@ struct Signed_incidence {
 Edge `e` starts at the source of its halfedge. Elements are numbered in the order of iteration.
 \tparam Mesh a model of `MutableDeltaComplex`; a `Gluing_map` need not be oriented
 \param mesh the mesh
-\pre `is_valid_delta_complex(mesh)`
+\pre the mesh has the invariants of the concept
 \complexity linear
 */
 template <class Mesh>

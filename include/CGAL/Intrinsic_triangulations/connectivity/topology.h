@@ -22,7 +22,7 @@
 \file
 Counts that describe the topology of a Delta-complex. All of them count with multiplicity, read any
 mesh through BGL without looking an edge up by its end vertices, and take time and memory linear in
-the mesh, in flat arrays. Their precondition is `is_valid_delta_complex()`. Elements are numbered in
+the mesh, in flat arrays. They ask for the invariants of that concept. Elements are numbered in
 the order of iteration. A `Gluing_map` without removed elements is read in place, another mesh is
 copied to one first.
 */

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 
+#include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
@@ -40,16 +41,6 @@ others in the face that asked for it: nothing collapses, and the shortest edge s
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace internal {
-
-// The edges of the sides of a face, in the order of its halfedges.
-inline std::array<std::uint32_t, 3> edges_of_face(const Gluing_map& mesh, std::uint32_t f) {
-  const auto [h, n, l] = mesh.sides({f});
-  return {h.index / 2, n.index / 2, l.index / 2};
-}
-
-} // namespace internal
-
 /*!
 \brief tells whether the square roots of three numbers satisfy the triangle inequality: no side is
 longer than the other two together. Exact.
@@ -59,7 +50,24 @@ the two shortest, unless something over- or underflows; what it leaves open is c
 \pre all are finite and not negative
 \complexity constant
 */
-bool squares_satisfy_triangle_inequality(double L_ij, double L_jk, double L_ki);
+inline bool squares_satisfy_triangle_inequality(double L_ij, double L_jk, double L_ki) {
+  const double d = squared_quadruple_area(L_ij, L_jk, L_ki);
+  const double scale = 4 * (L_ij + L_jk + L_ki - std::max({L_ij, L_jk, L_ki})) *
+                       std::min({L_ij, L_jk, L_ki}); // 4yz at least
+  if (std::abs(d) > 0x1p-90 * scale && scale > 0x1p-800 && scale < 0x1p1000 && std::isfinite(d))
+    return d > 0;
+  return squared_quadruple_area(Gmpq(L_ij), Gmpq(L_jk), Gmpq(L_ki)) >= Gmpq(0);
+}
+
+namespace internal {
+
+// The edges of the sides of a face, in the order of its halfedges.
+inline std::array<std::uint32_t, 3> edges_of_face(const Gluing_map& mesh, std::uint32_t f) {
+  const auto [h, n, l] = mesh.sides({f});
+  return {h.index / 2, n.index / 2, l.index / 2};
+}
+
+} // namespace internal
 
 /*!
 \brief lists the faces whose sides violate the triangle inequality. Exact; faces of zero area satisfy it.
@@ -171,9 +179,5 @@ inline Shortening_report shorten_edges(const Gluing_map& mesh, std::vector<doubl
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_TRIANGLE_INEQUALITY_H

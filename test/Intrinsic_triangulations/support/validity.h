@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_VALIDITY_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_VALIDITY_H
+#ifndef INTRINSIC_TRIANGULATIONS_TEST_VALIDITY_H
+#define INTRINSIC_TRIANGULATIONS_TEST_VALIDITY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
@@ -259,4 +259,4 @@ bool is_valid_delta_complex(const Mesh& mesh) {
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_VALIDITY_H
+#endif // INTRINSIC_TRIANGULATIONS_TEST_VALIDITY_H
