@@ -119,7 +119,8 @@ TEST(Intrinsic_triangulation_format, exact_triangulation_goes_on_as_if_it_had_no
     define_by_places(t);
     ASSERT_GT(flip_at_random(t, 900, 3), 200U);
     Exact back = from_text<Exact>(text(t));
-    EXPECT_TRUE(back.input().is_defined_by_metric());
+    ASSERT_NE(back.input().surface(), nullptr);
+    EXPECT_TRUE(back.input().surface()->is_defined_by_metric());
     EXPECT_EQ(delaunay_signs(back), delaunay_signs(t));
     EXPECT_EQ(flip_at_random(back, 300, 4), flip_at_random(t, 300, 4));
     expect_same_but_for_widths(back, t); // predicates sharpen by what they remember

@@ -106,8 +106,9 @@ std::vector<std::array<double, 3>> positions_of_rows(const Triangulation& t) {
         const Surface_point& p = places->location(i);
         std::array<double, 3> x{0, 0, 0};
         std::uint32_t h = p.halfedge;
-        for (std::size_t k = 0; k < 3; ++k, h = t.input().next(h))
-          for (std::size_t c = 0; c < 3; ++c) x[c] += p.weights[k] * points[t.input().source(h)][c];
+        for (std::size_t k = 0; k < 3; ++k, h = places->input().next(h))
+          for (std::size_t c = 0; c < 3; ++c)
+            x[c] += p.weights[k] * points[places->input().source(h)][c];
         result[t.input_vertex(v)] = x;
       }
   }
