@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/solve_with_fixed_values.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 
 #include <Eigen/Core>
 

@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/solve_with_fixed_values.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -23,7 +23,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/certify_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/solve_with_fixed_values.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations/operators/transfer.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>

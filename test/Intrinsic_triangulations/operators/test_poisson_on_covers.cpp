@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/solve_with_fixed_values.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <Eigen/Core>

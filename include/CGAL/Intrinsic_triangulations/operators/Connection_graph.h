@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
@@ -122,6 +123,14 @@ struct Connection_graph {
   std::vector<Connection_edge> edges;
   std::vector<double> areas;      // a third of the area of the faces at each vertex
   double squared_mean_length = 0; // of edges
+
+  // for each vertex, the least of those that edges of positive weight connect it with
+  std::vector<std::uint32_t> parts() const {
+    return joined_sets(size, [this](const auto& join) {
+      for (const Connection_edge& e : edges)
+        if (e.weight > 0) join(e.source, e.target);
+    });
+  }
 };
 
 template <class Triangulation>

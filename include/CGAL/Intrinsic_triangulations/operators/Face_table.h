@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
@@ -101,11 +101,10 @@ struct Face_table {
 
   // the least row of the component of each row; isolated vertices are their own
   std::vector<std::uint32_t> components() const {
-    Disjoint_sets rows(number_of_rows);
-    for (const Table_face& f : faces)
-      for (const std::size_t k : {1U, 2U})
-        rows.join(static_cast<std::uint32_t>(f.rows[0]), static_cast<std::uint32_t>(f.rows[k]));
-    return std::move(rows).least();
+    return joined_sets(number_of_rows, [this](const auto& join) {
+      for (const Table_face& f : faces)
+        for (const std::size_t k : {1U, 2U}) join(f.rows[0], f.rows[k]);
+    });
   }
 };
 

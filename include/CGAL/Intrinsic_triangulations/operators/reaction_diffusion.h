@@ -6,11 +6,11 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <cmath>
@@ -39,31 +39,13 @@ inline void check(const Reaction_diffusion& e) {
     throw std::invalid_argument("diffusion must be positive, and reaction not negative");
 }
 
-// whether all vertices that have edges are joined
-template <class Triangulation>
-bool is_connected(const Triangulation& t) {
-  const auto& mesh = t.mesh();
-  Disjoint_sets rows(t.number_of_vertices());
-  std::vector<char> has_edge(t.number_of_vertices(), 0);
-  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
-    const auto h = halfedge(e, mesh);
-    const std::uint32_t i = t.input_vertex(source(h, mesh)), j = t.input_vertex(target(h, mesh));
-    has_edge[i] = has_edge[j] = 1;
-    rows.join(i, j);
-  }
-  const std::vector<std::uint32_t> least = std::move(rows).least();
-  std::size_t components = 0;
-  for (std::uint32_t v = 0; v < least.size(); ++v)
-    if (has_edge[v] != 0 && least[v] == v) ++components;
-  return components <= 1;
-}
-
-// makes a row and column those of the identity; the matrix stays symmetric
-inline void fix_value(Eigen::SparseMatrix<double>& m, int v) {
-  for (Eigen::SparseMatrix<double>::InnerIterator i(m, v); i; ++i) {
-    if (i.row() != v) m.coeffRef(v, i.row()) = 0;
-    i.valueRef() = i.row() == v ? 1 : 0;
-  }
+// Whether all rows that have an area are of one component.
+inline bool is_connected(const Eigen::SparseMatrix<double>& mass, const Eigen::VectorXd& area) {
+  const std::vector<std::uint32_t> component = components_of_matrix(mass);
+  std::size_t count = 0;
+  for (std::uint32_t r = 0; r < component.size(); ++r)
+    if (component[r] == r && area[r] > 0) ++count;
+  return count <= 1;
 }
 
 } // namespace internal
@@ -96,34 +78,29 @@ Eigen::VectorXd solve_reaction_diffusion(const Triangulation& t, const Reaction_
   const Eigen::SparseMatrix<double> mass = galerkin_mass_matrix(t);
   if (load.size() != mass.rows())
     throw std::invalid_argument("the load must have an entry per vertex");
-  Eigen::VectorXd b = load;
   Eigen::SparseMatrix<double> m = equation.diffusion * cotangent_laplacian(t);
   if (equation.reaction > 0) m += equation.reaction * mass;
   const Eigen::VectorXd area = mass.diagonal(); // up to a factor
-  int last = -1;
-  for (int v = 0; v < m.rows(); ++v)
-    if (area[v] > 0)
-      last = v;
-    else {
-      internal::fix_value(m, v);
-      b[v] = 0;
-    }
-  if (equation.reaction == 0 && last >= 0) {
-    if (!(std::abs(b.sum()) <= 1e-9 * b.cwiseAbs().sum()) || !internal::is_connected(t))
+  Eigen::VectorXd b = load;
+  std::vector<std::uint32_t> without_area, fixed;
+  for (std::uint32_t v = 0; v < area.size(); ++v)
+    if (!(area[v] > 0)) without_area.push_back(v);
+  for (const std::uint32_t v : without_area) b[v] = 0;
+  fixed = without_area;
+  if (equation.reaction == 0 && without_area.size() < static_cast<std::size_t>(area.size())) {
+    if (!(std::abs(b.sum()) <= 1e-9 * b.cwiseAbs().sum()) || !internal::is_connected(mass, area))
       throw std::invalid_argument("without reaction, the load must sum to zero and the surface be "
                                   "connected, or there is no solution");
-    internal::fix_value(m, last);
-    b[last] = 0;
+    // any value will do
+    Eigen::Index largest = 0;
+    area.maxCoeff(&largest);
+    fixed.push_back(static_cast<std::uint32_t>(largest));
   }
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(m);
-  if (solver.info() != Eigen::Success)
-    throw std::runtime_error("the matrix is not positive definite, by rounding; refine the "
-                             "triangulation to a least angle");
-  Eigen::VectorXd u = solver.solve(b);
+  Eigen::VectorXd u = solve_with_fixed_values(
+      m, b, fixed, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fixed.size())));
   if (equation.reaction == 0) {
-    const double mean = (mass * u).sum() / mass.sum();
-    for (int v = 0; v < u.size(); ++v)
-      if (area[v] > 0) u[v] -= mean;
+    u.array() -= (mass * u).sum() / mass.sum();
+    for (const std::uint32_t v : without_area) u[v] = 0;
   }
   return u;
 }

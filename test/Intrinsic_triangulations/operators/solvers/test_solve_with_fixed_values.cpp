@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/operators/solvers/solve_with_fixed_values.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 
 #include "operator_test_meshes.h"
 

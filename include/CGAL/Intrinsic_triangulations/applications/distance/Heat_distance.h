@@ -87,7 +87,9 @@ public:
   */
   template <NamedParameters NP = parameters::Parameters<>>
   explicit Heat_distance(const Triangulation& t, const NP& np = parameters::default_values())
-      : t_(&t), positions_(internal::positions_of_rows(t)), solver_(solver(t, np)) {}
+      : t_(&t), positions_(internal::positions_of_rows(t)), 
+        solver_(cotangent_laplacian(t), internal::face_table(t), options(np),
+                t.input().names().sheets, progress(np)) {}
 
   /*!
   \brief computes the distances of all vertices from sources.
@@ -132,14 +134,6 @@ private:
   static internal::Heat_progress progress(const NP& np) {
     return [v = internal::object_or<internal::tags::visitor>(np, Heat_distance_visitor())](
                Heat_step step) mutable { return internal::unwrapped(v).progress(step); };
-  }
-
-  // The order of the matrix is found while the faces are read.
-  template <class NP>
-  static internal::Heat_solver solver(const Triangulation& t, const NP& np) {
-    internal::Ordered_laplacian laplacian(cotangent_laplacian(t));
-    return {std::move(laplacian), internal::face_table(t), options(np), t.input().names().sheets,
-            progress(np)};
   }
 
   const Triangulation* t_;

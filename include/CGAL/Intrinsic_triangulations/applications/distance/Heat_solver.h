@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
 
 #include <Eigen/Core>
 
@@ -49,7 +48,7 @@ struct Heat_options {
 // The heat method on a table of faces, in scaled units.
 class Heat_solver {
 public:
-  Heat_solver(Ordered_laplacian laplacian, Face_table table, const Heat_options& options,
+  Heat_solver(const Eigen::SparseMatrix<double>& laplacian, Face_table table, const Heat_options& options,
               std::uint32_t sheets, Heat_progress progress);
 
   const Face_table& table() const { return table_; }
@@ -81,10 +80,9 @@ private:
   double mean_edge_;
   double time_;
   std::vector<std::uint32_t> component_;
-  Ordered_laplacian laplacian_;
   Pinned_laplacian poisson_;
   std::optional<Diffusion<double>> insulated_, cold_;
-  std::vector<int> inside_; // the rows that are not on the border
+  std::vector<char> is_on_border_; // of rows
   std::uint32_t sheets_;
   Heat_progress progress_;
   bool is_cancelled_ = false;

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/near_distances.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/fixed_rows.h>
 
 #include <algorithm>
 #include <array>
@@ -45,14 +45,13 @@ inline Heat<double> magnitudes(Heat<double> heat) {
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Heat_solver::Heat_solver(Ordered_laplacian laplacian, Face_table table, const Heat_options& options,
+Heat_solver::Heat_solver(const Eigen::SparseMatrix<double>& laplacian, Face_table table, const Heat_options& options,
                          std::uint32_t sheets, Heat_progress progress)
     : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
       time_(flow_time(options.time_factor, mean_edge_ * mean_edge_, table_.area())),
-      component_(table_.components()), laplacian_(std::move(laplacian)),
-      poisson_(laplacian_, component_), sheets_(sheets), progress_(std::move(progress)) {
+      component_(table_.components()), poisson_(laplacian, component_), sheets_(sheets), progress_(std::move(progress)) {
   const Eigen::VectorXd masses = row_areas(table_, sheets);
-  insulated_.emplace(laplacian_.matrix(), time_, poisson_.factor_with_multiple(time_, masses));
+  insulated_.emplace(poisson_.laplacian(), time_, poisson_.factor_with_multiple(time_, masses));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
   if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(masses);
 }
@@ -80,15 +79,15 @@ Heat_solver::distances(const Source_places& sources, const Chord_bound& chord,
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
 Heat_solver::make_cold_border(const Eigen::VectorXd& masses) {
-  std::vector<char> is_inside(table_.number_of_rows, 1);
-  table_.for_each_border_side([&](const Table_face& f, std::size_t k) {
-    is_inside[row_number(f.rows[k])] = is_inside[row_number(f.rows[(k + 1) % 3])] = 0;
+  is_on_border_.assign(table_.number_of_rows, 0);
+  table_.for_each_border_side([this](const Table_face& f, std::size_t k) {
+    is_on_border_[row_number(f.rows[k])] = is_on_border_[row_number(f.rows[(k + 1) % 3])] = 1;
   });
-  for (std::size_t r = 0; r < is_inside.size(); ++r)
-    if (is_inside[r] != 0) inside_.push_back(static_cast<int>(r));
-  if (inside_.size() == is_inside.size() || inside_.empty()) return;
-  const Eigen::SparseMatrix<double> flow = time_ * *laplacian_;
-  cold_.emplace(principal_submatrix(flow, inside_), principal_diagonal(flow, masses, inside_));
+  const auto on_border = std::count(is_on_border_.begin(), is_on_border_.end(), 1);
+  if (on_border == 0 || on_border == masses.size()) return;
+  const Eigen::SparseMatrix<double> flow = time_ * *poisson_.laplacian();
+  cold_.emplace(with_fixed_rows(flow, is_on_border_),
+                diagonal_with_fixed_rows(flow, masses, is_on_border_));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
 }
 
@@ -97,16 +96,15 @@ Heat_solver::heat(const Source_places& sources, const Pinned_laplacian::Pins& pi
   std::vector<char> is_reached(table_.number_of_rows, 0);
   for (const auto& [row, value] : pins) is_reached[component_[row_number(row)]] = 1;
   for (std::size_t r = 0; r < is_reached.size(); ++r) is_reached[r] = is_reached[component_[r]];
-  const Eigen::VectorXd start = initial_heat(sources);
+  Eigen::VectorXd start = initial_heat(sources);
   Heat<double> all = magnitudes((*insulated_)(start, is_reached));
   if (cold_) {
-    std::vector<char> reached_inside;
-    for (const int r : inside_) reached_inside.push_back(is_reached[row_number(r)]);
-    const Heat<double> inside = magnitudes((*cold_)(start(inside_), reached_inside));
+    for (Eigen::Index r = 0; r < start.size(); ++r)
+      if (is_on_border_[row_number(r)] != 0) start[r] = is_reached[row_number(r)] = 0;
+    const Heat<double> inside = magnitudes((*cold_)(start, is_reached));
     const double unit = std::ldexp(1.0, inside.exponent - all.exponent);
-    for (std::size_t i = 0; i < inside_.size(); ++i)
-      all.value[inside_[i]] +=
-          unit * inside.at(static_cast<Eigen::Index>(i), all.level[row_number(inside_[i])]);
+    for (Eigen::Index r = 0; r < start.size(); ++r)
+      all.value[r] += unit * inside.at(r, all.level[row_number(r)]);
   }
   return all;
 }

@@ -4,14 +4,15 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_PINNED_LAPLACIAN_H
 
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,7 +25,7 @@ pins are not: where a component has no pin, x is infinite.
 
 Of a component with one pin, x follows from any solution by adding a constant. For few pins, there are few numbers more, by
 Lagrange: L x = b + sum over pins of l_s e_s, where values are right and all l sum to zero; the factorization of L is the
-same for all of them. For more pins than that is worth, their rows are eliminated and what is left is factored, and kept
+same for all of them. For more pins than that is worth, a `Fixed_values_solver` is made, and kept
 for the next right side with pins in the same rows.
 */
 class Pinned_laplacian {
@@ -32,8 +33,11 @@ public:
   using Pins = std::map<int, double>; // by rows
 
   // \param component of each row, as the least of its rows
-  Pinned_laplacian(Ordered_laplacian laplacian, std::vector<std::uint32_t> component)
-      : laplacian_(std::move(laplacian)), component_(std::move(component)) {}
+  Pinned_laplacian(Eigen::SparseMatrix<double> laplacian, std::vector<std::uint32_t> component)
+      : laplacian_(std::make_shared<const Eigen::SparseMatrix<double>>(std::move(laplacian))),
+        component_(std::move(component)) {}
+
+  const std::shared_ptr<const Eigen::SparseMatrix<double>>& laplacian() const { return laplacian_; }
 
   // Factors L and a multiple of it, with a diagonal, together, or only the latter if rounding has left L indefinite.
   // \return the factorization of the latter \throws Indefinite_matrix if it is not definite
@@ -42,21 +46,16 @@ public:
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const Pins& pins);
 
 private:
-  using Factorization = Laplacian_factorization;
-
-  const Factorization& factorization();
   Eigen::VectorXd pinned_diagonal() const;
   Eigen::VectorXd solve_for_few(const Eigen::VectorXd& b, const Pins& pins);
-  Eigen::VectorXd solve_by_elimination(const Eigen::VectorXd& b, const Pins& pins,
-                                       const std::vector<char>& is_reached);
-  void eliminate(const std::vector<int>& rows, const Pins& pins,
-                 const std::vector<char>& is_reached);
+  Eigen::VectorXd solve_for_many(const Eigen::VectorXd& b, const Pins& pins,
+                                 const std::vector<char>& is_reached);
 
-  Ordered_laplacian laplacian_;
+  std::shared_ptr<const Eigen::SparseMatrix<double>> laplacian_;
   std::vector<std::uint32_t> component_;
-  std::optional<Factorization> factored_;
-  std::vector<int> eliminated_rows_, free_rows_;
-  std::optional<Factorization> eliminated_;
+  std::optional<Laplacian_factorization> factored_;
+  std::vector<std::uint32_t> fixed_rows_;
+  std::optional<Fixed_values_solver> fixed_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

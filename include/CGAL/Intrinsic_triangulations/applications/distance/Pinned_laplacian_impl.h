@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
 
 #include <Eigen/LU>
 
@@ -28,7 +27,7 @@ Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pins) {
   std::vector<char> is_reached(component_.size(), 0); // of the least rows
   for (const auto& [row, value] : pins) is_reached[component_[row_number(row)]] = 1;
   Eigen::VectorXd x =
-      pins.size() <= few_pins ? solve_for_few(b, pins) : solve_by_elimination(b, pins, is_reached);
+      pins.size() <= few_pins ? solve_for_few(b, pins) : solve_for_many(b, pins, is_reached);
   for (Eigen::Index r = 0; r < x.size(); ++r)
     if (is_reached[component_[row_number(r)]] == 0) x[r] = std::numeric_limits<double>::infinity();
   for (const auto& [row, value] : pins) x[row] = value;
@@ -50,18 +49,12 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd Pinned_laplacian::pinned_di
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Laplacian_factorization
 Pinned_laplacian::factor_with_multiple(double multiple, const Eigen::VectorXd& diagonal) {
   try {
-    auto both = Laplacian_factorization::of_both(laplacian_, pinned_diagonal(), multiple, diagonal);
+    auto both = Laplacian_factorization::of_both(*laplacian_, pinned_diagonal(), multiple, diagonal);
     factored_.emplace(std::move(both.first));
     return std::move(both.second);
   } catch (const Indefinite_matrix&) {
     return {multiple * *laplacian_, diagonal}; // L may not be needed
   }
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE const Pinned_laplacian::Factorization&
-Pinned_laplacian::factorization() {
-  if (!factored_) factored_.emplace(laplacian_, pinned_diagonal());
-  return *factored_;
 }
 
 // What pins of a component add to the solution in column 0; the solutions for their own strengths are from `column` on.
@@ -96,7 +89,8 @@ Pinned_laplacian::solve_for_few(const Eigen::VectorXd& b, const Pins& pins) {
   right.col(0) = b;
   for (std::size_t i = 0; i < sources.size(); ++i)
     right(sources[i], static_cast<Eigen::Index>(i) + 1) = 1;
-  const Eigen::MatrixXd solved = factorization().solve(right);
+  if (!factored_) factored_.emplace(*laplacian_, pinned_diagonal());
+  const Eigen::MatrixXd solved = factored_->solve(right);
   Eigen::VectorXd x = solved.col(0);
   Eigen::Index column = 1;
   for (const auto& [root, of_component] : rows) {
@@ -113,36 +107,22 @@ Pinned_laplacian::solve_for_few(const Eigen::VectorXd& b, const Pins& pins) {
   return x;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Pinned_laplacian::eliminate(const std::vector<int>& rows, const Pins& pins,
-                            const std::vector<char>& is_reached) {
-  free_rows_.clear();
-  for (int r = 0; r < laplacian_->cols(); ++r)
-    if (is_reached[component_[row_number(r)]] != 0 && pins.count(r) == 0) free_rows_.push_back(r);
-  eliminated_rows_.clear();
-  eliminated_.reset();
-  if (!free_rows_.empty())
-    eliminated_.emplace(
-        principal_submatrix(*laplacian_, free_rows_),
-        principal_diagonal(*laplacian_, Eigen::VectorXd::Zero(laplacian_->cols()), free_rows_));
-  eliminated_rows_ = rows; // at the end: a matrix may not be factored
-}
-
+// Where there is no pin, any value will do.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
-Pinned_laplacian::solve_by_elimination(const Eigen::VectorXd& b, const Pins& pins,
-                                       const std::vector<char>& is_reached) {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
-  std::vector<int> rows;
-  for (const auto& [row, value] : pins) {
-    rows.push_back(row);
-    x[row] = value;
+Pinned_laplacian::solve_for_many(const Eigen::VectorXd& b, const Pins& pins,
+                                 const std::vector<char>& is_reached) {
+  std::vector<std::uint32_t> rows;
+  for (const auto& [row, value] : pins) rows.push_back(static_cast<std::uint32_t>(row));
+  for (std::uint32_t r = 0; r < component_.size(); ++r)
+    if (component_[r] == r && is_reached[r] == 0) rows.push_back(r);
+  if (!fixed_ || rows != fixed_rows_) {
+    fixed_.emplace(*laplacian_, rows);
+    fixed_rows_ = rows;
   }
-  if (rows != eliminated_rows_) eliminate(rows, pins, is_reached);
-  if (free_rows_.empty()) return x;
-  const Eigen::VectorXd rest = b - *laplacian_ * x;
-  const Eigen::VectorXd solved = eliminated_->solve(Eigen::VectorXd(rest(free_rows_)));
-  x(free_rows_) = solved;
-  return x;
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
+  Eigen::Index i = 0;
+  for (const auto& [row, value] : pins) values[i++] = value;
+  return fixed_->solve(b, values);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

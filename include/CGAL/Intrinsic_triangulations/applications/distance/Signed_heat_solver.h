@@ -30,7 +30,7 @@ public:
                      double time_factor)
       : table_(std::move(table)),
         time_(flow_time(time_factor, squared_spacing(table_), table_.area())),
-        component_(table_.components()), poisson_(Ordered_laplacian(laplacian), component_),
+        component_(table_.components()), poisson_(laplacian, component_),
         flow_(flow_matrix(), edge_masses()) {}
 
   const Face_table& table() const { return table_; }

@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/editing/Surface_deformation.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Row_sums.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/principal_submatrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/fixed_rows.h>
 
 #include <Eigen/Dense>
 
@@ -71,18 +71,13 @@ least_squares_conformal_map(const Face_table& table, const Eigen::SparseMatrix<d
   for (double length = 0; length < half; ++other) length += border.lengths[other];
   const auto first = static_cast<int>(border.rows[0]),
              second = static_cast<int>(border.rows[std::min(other, border.rows.size() - 1)]);
-  Eigen::VectorXcd w = Eigen::VectorXcd::Zero(c.rows());
-  w[second] = 1; // and the first at 0
-  const Eigen::VectorXcd right = -(c * w);
-  std::vector<int> free;
-  for (int r = 0; r < c.rows(); ++r)
-    if (r != first && r != second) free.push_back(r);
-  if (!free.empty()) {
-    Complex_matrix of_free = principal_submatrix(c, free);
-    const Cholesky_factorization factored = raised_factorization(of_free);
-    const Eigen::VectorXcd solved = factored.solve(Eigen::VectorXcd(right(free)));
-    w(free) = solved;
-  }
+  std::vector<char> is_fixed(static_cast<std::size_t>(c.rows()), 0);
+  is_fixed[border.rows[0]] = is_fixed[static_cast<std::size_t>(second)] = 1;
+  Eigen::VectorXcd w = -c.col(second);
+  w[first] = 0;
+  w[second] = 1;
+  c = with_fixed_rows(std::move(c), is_fixed);
+  w = raised_factorization(c).solve(w);
   return scaled_to_area(table, w);
 }
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/disk_border.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/solve_with_fixed_values.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>

@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/conformal_map_impl.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/point_cloud_map.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Cloud_connection.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/graph_parts.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 
 #include <Eigen/Core>
@@ -66,7 +65,7 @@ inline Disk_border cloud_border(const Cloud_connection& cloud) {
   if (cloud.seam_edges() > 0)
     refuse("tangent planes of the points cannot be oriented alike: the surface has one side, or "
            "the points are too few; give points of a disk, or more of them");
-  const std::vector<std::uint32_t> part = graph_parts(cloud.graph());
+  const std::vector<std::uint32_t> part = cloud.graph().parts();
   Disk_border border;
   std::uint32_t first = static_cast<std::uint32_t>(part.size());
   for (const auto& t : cloud.triangles()) {

@@ -5,11 +5,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_DIRECTION_PROBLEM_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Direction_problem.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/graph_parts.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/fixed_rows.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -33,8 +33,8 @@ class Direction_solver {
 
 public:
   Direction_solver(const Direction_problem& problem, const Connection_graph& graph)
-      : graph_(graph), part_(graph_parts(graph)), masses_(positive_masses(graph)),
-        is_fixed_(graph.size, 0), right_(Eigen::VectorXcd::Zero(problem.guide.size())),
+      : graph_(graph), part_(graph.parts()), masses_(positive_masses(graph)),
+        right_(Eigen::VectorXcd::Zero(problem.guide.size())),
         factor_(factored(problem)) {}
 
   // \return nothing if it was cancelled
@@ -70,29 +70,19 @@ private:
     // their guide to twelve digits
     const double shift = (std::min(problem.strength, 1e12) + 0x1p-26) / graph_.squared_mean_length;
     for (Eigen::Index i = 0; i < right_.size(); ++i) right_[i] = mass(i) * problem.guide[i];
+    std::vector<char> is_fixed(graph_.size, 0);
     Eigen::VectorXcd values = Eigen::VectorXcd::Zero(right_.size());
     for (const auto& [i, z] : problem.fixed) {
-      is_fixed_[i] = 1;
+      is_fixed[i] = 1;
       values[static_cast<Eigen::Index>(i)] = z;
     }
     Eigen::SparseMatrix<Complex> m = scaled_laplacian<Complex>(graph_, problem.degree, 1);
     for (int i = 0; i < m.cols(); ++i) m.coeffRef(i, i) += shift * mass(i);
-    eliminate(values, m);
-    return raised_factorization(m);
-  }
-
-  void eliminate(const Eigen::VectorXcd& values, Eigen::SparseMatrix<Complex>& m) {
     right_ -= m * values;
-    const auto is_fixed = [this](Eigen::Index i) {
-      return is_fixed_[static_cast<std::size_t>(i)] != 0;
-    };
-    for (Eigen::Index i = 0; i < right_.size(); ++i)
-      if (is_fixed(i)) right_[i] = values[i];
-    m.prune([&](Eigen::Index i, Eigen::Index j, const Complex&) {
-      return i == j || (!is_fixed(i) && !is_fixed(j));
-    });
-    for (Eigen::Index i = 0; i < right_.size(); ++i)
-      if (is_fixed(i)) m.coeffRef(i, i) = 1;
+    for (const auto& [i, z] : problem.fixed)
+      right_[static_cast<Eigen::Index>(i)] = values[static_cast<Eigen::Index>(i)];
+    m = with_fixed_rows(std::move(m), is_fixed);
+    return raised_factorization(m);
   }
 
   // By the method of Lanczos with the inverse, in all parts at once and in each for itself.
@@ -172,7 +162,6 @@ private:
   const Connection_graph& graph_;
   std::vector<std::uint32_t> part_;
   Eigen::VectorXd masses_;
-  std::vector<char> is_fixed_;
   Eigen::VectorXcd right_;
   Cholesky_factorization<Complex> factor_;
 };

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_HEAT_TRANSPORT_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/graph_parts.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
@@ -28,7 +27,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Heat_transport::Heat_transport(Connection_graph graph, double time_scale)
-    : graph_(std::move(graph)), part_(graph_parts(graph_)),
+    : graph_(std::move(graph)), part_(graph_.parts()),
       time_(flow_time(time_scale, graph_.squared_mean_length,
                       std::accumulate(graph_.areas.begin(), graph_.areas.end(), 0.))),
       masses_(positive_masses(graph_)) {

@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/raised_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -59,14 +59,35 @@ private:
   void factor_with_subtraction(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& excess);
   Eigen::MatrixXd fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const;
 
-  std::vector<std::uint32_t> rows_;      // fixed ones, as they were given
-  Eigen::SparseMatrix<double> coupling_; // A_fc, a column for every row
-  std::vector<int> free_;                // the free rows
-  double sign_ = 1;                      // -1: negative definite
+  std::vector<std::uint32_t> rows_; // fixed ones, as they were given
+  Eigen::SparseMatrix<double> matrix_; // with the sign, which makes it positive definite
+  double sign_ = 1;
   // nothing, if all rows are fixed
   std::variant<std::monostate, Laplacian_factorization, Cholesky_factorization<double>>
       factorization_;
 };
+
+/*!
+\brief solves a symmetric linear problem `a x = b` with given values in some rows (Dirichlet conditions), once; see `Fixed_values_solver`.
+
+\param a the matrix, both triangles of it \pre definite on the free rows: positive, or negative
+\param b the right side, a problem per column
+\param rows the fixed rows, in any order; a row may be repeated with the same value
+\param values a value per fixed row, and column of `b`
+\return the solutions, a column each; fixed values are there bit by bit
+\throws std::invalid_argument if sizes do not fit, a number is not finite, the matrix is not symmetric, a row does not
+  exist or has two values; or if no value is fixed in a component of the free rows on which constants are in the kernel
+\throws Indefinite_matrix if rounding has left no definite matrix
+\complexity that of a sparse factorization, once for all columns
+*/
+template <class B, class Values>
+  requires std::same_as<typename B::Scalar, double> && std::same_as<typename Values::Scalar, double>
+typename B::PlainObject solve_with_fixed_values(const Eigen::SparseMatrix<double>& a,
+                                                const Eigen::MatrixBase<B>& b,
+                                                std::span<const std::uint32_t> rows,
+                                                const Eigen::MatrixBase<Values>& values) {
+  return Fixed_values_solver(a, rows).solve(b, values);
+}
 
 /*!
 \brief finds a row of each component of a symmetric matrix in which all rows sum to zero up to rounding, so that constants there are in its kernel.

@@ -5,10 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_H
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_factor.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
-
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -19,15 +15,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
-
-// Whether no weight is negative.
-inline bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
-  for (int c = 0; c < a.outerSize(); ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
-      if (i.value() > 0 && i.row() != c) return false;
-  return true;
-}
-
+struct Laplacian_factor;
 } // namespace internal
 
 /*!
@@ -39,8 +27,7 @@ right sides that are not negative, have full relative accuracy entry by entry, w
 Heyman 1985; Alfa, Xue and Ye 2002). The matrix is then definite if D is not zero in each component, and rounding cannot make it
 indefinite. Few negative weights, as at the border, are no harm.
 
-Rows are ordered by approximate minimum degree. Another matrix with entries at the same places shares the order and the places of the factor. Copies share the
-factor. Different threads may solve at once. Large matrices are factored by two threads, where there are two processors; the result is the same with one.
+Rows are permuted by approximate minimum degree, and eliminated supernode by supernode. Copies share the factor. Different threads may solve at once. Large matrices are factored by two threads, where there are two processors; the result is the same with one.
 */
 class Laplacian_factorization {
 public:
@@ -57,14 +44,6 @@ public:
   Laplacian_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal);
 
   /*!
-  \brief factors a matrix in the order of another one, which is not found again.
-  \param same_pattern another matrix that was factored
-  \pre both matrices have entries off the diagonal in the same places, and on it as well
-  */
-  Laplacian_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
-                          const Laplacian_factorization& same_pattern);
-
-  /*!
   \brief factors `L + D` and `m L + E` at once, which takes far less than twice the time of one.
   \param laplacian the matrix L, compressed, both triangles of it
   \param diagonal D, a number per row
@@ -77,16 +56,8 @@ public:
   of_both(const Matrix& laplacian, const Eigen::VectorXd& diagonal, double multiple,
           const Eigen::VectorXd& diagonal_of_multiple);
 
-  /// \cond
-  Laplacian_factorization(const internal::Ordered_laplacian& laplacian,
-                          const Eigen::VectorXd& diagonal);
-  static std::pair<Laplacian_factorization, Laplacian_factorization>
-  of_both(const internal::Ordered_laplacian& laplacian, const Eigen::VectorXd& diagonal,
-          double multiple, const Eigen::VectorXd& diagonal_of_multiple);
-  /// \endcond
-
   /// returns the number of rows.
-  Eigen::Index size() const { return static_cast<Eigen::Index>(factor_->pivot.size()); }
+  Eigen::Index size() const;
 
   /*!
   \brief solves `(L + D) x = b`.
@@ -101,16 +72,12 @@ public:
   }
 
 private:
-  using Factor = internal::Laplacian_factor;
-
-  explicit Laplacian_factorization(std::shared_ptr<const Factor> factor)
+  explicit Laplacian_factorization(std::shared_ptr<const internal::Laplacian_factor> factor)
       : factor_(std::move(factor)) {}
 
-  void factor(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
-              std::shared_ptr<const internal::Elimination> elimination);
   Eigen::MatrixXd solved(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
 
-  std::shared_ptr<const Factor> factor_;
+  std::shared_ptr<const internal::Laplacian_factor> factor_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

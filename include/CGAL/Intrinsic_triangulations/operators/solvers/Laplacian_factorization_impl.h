@@ -5,74 +5,54 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_SOLVERS_LAPLACIAN_FACTORIZATION_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Elimination_impl.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_elimination.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_solver.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Ordered_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/where_to_run.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Laplacian_factor.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Multifrontal_elimination.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Symbolic_factorization.h>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <future>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Ordered_laplacian::Ordered_laplacian(Matrix laplacian)
-    : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))) {
-  constexpr Eigen::Index worth_a_thread = 2000;
-  const auto find = [l = laplacian_] { return std::make_shared<const Elimination>(*l); };
-  elimination_ = std::async(where_to_run(laplacian_->rows() >= worth_a_thread), find).share();
-}
-
-inline void expect_diagonal(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {
+inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {
   if (a.rows() != a.cols() || d.size() != a.rows())
     throw std::invalid_argument("a matrix with " + std::to_string(a.rows()) + " rows, " +
                                 std::to_string(a.cols()) + " columns and " +
                                 std::to_string(d.size()) + " diagonal entries cannot be factored");
   if (!d.allFinite()) throw std::invalid_argument("the diagonal must be finite");
-}
-
-inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& d) {
-  expect_diagonal(a, d);
   if (!a.isCompressed()) throw std::invalid_argument("the matrix must be compressed");
   if (!Eigen::Map<const Eigen::VectorXd>(a.valuePtr(), a.nonZeros()).allFinite())
     throw std::invalid_argument("the matrix must be finite");
 }
 
-// Throws if the order of one matrix is not one for another.
-inline void expect_same_pattern(const Elimination& e, const Eigen::SparseMatrix<double>& a) {
-  if (!e.is_of(a)) throw std::invalid_argument("the matrices must have the same pattern");
-}
-
-// Eliminates all places of a Laplacian, its weights times a unit, and a diagonal. \return a factor per matrix \throws Indefinite_matrix
-template <class Number, class Diagonal>
-auto eliminate_all(std::shared_ptr<const Elimination> elimination,
-                   const Eigen::SparseMatrix<double>& laplacian, const Number& unit,
-                   const Diagonal& diagonal) {
-  const Elimination& e = *elimination;
-  std::array<std::shared_ptr<Laplacian_factor>, size_of_pack<Number>> factors;
-  std::array<double*, size_of_pack<Number>> value;
-  for (std::size_t m = 0; m < factors.size(); ++m) {
-    factors[m] = std::make_shared<Laplacian_factor>(elimination);
-    value[m] = factors[m]->value.get();
-  }
-  Laplacian_elimination<Number> rest(e, laplacian, unit, value);
-  const auto eliminate = [&](Elimination::Part part) { return rest.eliminate(part, diagonal); };
-  auto other = std::async(where_to_run(e.has_halves()), eliminate, Elimination::second_half);
-  const int first = eliminate(Elimination::first_half), second = other.get(),
-            stopped = first >= 0 ? first : second;
-  if (const int row = stopped >= 0 ? stopped : eliminate(Elimination::after_both); row >= 0)
+// Eliminates multiples of a Laplacian with diagonals. \return a factor per matrix \throws Indefinite_matrix
+template <int matrices>
+auto eliminate(const Eigen::SparseMatrix<double>& laplacian,
+               const Eigen::Array<double, matrices, 1>& unit,
+               const Eigen::Array<double, matrices, -1>& diagonal) {
+  using Symbolic = Symbolic_factorization;
+  const auto symbolic = std::make_shared<const Symbolic>(laplacian);
+  typename Multifrontal_elimination<matrices>::Factors factors;
+  for (auto& f : factors) f = std::make_shared<Laplacian_factor>(symbolic);
+  Multifrontal_elimination<matrices> elimination(factors, laplacian, unit, diagonal);
+  const bool has_thread = symbolic->has_halves && std::thread::hardware_concurrency() > 1;
+  auto second = std::async(has_thread ? std::launch::async | std::launch::deferred
+                                      : std::launch::deferred,
+                           [&] { return elimination.eliminate(Symbolic::second_half); });
+  const int of_first = elimination.eliminate(Symbolic::first_half), of_second = second.get();
+  for (const int row : {of_first, of_second})
+    if (row >= 0) throw Indefinite_matrix(row);
+  if (const int row = elimination.eliminate(Symbolic::after_both); row >= 0)
     throw Indefinite_matrix(row);
-  for (std::size_t m = 0; m < factors.size(); ++m) factors[m]->pivot = rest.pivots(m);
   return factors;
 }
 
@@ -82,50 +62,24 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Laplacian_factorization::Laplacian_factorization(const Matrix& laplacian,
                                                  const Eigen::VectorXd& diagonal) {
   internal::expect_laplacian(laplacian, diagonal);
-  factor(laplacian, diagonal, std::make_shared<const internal::Elimination>(laplacian));
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Laplacian_factorization::Laplacian_factorization(const Matrix& laplacian,
-                                                 const Eigen::VectorXd& diagonal,
-                                                 const Laplacian_factorization& same_pattern) {
-  internal::expect_laplacian(laplacian, diagonal);
-  internal::expect_same_pattern(*same_pattern.factor_->elimination, laplacian);
-  factor(laplacian, diagonal, same_pattern.factor_->elimination);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Laplacian_factorization::factor(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
-                                std::shared_ptr<const internal::Elimination> elimination) {
-  factor_ = internal::eliminate_all(std::move(elimination), laplacian, 1.0,
-                                    [&](int row) { return diagonal[row]; })[0];
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Laplacian_factorization::Laplacian_factorization(const internal::Ordered_laplacian& laplacian,
-                                                 const Eigen::VectorXd& diagonal) {
-  internal::expect_laplacian(*laplacian, diagonal);
-  factor(*laplacian, diagonal, laplacian.elimination());
+  factor_ = internal::eliminate<1>(laplacian, Eigen::Array<double, 1, 1>(1.),
+                                   diagonal.transpose().array())[0];
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::pair<Laplacian_factorization, Laplacian_factorization>
 Laplacian_factorization::of_both(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
                                  double multiple, const Eigen::VectorXd& diagonal_of_multiple) {
   internal::expect_laplacian(laplacian, diagonal);
-  return of_both(internal::Ordered_laplacian(laplacian), diagonal, multiple, diagonal_of_multiple);
+  internal::expect_laplacian(laplacian, diagonal_of_multiple);
+  if (!std::isfinite(multiple)) throw std::invalid_argument("the multiple must be finite");
+  Eigen::Array<double, 2, -1> diagonals(2, diagonal.size());
+  diagonals << diagonal.transpose().array(), diagonal_of_multiple.transpose().array();
+  const auto factors = internal::eliminate<2>(laplacian, {1, multiple}, diagonals);
+  return {Laplacian_factorization(factors[0]), Laplacian_factorization(factors[1])};
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::pair<Laplacian_factorization, Laplacian_factorization>
-Laplacian_factorization::of_both(const internal::Ordered_laplacian& laplacian,
-                                 const Eigen::VectorXd& diagonal, double multiple,
-                                 const Eigen::VectorXd& diagonal_of_multiple) {
-  internal::expect_laplacian(*laplacian, diagonal);
-  internal::expect_diagonal(*laplacian, diagonal_of_multiple);
-  if (!std::isfinite(multiple)) throw std::invalid_argument("the multiple must be finite");
-  const auto factors = internal::eliminate_all(
-      laplacian.elimination(), *laplacian, Eigen::Array2d(1, multiple),
-      [&](int row) { return Eigen::Array2d(diagonal[row], diagonal_of_multiple[row]); });
-  return {Laplacian_factorization(factors[0]), Laplacian_factorization(factors[1])};
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::Index Laplacian_factorization::size() const {
+  return static_cast<Eigen::Index>(factor_->pivot.size());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::MatrixXd
@@ -134,11 +88,10 @@ Laplacian_factorization::solved(const Eigen::Ref<const Eigen::MatrixXd>& b) cons
     throw std::invalid_argument("the right side must have a row per row of the matrix, " +
                                 std::to_string(size()) + ", not " + std::to_string(b.rows()));
   Eigen::MatrixXd x(b.rows(), b.cols());
-  const internal::Laplacian_solver solver(*factor_);
   Eigen::Index c = 0;
-  for (; c + 4 <= b.cols(); c += 4) solver.solve<Eigen::Array4d>(b, x, c);
-  for (; c + 2 <= b.cols(); c += 2) solver.solve<Eigen::Array2d>(b, x, c);
-  if (c < b.cols()) solver.solve<double>(b, x, c);
+  for (; c + 4 <= b.cols(); c += 4) factor_->solve<4>(b, x, c);
+  for (; c + 2 <= b.cols(); c += 2) factor_->solve<2>(b, x, c);
+  if (c < b.cols()) factor_->solve<1>(b, x, c);
   return x;
 }
 

@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Row_sums.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/eigenpairs.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
@@ -282,7 +281,7 @@ inline Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
     solutions.count();
     if (!(eigenvalues_below(inverse, masses, component, shift) > few)) break;
     shift *= 0x1p-10;
-    inverse = Laplacian_factorization(a, shift * masses, inverse);
+    inverse = Laplacian_factorization(a, shift * masses);
   }
   return {std::move(inverse), solutions};
 }
