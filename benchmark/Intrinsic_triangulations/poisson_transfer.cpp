@@ -23,6 +23,8 @@
 #include <iostream>
 #include <map>
 #include <numbers>
+
+#include <Eigen/SparseCholesky>
 #include <random>
 #include <string>
 #include <utility>

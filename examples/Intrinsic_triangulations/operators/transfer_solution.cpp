@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <Eigen/SparseCholesky>
+
 #include <cmath>
 #include <iostream>
 #include <string>

@@ -36,6 +36,8 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <Eigen/SparseCholesky>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -17,6 +17,8 @@
 #include <boost/graph/graph_traits.hpp>
 #include <gtest/gtest.h>
 
+#include <Eigen/SparseCholesky>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
