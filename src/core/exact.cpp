@@ -9,8 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/ladder_impl.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_steps_impl.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
 

@@ -6,7 +6,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup_impl.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing_impl.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans_impl.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud_impl.h>
@@ -15,8 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/input/Polygon_flattener_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator_impl.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments_impl.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue_impl.h>
 
 #include <array>
 #include <cstdint>

@@ -38,7 +38,6 @@ The usual triangulations, which the library has compiled; see `compilation.h`.
 
 /// the same for what unfolds input triangles, with each of the number types that do.
 #define CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_INSTANCES(...)                                     \
-  CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class Face_layout<__VA_ARGS__>;             \
   CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCE class Unfolded_face<__VA_ARGS__>
 
 namespace CGAL::Intrinsic_triangulations {

@@ -6,11 +6,13 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -31,15 +33,27 @@ public:
   };
 
   /// constructs a list without steps, of an expression in so many values.
-  explicit Expression_steps(std::uint32_t number_of_values);
+  explicit Expression_steps(std::uint32_t number_of_values) : values_(number_of_values) {
+    steps_.reserve(12); // those of two faces have no more
+  }
 
   /// adds a step. \return the number of its result, where the first numbers are those of the values
-  std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double constant = 0);
+  std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double constant = 0) {
+    steps_.push_back({operation, a, b, false, false, constant});
+    return values_ + static_cast<std::uint32_t>(steps_.size()) - 1;
+  }
   /// makes a value or the result of a step the result of all.
-  void finish(std::uint32_t result);
+  void finish(std::uint32_t result) {
+    result_ = result;
+    if (steps_.size() > few_steps) find_last_uses();
+  }
 
   /// tells whether there are neither constants nor quotients.
-  bool is_polynomial() const;
+  bool is_polynomial() const {
+    return std::none_of(steps_.begin(), steps_.end(), [](const Step& s) {
+      return s.operation == Operation::constant || s.operation == Operation::quotient;
+    });
+  }
 
   /*!
   \brief repeats the steps. Results of many are kept until their last use only: numbers may grow with every step.
@@ -92,7 +106,18 @@ private:
 
   static constexpr std::size_t few_steps = 32; // whose results are not worth freeing
 
-  void find_last_uses();
+  void find_last_uses() {
+    std::vector<char> is_used_later(steps_.size());
+    const auto is_last = [&](std::uint32_t n) {
+      return n >= values_ && !std::exchange(is_used_later[n - values_], 1);
+    };
+    is_last(result_);
+    for (auto s = steps_.rbegin(); s != steps_.rend(); ++s) {
+      if (s->operation == Operation::constant) continue;
+      s->is_last_of_a = is_last(s->a);
+      if (s->operation != Operation::negation) s->is_last_of_b = is_last(s->b);
+    }
+  }
 
   std::uint32_t values_;
   std::uint32_t result_ = 0;
@@ -100,9 +125,5 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_steps_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_EXPRESSION_STEPS_H

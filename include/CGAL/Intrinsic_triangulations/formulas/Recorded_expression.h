@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -105,8 +106,16 @@ private:
   Recorded_number(Operation operation, const Recorded_number& a, const Recorded_number& b)
       : number_(add(operation, a.number_, b.number_)) {}
 
-  static std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double x = 0);
-  static Expression_steps*& recording();
+  static std::uint32_t add(Operation operation, std::uint32_t a, std::uint32_t b, double x = 0) {
+    if (recording() == nullptr)
+      throw std::logic_error("numbers of an expression are made while it is recorded: it has no "
+                             "static numbers");
+    return recording()->add(operation, a, b, x);
+  }
+  static Expression_steps*& recording() {
+    thread_local Expression_steps* steps = nullptr;
+    return steps;
+  }
 
   std::uint32_t number_;
 };
@@ -173,7 +182,12 @@ public:
   Zero_meaning zero_meaning() const { return meaning_; }
 
 private:
-  Recorded_diamond_expression(Expression_steps&& steps, Zero_meaning meaning);
+  Recorded_diamond_expression(Expression_steps&& steps, Zero_meaning meaning)
+      : steps_(std::move(steps)), meaning_(meaning) {
+    constexpr Expression_degree l = Expression_degree::length(), a = Expression_degree::area();
+    if (steps_.is_polynomial())
+      degree_ = (*this)(Diamond_values<Expression_degree>{l, l, l, l, l, a, a});
+  }
 
   template <class Expression>
   static constexpr Zero_meaning meaning_of() {
@@ -245,9 +259,5 @@ decltype(auto) recorded(const Expression& expression) {
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_RECORDED_EXPRESSION_H

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_GEODESIC_FACE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
@@ -36,6 +37,15 @@ std::array<double, 3> squared_lengths_of_face(const Complex& complex, std::uint3
   const auto [ij, jk, ki] = sides_of_face(complex, h);
   return {complex.squared_length(ij / 2), complex.squared_length(jk / 2),
           complex.squared_length(ki / 2)};
+}
+
+/// returns a functor from a halfedge to the values of its face, from it on, as doubles.
+template <class Complex>
+auto approximate_values(const Complex& complex) {
+  return [&complex](std::uint32_t h) {
+    return Face_values<double>{squared_lengths_of_face(complex, h),
+                               complex.quadruple_area(complex.face(h))};
+  };
 }
 
 /*!

@@ -16,12 +16,6 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// A tangent vector at a vertex in polar coordinates (§2.4 of the course).
-struct Polar_vector {
-  double length; ///< its length
-  double angle;  ///< from the reference direction counterclockwise, scaled to the circle
-};
-
 /*!
 \brief assigns tangent vectors at the vertices of a surface their coordinates (§2.4 of the course).
 
@@ -122,34 +116,6 @@ private:
   std::vector<double> cone_angle_;      // per slot
   std::vector<Fan> fans_;
 };
-
-/*!
-\brief takes a tangent vector from a vertex into a face there: from polar coordinates to the frame of a
-halfedge that starts at the vertex, by the cone angle between them.
-\param fan the directions at the vertex
-\param cone_angle that of the halfedge
-\param v the vector
-*/
-inline Plane_vector<double> planar_vector(const Tangent_frames::Fan& fan, double cone_angle,
-                                          const Polar_vector& v) {
-  const double a = v.angle / fan.scale() - cone_angle;
-  return {v.length * std::cos(a), v.length * std::sin(a)};
-}
-
-/*!
-\brief takes a tangent vector from the frame of a halfedge to polar coordinates at its source.
-\param fan the directions at the vertex
-\param cone_angle that of the halfedge
-\param v the vector
-\return the vector, its angle from 0 to 2 pi
-*/
-inline Polar_vector polar_vector(const Tangent_frames::Fan& fan, double cone_angle,
-                                 const Plane_vector<double>& v) {
-  const double full = 2 * std::numbers::pi;
-  double angle = std::fmod((std::atan2(v[1], v[0]) + cone_angle) * fan.scale(), full);
-  if (angle < 0) angle += full;
-  return {std::hypot(v[0], v[1]), angle < full ? angle : 0};
-}
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -371,14 +371,6 @@ TEST(Tangent_frames, Scale_angles_once_to_the_circle_or_on_the_border_to_a_half_
   for (std::uint32_t h = 0; h < 24; ++h) {
     EXPECT_NEAR(frames.fan(frames.fan_of(h)).angle, 4 * std::numbers::pi / 3, 1e-15);
     EXPECT_NEAR(std::remainder(frames.polar_angle(h), std::numbers::pi / 2), 0, 1e-15);
-    for (const Vector v : {Vector{1, 2}, {-3, 1}, {0.5, -1}, {-1, -1}}) {
-      const IT::Polar_vector p = IT::polar_vector(s.signposts().fan(h), s.signposts().angle(h), v);
-      const Vector w = IT::planar_vector(s.signposts().fan(h), s.signposts().angle(h), p);
-      EXPECT_NEAR(p.length, std::hypot(v[0], v[1]), 1e-15);
-      // directions are those of a cone of less than 2 pi
-      const double turn = (std::atan2(w[1], w[0]) - std::atan2(v[1], v[0])) * 1.5;
-      EXPECT_NEAR(std::remainder(turn, 2 * std::numbers::pi), 0, 1e-14);
-    }
   }
   const Placed<Rounded> g(meshes::grid(1, 1));
   for (std::uint32_t h = 0; h < 10; ++h)

@@ -157,20 +157,15 @@ public:
 
   /// unfolds the strip between two points, of the face before the first and after the last of the
   /// input halfedges `entered`.
-  void unfold(Surface_point from, Surface_point to, std::span<const std::uint32_t> entered) {
-    sides_.clear();
-    Side s{{0, 0}, {std::sqrt(input_.squared_length(entered.front() / 2)), 0}};
-    from_ = place(seen_from(input_, from, entered.front() ^ 1U), s.target, s.source);
-    for (std::size_t i = 0;; ++i) {
-      sides_.push_back(s);
-      if (i + 1 == entered.size()) break;
-      const Point apex = place({entered[i], {0, 0, 1}}, s.source, s.target);
-      if ((entered[i + 1] ^ 1U) == input_.next(entered[i]))
-        s.source = apex;
-      else
-        s.target = apex;
-    }
-    to_ = place(seen_from(input_, to, entered.back()), s.source, s.target);
+  void unfold(const Surface_point& from, const Surface_point& to,
+              std::span<const std::uint32_t> entered) {
+    strip_.start(entered.front());
+    for (const std::uint32_t x : entered.subspan(1)) strip_.enter(input_, strip_.last(), x);
+    z_ = {{0, 0}, {std::sqrt(input_.squared_length(entered.front() / 2)), 0}};
+    strip_.develop(z_, approximate_values(input_), entered.size() - 1);
+    line_ = {place(seen_from(input_, from, entered.front() ^ 1U), z_[1], z_[0]),
+             place(seen_from(input_, to, entered.back()), side(entered.size() - 1, 0),
+                   side(entered.size() - 1, 1))};
   }
 
   /// unfolds the strip along an intrinsic halfedge, which enters the faces of `entered`.
@@ -182,27 +177,17 @@ public:
   }
 
   /// returns the vector from end to end.
-  Point vector() const { return to_ - from_; }
-
+  Point vector() const { return line_.to - line_.from; }
   /// returns where the straight line crosses side `i`, from its source.
-  double parameter(std::size_t i) const {
-    const Point d = vector();
-    const double a = cross(d, sides_[i].source - from_), b = cross(d, sides_[i].target - from_);
-    return a - b > 0 ? std::clamp(a / (a - b), 0.0, 1.0) : 0.5;
-  }
-
+  double parameter(std::size_t i) const { return line_.parameter(side(i, 0), side(i, 1)); }
   /// returns where the straight line meets the point at `parameter` of side `i`.
   double along(std::size_t i, double parameter) const {
-    const Point d = vector(), s = sides_[i].source, t = sides_[i].target;
-    const Point p{s.x + parameter * (t.x - s.x), s.y + parameter * (t.y - s.y)};
-    const double squared = dot(d, d);
-    return squared > 0 ? std::clamp(dot(d, p - from_) / squared, 0.0, 1.0) : 0.5;
+    return line_.along(side(i, 0) + parameter * (side(i, 1) - side(i, 0)));
   }
 
 private:
-  struct Side {
-    Point source, target;
-  };
+  // where the side over which face `i` is entered starts or ends
+  const Point& side(std::size_t i, std::size_t end) const { return z_[strip_[i].point[end]]; }
 
   // the point of a face whose halfedge runs from `s` to `t`
   Point place(const Surface_point& p, const Point& s, const Point& t) const {
@@ -212,8 +197,9 @@ private:
   }
 
   const Input& input_;
-  std::vector<Side> sides_;
-  Point from_{0, 0}, to_{0, 0};
+  Development strip_; // from the first face that is entered on
+  std::vector<Point> z_;
+  Straight_line line_{{0, 0}, {0, 0}};
 };
 
 // What is in order along an edge stays in order.

@@ -62,7 +62,7 @@ auto copied_place(const Layout& layout, const View& view, const Coordinates& coo
   const Input& input = coordinates.input();
   if (!along_side) return layout.place_at(input, wanted, weights);
   const std::uint32_t x = location_on_side(view, coordinates, h, weights[1]).halfedge;
-  if (wanted.halfedge / 2 != x / 2) return decltype(layout.place_on_side(input, wanted))();
+  if (wanted.halfedge / 2 != x / 2) return std::optional<Place_in_face>();
   return layout.place_on_side(input, wanted.halfedge == x ? wanted : turned_around(wanted));
 }
 
@@ -119,7 +119,7 @@ public:
       // intervals grow with the number of triangles that are unfolded one from another, and what is in the middle of them
       // means less and less; centers of balls lose no more than rounding does
       return internal::to_nearest([&] {
-        unfold(short_, view, coordinates, h);
+        unfold(short_, coordinates.input());
         return place_near(short_.face, t, coordinates, h, weights, along_side, wanted);
       });
     } else {
@@ -133,7 +133,7 @@ public:
   }
 
   /// returns how many steps were taken so far along curves that cross faces.
-  std::size_t steps() const { return rough_.steps() + face_.steps(); }
+  std::size_t steps() const { return rough_.development().steps() + face_.development().steps(); }
 
   /// returns the values at the vertex that was placed last, if the metric of its triangulation is exact.
   const Vertex_move_values<FT>& values() const { return values_; }
@@ -142,9 +142,7 @@ public:
   /// intervals are too wide to tell its direction, and were not needed in more bits.
   /// \pre rounding is upwards, and the face has not changed
   std::optional<Seen_corner> seen_corner(const Input& input) const {
-    const auto seen_in = [&](const auto& face) {
-      return face.farthest_corner(input, {{}, triangle_, in_triangle_, location_});
-    };
+    const auto seen_in = [&](const auto& face) { return face.farthest_corner(input, place_); };
     if (!face_.is_vague()) return seen_in(face_);
     if (!short_.is_unfolded) return std::nullopt;
     return internal::to_nearest([&] { return seen_in(short_.face); });
@@ -189,7 +187,7 @@ private:
     if (wanted) {
       const auto p =
           internal::copied_place(layout, view, coordinates, h, weights, along_side, *wanted);
-      const bool is_there = p && is_in_face(t, coordinates, h, *p, along_side);
+      const bool is_there = p && is_in_face(t, coordinates.input(), *p, along_side);
       return is_there ? placed(p, along_side) : std::nullopt;
     }
     // a point of a side that runs across input faces cannot be represented, as a rule: one beside it can
@@ -224,29 +222,25 @@ private:
     const Input& input = coordinates.input();
     auto place = internal::place_in(layout, Intrinsic_view<Triangulation>(t), coordinates, h,
                                     weights, along_side);
-    if (place && is_in_face(t, coordinates, h, *place, along_side))
-      return placed(place, along_side);
+    if (place && is_in_face(t, input, *place, along_side)) return placed(place, along_side);
     if (!place || along_side || !place->region.is_on_curve) return std::nullopt;
     place = layout.place(input, weights, Layout::least_nearness);
-    if (place && is_in_face(t, coordinates, h, *place, false)) return placed(place, false);
+    if (place && is_in_face(t, input, *place, false)) return placed(place, false);
     return std::nullopt;
   }
 
   // computes the values at a place; whether they are proven to be those of a point of the face
-  template <class Triangulation, class Coordinates, class Place>
-  bool is_in_face(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
-                  const Place& place, bool along_side) {
+  template <class Triangulation>
+  bool is_in_face(const Triangulation& t, const Input& input, const Place_in_face& place,
+                  bool along_side) {
     const Protect_FPU_rounding<true> upwards(CGAL_FE_UPWARD);
-    triangle_ = place.triangle;
-    in_triangle_ = place.weights;
-    location_ = place.location;
-    values_ = face_.values(place.triangle, place.weights);
+    place_ = place;
+    values_ = face_.values(place);
     if (along_side) values_.quadruple_areas[0] = FT(0);
-    const Intrinsic_view<Triangulation> view(t);
     const auto sharpen = [&](auto& numbers, unsigned bits) {
       const Mpfr_precision precision(bits);
       ++t.metric().statistics().sharpenings[bits];
-      find_values(numbers, view, coordinates, h, place, along_side);
+      find_values(numbers, input, along_side);
     };
     if (!is_open(along_side)) return are_positive(along_side);
     sharpen(short_, 106);
@@ -255,8 +249,8 @@ private:
     return are_positive(along_side);
   }
 
-  template <class Place>
-  static std::optional<Placed_insertion> placed(const std::optional<Place>& p, bool along_side) {
+  static std::optional<Placed_insertion> placed(const std::optional<Place_in_face>& p,
+                                                bool along_side) {
     if (!p) return std::nullopt;
     return Placed_insertion{along_side, p->region, p->location};
   }
@@ -285,23 +279,19 @@ private:
   };
 
   // rounding must be to the nearest
-  template <class Center, class View, class Coordinates>
-  static void unfold(Numbers<Center>& numbers, const View& view, const Coordinates& coordinates,
-                     std::uint32_t h) {
+  template <class Center>
+  void unfold(Numbers<Center>& numbers, const Input& input) {
     if (numbers.is_unfolded) return;
-    const Input& input = coordinates.input();
-    numbers.face.unfold(view, coordinates, h,
-                        internal::values_from(input, numbers.input.of(input.metric())));
+    numbers.face.unfold(face_, internal::values_from(input, numbers.input.of(input.metric())));
     numbers.is_unfolded = true;
   }
 
   // in more bits; an area that shows no sign in the most of them is not worth an insertion
-  template <class Center, class View, class Coordinates, class Place>
-  void find_values(Numbers<Center>& numbers, const View& view, const Coordinates& coordinates,
-                   std::uint32_t h, const Place& place, bool along_side) {
+  template <class Center>
+  void find_values(Numbers<Center>& numbers, const Input& input, bool along_side) {
     const Vertex_move_values<Ball<Center>> wide = internal::to_nearest([&] {
-      unfold(numbers, view, coordinates, h);
-      return numbers.face.values(place.triangle, place.weights);
+      unfold(numbers, input);
+      return numbers.face.values(place_);
     });
     for (std::size_t k = 0; k < 3; ++k) {
       values_.squared_lengths[k] = wide.squared_lengths[k].interval();
@@ -315,10 +305,7 @@ private:
   Numbers<Double_double> short_;
   Numbers<Mpfr_number> long_, longest_; // of 256 and of 1024 bits
   Vertex_move_values<FT> values_;
-  // the place that they belong to
-  std::uint32_t triangle_ = 0;
-  std::array<double, 3> in_triangle_{};
-  Surface_point location_;
+  Place_in_face place_; // that they belong to
 };
 
 } // namespace CGAL::Intrinsic_triangulations

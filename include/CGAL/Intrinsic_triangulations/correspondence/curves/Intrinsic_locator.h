@@ -144,12 +144,8 @@ public:
   /// returns a point of a face, moved into it if rounding has put it outside.
   static Walked weights(const Placed_face& f, const Point& p) {
     const Point side = f.target - f.source;
-    const double squared = dot(side, side);
-    if (!(squared > 0)) return {{f.halfedge, {1, 0, 0}}, {1, 0}};
-    const Point inverse{side.x / squared, -side.y / squared};
-    return {
-        {f.halfedge, weights_above_side((p - f.source) * inverse, (f.apex - f.source) * inverse)},
-        side};
+    if (!(dot(side, side) > 0)) return {{f.halfedge, {1, 0, 0}}, {1, 0}};
+    return {{f.halfedge, weights_in_triangle(p, f.source, f.target, f.apex)}, side};
   }
 
 private:
@@ -204,16 +200,14 @@ private:
       const std::optional<Curve_end> start = find_curve(view_, coordinates_, vertex, x);
       if (!start) return std::nullopt;
       std::optional<Curve_strip> strip;
-      if (start->index >= 0)
-        strip.emplace(view_, coordinates_, sides_of_face(view_, start->halfedge),
-                      first_crossing(view_, coordinates_, *start));
+      if (start->index >= 0) strip.emplace(view_, coordinates_, *start);
       const std::uint32_t end =
-          strip ? view_.source(strip->end().halfedge) : view_.target(start->halfedge);
+          strip ? view_.source(strip->end.halfedge) : view_.target(start->halfedge);
       const double to = parameter_on_halfedge(coordinates_, end, x, false);
       if (point.x <= to || !coordinates_.is_inserted(end)) {
         const double scale = 1 / (to - from);
         const Point q{(point.x - from) * scale, point.y * scale};
-        return strip ? beside_strip(*start, *strip, q) : beside_edge(start->halfedge, q);
+        return strip ? beside_strip(*strip, q) : beside_edge(start->halfedge, q);
       }
       vertex = end;
       from = to;
@@ -230,21 +224,18 @@ private:
   static double foot(const Point& p) { return p.x >= 0 && p.x <= 1 ? p.x : 0.5; }
 
   // the curve from 0 to 1: first the face at the foot of the perpendicular, then up
-  Walked beside_strip(const Curve_end& start, const Curve_strip& strip, const Point& p) const {
-    std::vector<Point> points = strip.unfold_approximately(view_);
-    const Point u = points[strip.first()], d = points[strip.last()] - u;
+  Walked beside_strip(const Curve_strip& strip, const Point& p) const {
+    std::vector<Point> z = strip.develop(view_);
+    const Point d = z.back();
     const double squared = dot(d, d);
-    const Point inverse{d.x / squared, -d.y / squared};
-    for (Point& q : points) q = (q - u) * inverse;
+    for (Point& q : z) q = q * Point{d.x / squared, -d.y / squared};
     const Point from{foot(p), 0};
-    Placed_face f{start.halfedge, points[0], points[1], points[2]};
-    for (std::size_t n = 1; n < strip.triangles().size(); ++n) {
-      const Curve_strip::Triangle& t = strip.triangles()[n];
-      const Point &a = points[t.start], &b = points[t.end]; // the curve passes from right to left
-      if (orientation(a, b, from) < 0) break;
-      f = {t.entered, a, b, points[n + 2]};
+    std::size_t n = 0;
+    const auto point = [&](unsigned k) { return z[strip.faces[n].point[k]]; };
+    while (++n < strip.faces.size() && orientation(point(0), point(1), from) >= 0) {
     }
-    return walk_.walk(f, from, p);
+    --n; // the last face that is entered before
+    return walk_.walk({strip.faces[n].halfedge, point(0), point(1), point(2)}, from, p);
   }
 
   View view_;

@@ -5,15 +5,20 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_UNFOLDED_FACE_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_layout.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_development.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/development/Development.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -22,29 +27,71 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+
+inline double approximation(double x) { return x; }
+inline double approximation(const Interval_nt<false>& x) { return CGAL::to_double(x); }
+template <class Center>
+double approximation(const Ball<Center>& x) {
+  return x.to_double();
+}
+
+} // namespace internal
+
+/// A point of an intrinsic face, placed on the input.
+struct Place_in_face {
+  Face_region region; ///< in the face
+  std::uint32_t triangle =
+      0; ///< the input triangle that contains it, by its number in the development
+  std::array<double, 3> weights{}; ///< of the corners of the triangle, multiples of 2^-52
+  Surface_point
+      location; ///< on the input; if it is on a curve, on the side of the curve of larger numbers
+};
+
 /*!
 \brief places points of an intrinsic face on the input triangles over which it lies.
-\tparam FT a model of `Field` with `CGAL::to_double()`
+
+These are developed into the plane, such that the first side of the first triangle runs from 0 to 1.
+\tparam FT `double`, `Interval_nt<false>` or a `Ball`
 */
 template <class FT>
-class Unfolded_face : public Face_layout<FT> {
+class Unfolded_face {
 public:
+  /// A point of the plane.
+  using Point = Plane_vector<FT>;
+  /// A point of the face.
+  using Place = Place_in_face;
   /// Relative distance from a curve within which a point is put on it: a few roundings of a circumcenter.
   static constexpr double usual_nearness = 0x1p-40;
   /// The unit of weights.
   static constexpr double least_nearness = 0x1p-52;
 
-  /// A point of the face.
-  struct Place {
-    Face_region region;              ///< in the face
-    std::uint32_t triangle = 0;      ///< the input triangle that contains it, by its number here
-    std::array<double, 3> weights{}; ///< of the corners of the triangle, multiples of 2^-52
-    Surface_point
-        location; ///< on the input; if it is on a curve, on the side of the curve of larger numbers
-  };
+  /*!
+  \brief unfolds the face of a halfedge.
+  \tparam Complex `Intrinsic_view`
+  \tparam Coordinates a model of `CurveCoordinates`
+  \tparam Input_values a functor from an input halfedge to the `Face_values<FT>` of its face, from the halfedge on
+  \complexity see `Face_development`
+  */
+  template <class Complex, CurveCoordinates Coordinates, class Input_values>
+  void unfold(const Complex& complex, const Coordinates& coordinates, std::uint32_t h,
+              const Input_values& values) {
+    face_.unfold(complex, coordinates, h);
+    develop(values);
+  }
+  /// unfolds a face that was unfolded in other numbers.
+  template <class Other, class Input_values>
+  void unfold(const Unfolded_face<Other>& face, const Input_values& values) {
+    face_ = face.development();
+    develop(values);
+  }
+
+  /// returns the triangles under the face, and how they were found.
+  const Face_development& development() const { return face_; }
 
   /*!
   \brief places a point of the face on the input: finds the triangle that contains it, and rounds its barycentric
@@ -57,12 +104,10 @@ public:
   */
   std::optional<Place> place(const Input& input, const std::array<double, 3>& weights,
                              double nearness = usual_nearness) const {
-    const Plane_vector<double> p = combination(weights);
-    Place result;
-    result.region = middle_region();
-    walk(p, result);
-    const std::array<double, 3> in_triangle = barycentric(triangles_[result.triangle], p);
-    return rounded(input, in_triangle, nearness, result) ? std::optional(result) : std::nullopt;
+    const Rounded p = in_face(weights);
+    Place result = region_of(p);
+    const std::array<double, 3> w = weights_in_triangle(result.triangle, p);
+    return rounded(input, w, nearness, result) ? std::optional(result) : std::nullopt;
   }
 
   /*!
@@ -73,19 +118,14 @@ public:
   */
   std::optional<Place> place_on_side(const Input& input, const Surface_point& location) const {
     Place result;
-    result.region = middle_region();
-    if (fan_ < 3) result.region.right_of_fan = fan_ == 1 ? curves_.emanating[1] : 0;
-    result.triangle = region_at(fan_ == 0 ? 1 : 0, 0);
+    result.region = face_.region_beside_first_side();
+    result.triangle = face_.beside_first_side();
     const double along = std::floor(location.weights[1] * 0x1p52) * 0x1p-52;
     if (!(along > 0 && along < 1)) return std::nullopt;
     result.location = {location.halfedge, {1 - along, along, 0}};
-    result.weights =
-        seen_from(input, result.location, triangles_[result.triangle].halfedge).weights;
-    for (unsigned k = 0; k < 2; ++k) { // not at an end, which may be inside the input edge
-      const Plane_vector<double> d =
-          approximate(vector({result.triangle, result.weights}, corner_[k]));
-      if (d.x == 0 && d.y == 0) return std::nullopt;
-    }
+    result.weights = seen_from(input, result.location, halfedge(result.triangle)).weights;
+    for (unsigned k = 0; k < 2; ++k) // not at an end, which may be inside the input edge
+      if (approximate(to_corner(result, k)) == Rounded{0, 0}) return std::nullopt;
     return result;
   }
 
@@ -99,13 +139,13 @@ public:
   */
   std::optional<Place> place_at(const Input& input, const Surface_point& wanted,
                                 const std::array<double, 3>& weights) const {
-    const Plane_vector<double> near = combination(weights);
+    const Rounded near = in_face(weights);
     double least = std::numeric_limits<double>::infinity();
     Place result;
-    for (std::uint32_t t = 0; t <= last(); ++t) {
+    for (std::uint32_t t = 0; t <= face_.last(); ++t) {
       const std::optional<Surface_point> p = seen_in(input, t, wanted);
       if (!p) continue;
-      const Plane_vector<double> d = point_in(t, p->weights) - near;
+      const Rounded d = in_triangle(t, p->weights) - near;
       if (!(dot(d, d) < least)) continue;
       least = dot(d, d);
       result.triangle = t;
@@ -121,22 +161,34 @@ public:
     const auto is_vague = [](const Interval& x) {
       return !(x.sup() - x.inf() <= 0x1p-26 * std::max(1., std::abs(x.sup())));
     };
-    return std::any_of(triangles_.begin(), triangles_.end(), [&](const Triangle& t) {
-      return is_vague(t.point[2].x) || is_vague(t.point[2].y);
-    });
+    return std::any_of(z_.begin(), z_.end(),
+                       [&](const Point& p) { return is_vague(p.x) || is_vague(p.y); });
   }
 
-  using Face_layout<FT>::values;
-  /// computes the values at a vertex that is inserted at a place.
-  Vertex_move_values<FT> values(const Place& p) const { return values(p.triangle, p.weights); }
+  /*!
+  \brief computes the values at a vertex that is inserted at a place.
+  \return squared lengths of ip, jp, kp and quadruple areas of ijp, jkp, kip, which are positive if and only if the
+  place is in the face
+  */
+  Vertex_move_values<FT> values(const Place& p) const {
+    std::array<Point, 3> to;
+    Vertex_move_values<FT> result;
+    for (unsigned k = 0; k < 3; ++k) {
+      to[k] = to_corner(p, k);
+      result.squared_lengths[k] = unit_ * dot(to[k], to[k]);
+    }
+    for (unsigned k = 0; k < 3; ++k)
+      result.quadruple_areas[k] = (unit_ + unit_) * cross(to[k], to[(k + 1) % 3]);
+    return result;
+  }
 
   /// returns the corner of the face that is farthest from a place: its direction is the most accurate one.
   Seen_corner farthest_corner(const Input& input, const Place& p) const {
-    const Plane_vector<double> axis = along(input, p);
+    const Rounded axis = along(input, p);
     Seen_corner result;
     double farthest = 0;
     for (unsigned k = 0; k < 3; ++k) {
-      const Plane_vector<double> to = approximate(vector({p.triangle, p.weights}, corner_[k]));
+      const Rounded to = approximate(to_corner(p, k));
       if (!(dot(to, to) > farthest)) continue;
       farthest = dot(to, to);
       result = {k, std::atan2(cross(axis, to), dot(axis, to))};
@@ -150,42 +202,96 @@ public:
   \return the point, and the direction of its halfedge from the first side of the face
   */
   Mapped_point locate(const std::array<double, 3>& weights) const {
-    const Plane_vector<double> p = combination(weights);
-    Place place;
-    place.region = middle_region();
-    walk(p, place);
-    const Triangle& t = triangles_[place.triangle];
-    const Plane_vector<double> d = approximate(t.point[1]) - approximate(t.point[0]);
-    const Plane_vector<double> side =
-        approximate(position(corner_[1])) - approximate(position(corner_[0]));
-    const double length = std::sqrt(dot(d, d) * dot(side, side));
-    return {
-        {t.halfedge, barycentric(t, p)}, {dot(side, d) / length, cross(side, d) / length}, {1, 0}};
+    const Rounded p = in_face(weights);
+    const std::uint32_t t = region_of(p).triangle;
+    const Rounded d = rounded_point(t, 1) - rounded_point(t, 0),
+                  side = approximate(position(face_.corner(1))) -
+                         approximate(position(face_.corner(0)));
+    return {{halfedge(t), weights_in_triangle(t, p)},
+            conjugate(side) * d / std::sqrt(dot(d, d) * dot(side, side)),
+            {1, 0}};
   }
 
 private:
-  using Base = Face_layout<FT>;
-  using Base::along_, Base::corner_, Base::curves_, Base::fan_, Base::first_, Base::triangles_;
-  using Base::approximate, Base::combination, Base::last, Base::position, Base::region_at;
-  using Base::side_towards, Base::vector;
-  using typename Base::Triangle;
+  using Corner = Face_development::Corner;
+  using Rounded = Plane_vector<double>;
+
+  template <class Input_values>
+  void develop(const Input_values& values) {
+    unit_ = values(halfedge(0)).squared_lengths[0];
+    z_.clear();
+    face_.triangles().develop(z_, values);
+  }
+
+  std::uint32_t halfedge(std::uint32_t t) const { return face_.triangles()[t].halfedge; }
+  const Point& point(std::uint32_t t, std::size_t k) const {
+    return z_[face_.triangles()[t].point[k]];
+  }
+  static Rounded approximate(const Point& p) {
+    return {internal::approximation(p.x), internal::approximation(p.y)};
+  }
+  Rounded rounded_point(std::uint32_t t, std::size_t k) const { return approximate(point(t, k)); }
+
+  Point position(const Corner& c) const {
+    const Point& o = point(c.triangle, 0);
+    if (c.weights[0] == 1) return o;
+    if (c.weights[1] == 1) return point(c.triangle, 1);
+    const Point a = point(c.triangle, 1) - o, b = point(c.triangle, 2) - o;
+    const FT s(c.weights[1]), t(c.weights[2]);
+    return {o.x + s * a.x + t * b.x, o.y + s * a.y + t * b.y};
+  }
+
+  // from a place to a corner of the face; in one triangle differences of weights are exact
+  Point to_corner(const Place& from, unsigned k) const {
+    Corner to = face_.corner(k);
+    if (from.triangle != to.triangle) {
+      const std::optional<unsigned> shared = face_.shared_corner(from.triangle, to);
+      if (!shared) return position(to) - position({from.triangle, from.weights});
+      to = {from.triangle, {}};
+      to.weights[*shared] = 1;
+    }
+    const Point& o = point(from.triangle, 0);
+    const Point a = point(from.triangle, 1) - o, b = point(from.triangle, 2) - o;
+    const FT s(to.weights[1] - from.weights[1]), t(to.weights[2] - from.weights[2]);
+    return {s * a.x + t * b.x, s * a.y + t * b.y};
+  }
+
+  // the combination of three points
+  template <class Point_at>
+  static Rounded combination(const std::array<double, 3>& weights, const Point_at& at) {
+    Rounded p{0, 0};
+    for (unsigned k = 0; k < 3; ++k) p = p + weights[k] * at(k);
+    return p;
+  }
+  Rounded in_face(const std::array<double, 3>& weights) const {
+    return combination(weights, [&](unsigned k) { return approximate(position(face_.corner(k))); });
+  }
+  Rounded in_triangle(std::uint32_t t, const std::array<double, 3>& weights) const {
+    return combination(weights, [&](unsigned k) { return rounded_point(t, k); });
+  }
+  std::array<double, 3> weights_in_triangle(std::uint32_t t, const Rounded& p) const {
+    return Intrinsic_triangulations::weights_in_triangle(p, rounded_point(t, 0),
+                                                         rounded_point(t, 1), rounded_point(t, 2));
+  }
+
+  // the region and the triangle of a point
+  Place region_of(const Rounded& p) const {
+    Place result;
+    const auto is_beyond = [&](std::uint32_t t) {
+      const Rounded a = rounded_point(t, 0);
+      return cross(rounded_point(t, 1) - a, p - a) > 0;
+    };
+    result.triangle = face_.find_region(is_beyond, result.region);
+    return result;
+  }
 
   // a place on the input from the first side of a triangle, if it is in it
   std::optional<Surface_point> seen_in(const Input& input, std::uint32_t t,
                                        const Surface_point& p) const {
-    const std::uint32_t h = triangles_[t].halfedge, o = p.halfedge ^ 1U;
+    const std::uint32_t h = halfedge(t), o = p.halfedge ^ 1U;
     if (input.face(p.halfedge) == input.face(h)) return seen_from(input, p, h);
     if (p.weights[2] != 0 || input.face(o) != input.face(h)) return std::nullopt;
     return seen_from(input, {o, {p.weights[1], p.weights[0], 0}}, h);
-  }
-
-  Plane_vector<double> point_in(std::uint32_t t, const std::array<double, 3>& w) const {
-    Plane_vector<double> p{0, 0};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Plane_vector<double> z = approximate(triangles_[t].point[k]);
-      p = {p.x + w[k] * z.x, p.y + w[k] * z.y};
-    }
-    return p;
   }
 
   // a point of a triangle, from its first side on
@@ -193,14 +299,12 @@ private:
     constexpr double inwards = 0x1p-20; // so far that the walk ends in the triangle
     std::array<double, 3> w = p.weights;
     for (double& x : w) x += inwards * (1. / 3 - x);
-    Place result;
-    result.region = middle_region();
-    walk(point_in(t, w), result);
+    Place result = region_of(in_triangle(t, w));
     if (result.triangle != t) return std::nullopt;
     const auto zero = std::find(p.weights.begin(), p.weights.end(), 0.);
     if (zero != p.weights.end()) {
       const auto opposite = static_cast<unsigned>(zero - p.weights.begin());
-      const std::optional<std::uint32_t> child = beyond(input, t, opposite);
+      const std::optional<std::uint32_t> child = face_.beyond(input, t, opposite);
       if (!child || !put_on_curve(*child, opposite, p.weights, result)) return std::nullopt;
       return result;
     }
@@ -209,98 +313,31 @@ private:
     return result;
   }
 
-  // the triangle that is entered over the side of a triangle opposite a corner: itself, or another one
-  std::optional<std::uint32_t> beyond(const Input& input, std::uint32_t t,
-                                      unsigned opposite) const {
-    if (t > 0 && opposite == 2) return t;
-    for (const std::uint32_t child : {t + 1, static_cast<std::uint32_t>(along_) + 1})
-      if (child <= last() && triangles_[child].parent == t &&
-          (side_towards(input, child) + 2) % 3 == opposite)
-        return child;
-    return std::nullopt;
-  }
-
-  Face_region middle_region() const {
-    Face_region r;
-    r.cutting = curves_.cutting;
-    r.fan_corner = fan_;
-    return r;
-  }
-
-  // whether a point is beyond the side by which triangle t is entered
-  bool is_in(std::uint32_t t, const Plane_vector<double>& p) const {
-    const Plane_vector<double> a = approximate(triangles_[t].point[0]),
-                               b = approximate(triangles_[t].point[1]), d = b - a, q = p - a;
-    return d.x * q.y - d.y * q.x > 0;
-  }
-
-  // to the region that contains a point
-  void walk(const Plane_vector<double>& p, Place& result) const {
-    if (fan_ < 3) {
-      Normal_coordinate m = 0;
-      while (m < along_ && is_in(static_cast<std::uint32_t>(m) + 1, p)) ++m;
-      return enter(m, result);
-    }
-    result.triangle = region_at(first_, curves_.cutting[first_]);
-    for (unsigned k = 0; k < 3; ++k) {
-      Normal_coordinate& q = result.region.cutting[k];
-      for (; q > 0; --q) {
-        const std::uint32_t outer = region_at(k, q - 1);
-        const bool is_beyond = k == first_ ? !is_in(outer + 1, p) : is_in(outer, p);
-        if (!is_beyond) break;
-        result.triangle = outer;
-      }
-      if (q < curves_.cutting[k]) return;
-    }
-  }
-
-  // region number m of a strip along a side
-  void enter(Normal_coordinate m, Place& result) const {
-    const unsigned end = (first_ + 1) % 3;
-    Face_region& r = result.region;
-    result.triangle = static_cast<std::uint32_t>(m);
-    r.cutting[first_] = std::min(m, curves_.cutting[first_]);
-    r.cutting[end] = std::min(along_ - m, curves_.cutting[end]);
-    r.right_of_fan = std::clamp(m - curves_.cutting[first_], 0, curves_.emanating[fan_]);
-  }
-
   // the direction of the halfedge of the location; where the triangle has both sides of its edge, at the one that the
   // place is on
-  Plane_vector<double> along(const Input& input, const Place& p) const {
+  Rounded along(const Input& input, const Place& p) const {
     const bool is_on_edge = p.location.weights[2] == 0;
     const auto is_side = [&](std::uint32_t side, std::size_t k) {
       return side / 2 == p.location.halfedge / 2 && !(is_on_edge && p.weights[(k + 2) % 3] != 0);
     };
-    const Triangle& t = triangles_[p.triangle];
-    std::uint32_t side = t.halfedge;
+    std::uint32_t side = halfedge(p.triangle);
     std::size_t k = 0;
     for (; k < 2 && !is_side(side, k); ++k) side = input.next(side);
-    const Plane_vector<double> a = approximate(t.point[k]), b = approximate(t.point[(k + 1) % 3]);
+    const Rounded a = rounded_point(p.triangle, k), b = rounded_point(p.triangle, (k + 1) % 3);
     return side == p.location.halfedge ? b - a : a - b;
-  }
-
-  static std::array<double, 3> barycentric(const Triangle& t, const Plane_vector<double>& p) {
-    const Plane_vector<double> from = approximate(t.point[0]),
-                               side = approximate(t.point[1]) - from;
-    const auto seen = [&](const Plane_vector<double>& q) {
-      const Plane_vector<double> v = q - from;
-      return Plane_vector<double>{dot(side, v) / dot(side, side), cross(side, v) / dot(side, side)};
-    };
-    return weights_above_side(seen(p), seen(approximate(t.point[2])));
   }
 
   bool rounded(const Input& input, std::array<double, 3> w, double nearness, Place& result) const {
     const std::uint32_t t = result.triangle;
     if (t > 0 && w[2] < nearness) return put_on_curve(t, 2, w, result);
-    for (const std::uint32_t child : {t + 1, static_cast<std::uint32_t>(along_) + 1}) {
-      if (child > last() || triangles_[child].parent != t) continue;
-      const unsigned opposite = (side_towards(input, child) + 2) % 3;
+    for (const std::uint32_t child : face_.children(t)) {
+      const unsigned opposite = (face_.triangles().side_towards(input, child) + 2) % 3;
       if (w[opposite] < nearness) return put_on_curve(child, opposite, w, result);
     }
     const std::optional<std::array<double, 3>> exact = representable_weights(w);
     if (!exact) return false;
     result.weights = *exact;
-    result.location = {triangles_[t].halfedge, *exact};
+    result.location = {halfedge(t), *exact};
     return true;
   }
 
@@ -314,33 +351,17 @@ private:
     if (w[from] == 0 || w[to] == 0) return false;
     result.weights = w;
     const bool ends_here = result.triangle == child; // else the side of the triangle runs backwards
-    const std::uint32_t side = triangles_[child].halfedge ^ (ends_here ? 0U : 1U);
-    const std::uint32_t halfedge =
-        triangles_[child].halfedge ^ (name_curve(child, result.region) ? 0U : 1U);
-    result.location = side == halfedge ? Surface_point{halfedge, {w[from], w[to], 0}}
-                                       : Surface_point{halfedge, {w[to], w[from], 0}};
+    const std::uint32_t side = halfedge(child) ^ (ends_here ? 0U : 1U);
+    const std::uint32_t curve =
+        halfedge(child) ^ (face_.name_curve(child, result.region) ? 0U : 1U);
+    result.location = side == curve ? Surface_point{curve, {w[from], w[to], 0}}
+                                    : Surface_point{curve, {w[to], w[from], 0}};
     return true;
   }
 
-  // Names the curve over which a triangle is entered. Returns whether the triangle is on the left of the curve as it
-  // leaves the face through the side that starts from the corner it cuts off, or as it starts from its corner.
-  bool name_curve(std::uint32_t child, Face_region& r) const {
-    const auto c = static_cast<Normal_coordinate>(child);
-    const unsigned end = (first_ + 1) % 3, third = (first_ + 2) % 3;
-    r = middle_region();
-    r.is_on_curve = true;
-    const Normal_coordinate cut_first = curves_.cutting[first_];
-    const bool at_first = c <= cut_first,
-               in_fan = !at_first && fan_ < 3 && c <= cut_first + curves_.emanating[fan_];
-    r.corner = at_first ? first_ : in_fan ? fan_ : c <= along_ ? end : third;
-    if (fan_ < 3)
-      r.right_of_fan = at_first ? 0 : in_fan ? c - 1 - cut_first : curves_.emanating[fan_];
-    if (!in_fan)
-      r.cutting[r.corner] = at_first      ? c - 1
-                            : c <= along_ ? along_ - c
-                                          : along_ + curves_.cutting[third] - c;
-    return at_first || in_fan;
-  }
+  Face_development face_;
+  std::vector<Point> z_; // positions of the points of the development
+  FT unit_{};            // squared length of the first side of the first triangle
 };
 
 } // namespace CGAL::Intrinsic_triangulations

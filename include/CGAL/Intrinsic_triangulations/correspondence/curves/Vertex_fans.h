@@ -29,7 +29,14 @@ public:
   \brief numbers the halfedges around the vertices of `input`.
   \complexity linear
   */
-  explicit Vertex_fans(const Input& input);
+  explicit Vertex_fans(const Input& input) : slot_(input.number_of_halfedges(), Gluing::none) {
+    halfedge_.reserve(slot_.size());
+    fan_.resize(slot_.size());
+    for (std::uint32_t h = 0; h < slot_.size(); ++h)
+      if (input.is_border(h ^ 1U)) add_fan(input, h);
+    for (std::uint32_t h = 0; h < slot_.size(); ++h)
+      if (slot_[h] == Gluing::none) add_fan(input, h);
+  }
 
   /// returns the bound of the numbers of slots.
   std::uint32_t number_of_slots() const { return static_cast<std::uint32_t>(halfedge_.size()); }
@@ -51,14 +58,30 @@ public:
 
   /// returns how many places counterclockwise from slot `from` slot `to` is; the number of slots of the
   /// fan or more if they are in different fans.
-  std::uint32_t distance(std::uint32_t from, std::uint32_t to) const;
+  std::uint32_t distance(std::uint32_t from, std::uint32_t to) const {
+    const Fan &f = fan_[from], &g = fan_[to];
+    if (f.begin != g.begin) return Gluing::none;
+    return to >= from ? to - from : f.size - (from - to);
+  }
 
   /*!
   \brief adds the fan of a vertex on an edge.
   \param halfedge the input halfedge of which the first slot is a part; the other one runs the other way
   \return the first slot; the other one is the next number
   */
-  std::uint32_t add_fan_on_edge(std::uint32_t halfedge);
+  std::uint32_t add_fan_on_edge(std::uint32_t halfedge) {
+    std::uint32_t slot = static_cast<std::uint32_t>(halfedge_.size());
+    if (free_.empty()) {
+      halfedge_.resize(slot + 2);
+      fan_.resize(slot + 2, {slot, 2});
+    } else {
+      slot = free_.back();
+      free_.pop_back();
+    }
+    halfedge_[slot] = halfedge;
+    halfedge_[slot + 1] = halfedge ^ 1U;
+    return slot;
+  }
 
   /// removes a fan that `add_fan_on_edge()` added, of which `slot` is one slot.
   void remove_fan(std::uint32_t slot) { free_.push_back(fan_[slot].begin); }
@@ -68,7 +91,18 @@ private:
     std::uint32_t begin, size;
   };
 
-  void add_fan(const Input& input, std::uint32_t first);
+  void add_fan(const Input& input, std::uint32_t first) {
+    const auto begin = static_cast<std::uint32_t>(halfedge_.size());
+    for (std::uint32_t h = first;;) {
+      slot_[h] = static_cast<std::uint32_t>(halfedge_.size());
+      halfedge_.push_back(h);
+      if (input.is_border(h)) break;
+      h = input.next(input.next(h)) ^ 1U;
+      if (h == first) break;
+    }
+    const auto end = static_cast<std::uint32_t>(halfedge_.size());
+    for (std::uint32_t s = begin; s < end; ++s) fan_[s] = {begin, end - begin};
+  }
 
   std::vector<std::uint32_t> slot_;     // per input halfedge
   std::vector<std::uint32_t> halfedge_; // per slot
@@ -77,9 +111,5 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_VERTEX_FANS_H

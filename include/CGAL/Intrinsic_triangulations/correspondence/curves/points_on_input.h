@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Curve_strip.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
@@ -38,6 +37,55 @@ std::uint32_t input_halfedge(const Coordinates& coordinates, const Curve_end& st
   const std::uint32_t on_it = coordinates.normal_coordinate(h / 2) < 0 ? 1 : 0;
   return coordinates.fans().halfedge(coordinates.fans().advance(
       coordinates.roundabout(h), on_it + static_cast<std::uint32_t>(start.index)));
+}
+
+namespace internal {
+
+/*!
+\brief finds the input halfedges of the faces that an intrinsic halfedge enters: reads them, or follows the curves.
+\param view, coordinates the triangulation
+\param h the halfedge
+\param from, to number of the first one, and of that behind the last one
+\param entered they are put there, at their numbers
+\param stack memory to use
+\return the number of steps along curves
+*/
+template <class View, CurveCoordinates Coordinates>
+std::size_t find_entered(const View& view, const Coordinates& coordinates, std::uint32_t h,
+                         Normal_coordinate from, Normal_coordinate to,
+                         std::vector<std::uint32_t>& entered, std::vector<Curve_bundle>& stack) {
+  if (from == to) return 0;
+  if (are_crossings_known(coordinates)) {
+    for (Normal_coordinate i = from; i < to; ++i)
+      entered[static_cast<std::size_t>(i)] = entered_by(coordinates, h, i);
+    return 0;
+  }
+  return follow_curves(view, coordinates, {h, from, to - from, from}, stack,
+                       [&](Normal_coordinate i, const Curve_end& end) {
+                         // the curve crosses from left to right; the way back starts along its opposite
+                         entered[static_cast<std::size_t>(i)] =
+                             input_halfedge(coordinates, end) ^ 1U;
+                       });
+}
+
+/// returns all of them.
+template <class View, CurveCoordinates Coordinates>
+std::vector<std::uint32_t> find_entered(const View& view, const Coordinates& coordinates,
+                                        std::uint32_t h) {
+  const Normal_coordinate n = crossings(coordinates.normal_coordinate(h / 2));
+  std::vector<std::uint32_t> entered(static_cast<std::size_t>(n));
+  std::vector<Curve_bundle> stack;
+  find_entered(view, coordinates, h, 0, n, entered, stack);
+  return entered;
+}
+
+} // namespace internal
+
+/// returns the face of an input halfedge and its slot there. \pre it has a face
+inline Face_side input_side(const Input& input, std::uint32_t halfedge) {
+  const std::uint32_t f = input.face(halfedge), first = input.halfedge_of_face(f);
+  if (halfedge == first) return {f, 0};
+  return {f, halfedge == input.next(first) ? 1U : 2U};
 }
 
 /*!

@@ -32,32 +32,6 @@ crossings.
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The input halfedges of the faces that an intrinsic halfedge enters: read, or found by following the curves.
-template <class Triangulation, CurveCoordinates Coordinates>
-std::vector<std::uint32_t> entered_by_halfedge(const Triangulation& t,
-                                               const Coordinates& coordinates, std::uint32_t h) {
-  std::vector<std::uint32_t> entered;
-  const Normal_coordinate n = crossings(coordinates.normal_coordinate(h / 2));
-  if (are_crossings_known(coordinates)) {
-    for (Normal_coordinate i = 0; i < n; ++i)
-      entered.push_back(entered_by(coordinates, h & ~1U, i));
-  } else {
-    const Intrinsic_view<Triangulation> view(t);
-    entered.resize(static_cast<std::size_t>(n));
-    std::vector<Curve_bundle> stack;
-    follow_curves(view, coordinates, {h & ~1U, 0, n, 0}, stack,
-                  [&](Normal_coordinate i, const Curve_end& end) {
-                    // the curve crosses from left to right; the way back starts along its opposite
-                    entered[static_cast<std::size_t>(i)] = input_halfedge(coordinates, end) ^ 1U;
-                  });
-  }
-  if (h % 2 != 0) {
-    std::reverse(entered.begin(), entered.end());
-    for (std::uint32_t& g : entered) g ^= 1U;
-  }
-  return entered;
-}
-
 // The way of intrinsic halfedge 2e over the input.
 template <class Triangulation, CurveCoordinates Coordinates>
 Edge_path trace_edge_by_curves(const Triangulation& t, const Coordinates& coordinates,
@@ -75,7 +49,7 @@ Edge_path trace_edge_by_curves(const Triangulation& t, const Coordinates& coordi
       add(point_on_halfedge(input, g, location_on_side(view, coordinates, h, x).weights[1]), x);
     return path;
   }
-  const std::vector<std::uint32_t> entered = entered_by_halfedge(t, coordinates, h);
+  const std::vector<std::uint32_t> entered = find_entered(view, coordinates, h);
   Edge_strip strip(input);
   if (!entered.empty()) strip.unfold(view, coordinates, h, entered);
   path.points.reserve(entered.size() + 2);
@@ -93,16 +67,13 @@ Edge_path trace_edge_by_curves(const Triangulation& t, const Coordinates& coordi
 // Adds the crossings of a part of an input halfedge, which follows a strip, with intrinsic edges.
 template <class View, class Add>
 void add_crossings_of_strip(const View& view, const Curve_strip& strip, const Add& add) {
-  const std::vector<Point> points = strip.unfold_approximately(view);
-  const Point u = points[strip.first()], d = points[strip.last()] - u;
-  const double squared = dot(d, d);
-  for (std::size_t n = 1; n < strip.triangles().size(); ++n) {
-    const Curve_strip::Triangle& t = strip.triangles()[n];
-    const Point &s = points[t.start], side = points[t.end] - s; // the curve passes to its left
-    const double left = cross(d, s - u), right = -cross(d, s + side - u);
-    const double x = left + right > 0 ? std::clamp(left / (left + right), 0.0, 1.0) : 0.5;
-    const Point p{s.x + x * side.x - u.x, s.y + x * side.y - u.y};
-    add({t.entered, {1 - x, x, 0}}, squared > 0 ? std::clamp(dot(d, p) / squared, 0.0, 1.0) : 0.5);
+  const std::vector<Point> z = strip.develop(view);
+  const Straight_line line{z.front(), z.back()};
+  for (std::size_t n = 1; n < strip.faces.size(); ++n) {
+    const Development::Triangle& t = strip.faces[n];
+    const Point &a = z[t.point[0]], &b = z[t.point[1]];
+    const double x = line.parameter(a, b);
+    add({t.halfedge, {1 - x, x, 0}}, line.along(a + x * (b - a)));
   }
 }
 
@@ -120,11 +91,9 @@ Edge_path trace_input_edge_by_curves(const Triangulation& t, const Coordinates& 
     const std::optional<Curve_end> start = find_curve(view, coordinates, vertex, x);
     if (!start) return {Status::not_traceable, Gluing::none, {}};
     std::optional<Curve_strip> strip;
-    if (start->index >= 0)
-      strip.emplace(view, coordinates, sides_of_face(view, start->halfedge),
-                    first_crossing(view, coordinates, *start));
+    if (start->index >= 0) strip.emplace(view, coordinates, *start);
     const std::uint32_t h = start->halfedge;
-    vertex = strip ? view.source(strip->end().halfedge) : view.target(h);
+    vertex = strip ? view.source(strip->end.halfedge) : view.target(h);
     is_at_end = !coordinates.is_inserted(vertex);
     const double to = parameter_on_halfedge(coordinates, vertex, x, false);
     double last = from;
@@ -134,7 +103,7 @@ Edge_path trace_input_edge_by_curves(const Triangulation& t, const Coordinates& 
     };
     if (parts == 0) add(point_on_halfedge(view, h, 0), 0);
     if (strip) add_crossings_of_strip(view, *strip, add);
-    add(strip ? Surface_point{strip->end().halfedge, {1, 0, 0}} : point_on_halfedge(view, h, 1), 1);
+    add(strip ? Surface_point{strip->end.halfedge, {1, 0, 0}} : point_on_halfedge(view, h, 1), 1);
     path.along = !strip && parts == 0 && is_at_end ? h : Gluing::none;
     from = to;
   }
@@ -153,7 +122,7 @@ Corner_direction direction_on_input(const Triangulation& t, const Coordinates& c
   const std::uint32_t after = coordinates.fans().halfedge(coordinates.roundabout(h));
   if (coordinates.normal_coordinate(h / 2) < 0) return {after, 0};
   const std::uint32_t first = input.next(after ^ 1U); // before `h`, counterclockwise
-  const std::vector<std::uint32_t> entered = entered_by_halfedge(t, coordinates, h);
+  const std::vector<std::uint32_t> entered = find_entered(view, coordinates, h);
   Surface_point p = corner_on_input(view, coordinates, h ^ 1U); // in that face, or beyond it
   if (entered.empty()) {
     p = seen_from(input, p, first);
@@ -180,7 +149,7 @@ double angle_at_inserted_vertex(const Triangulation& t, const Coordinates& coord
     return start.halfedge == g ? 0 : std::numbers::pi;
   }
   start = corner_on_input(view, coordinates, h);
-  const std::vector<std::uint32_t> entered = entered_by_halfedge(t, coordinates, h);
+  const std::vector<std::uint32_t> entered = find_entered(view, coordinates, h);
   if (entered.empty()) {
     const Plane_vector<double> v =
         vector_between(input, start, corner_on_input(view, coordinates, h ^ 1U));
@@ -217,10 +186,7 @@ direction_on_intrinsic(const Triangulation& t, const Coordinates& coordinates, s
   const auto start = find_curve(view, coordinates, coordinates.input().source(x), x);
   if (!start) return std::nullopt;
   if (start->index < 0) return Corner_direction{start->halfedge, 0};
-  const Curve_strip strip(view, coordinates, sides_of_face(view, start->halfedge),
-                          first_crossing(view, coordinates, *start));
-  const std::vector<Point> points = strip.unfold_approximately(view);
-  const Point d = points[strip.last()] - points[strip.first()];
+  const Point d = Curve_strip(view, coordinates, *start).develop(view).back(); // from 0
   return Corner_direction{start->halfedge, std::atan2(std::max(0.0, d.y), d.x)};
 }
 

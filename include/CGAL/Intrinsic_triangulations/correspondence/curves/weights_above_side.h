@@ -57,6 +57,18 @@ inline std::array<double, 3> weights_above_side(const Plane_vector<double>& p,
   return {1 - k - j, j, k};
 }
 
+/// computes the same in a triangle with corners a, b, c. \pre a and b differ
+inline std::array<double, 3> weights_in_triangle(const Plane_vector<double>& p,
+                                                 const Plane_vector<double>& a,
+                                                 const Plane_vector<double>& b,
+                                                 const Plane_vector<double>& c) {
+  const Plane_vector<double> side = b - a;
+  const auto seen = [&](const Plane_vector<double>& q) {
+    return conjugate(side) * (q - a) / dot(side, side);
+  };
+  return weights_above_side(seen(p), seen(c));
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_WEIGHTS_ABOVE_SIDE_H

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_FLAT_PARTS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_layout.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_layout.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
 #include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>

@@ -22,19 +22,19 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // Which side of a curve the points of its strip are on: 1 right, 2 left, 0 for its ends.
 inline std::vector<char> sides_of_curve(const Curve_strip& strip) {
-  std::vector<char> side(strip.triangles().size() + 2, 0);
-  for (std::size_t n = 1; n < strip.triangles().size(); ++n) {
-    side[strip.triangles()[n].start] = 1;
-    side[strip.triangles()[n].end] = 2;
+  std::vector<char> side(strip.faces.size() + 2, 0);
+  for (std::size_t n = 1; n < strip.faces.size(); ++n) {
+    side[strip.faces[n].point[0]] = 1;
+    side[strip.faces[n].point[1]] = 2;
   }
   return side;
 }
 
 // The point of triangle n - 1 of a strip that is not on the side to triangle n.
 inline std::uint32_t point_before(const Curve_strip& strip, std::size_t n) {
-  const Curve_strip::Triangle &t = strip.triangles()[n - 1], &next = strip.triangles()[n];
-  for (const std::uint32_t p : {t.start, t.end})
-    if (p != next.start && p != next.end) return p;
+  const auto &t = strip.faces[n - 1].point, &next = strip.faces[n].point;
+  for (const std::uint32_t p : {t[0], t[1]})
+    if (p != next[0] && p != next[1]) return p;
   return static_cast<std::uint32_t>(n + 1);
 }
 
@@ -44,12 +44,12 @@ template <class Triangulation, class Session>
 bool flip_off_curve(const Triangulation& t, Session& session, const Curve_strip& strip,
                     bool may_cross, std::size_t from) {
   const std::vector<char> side = sides_of_curve(strip);
-  const std::size_t crossings = strip.triangles().size() - 1;
+  const std::size_t crossings = strip.faces.size() - 1;
   for (std::size_t i = 0; i < crossings; ++i) {
     const std::size_t n = 1 + (from + i) % crossings;
     const char before = side[point_before(strip, n)], after = side[n + 2];
     if (before != 0 && after != 0 && before != after && !may_cross) continue;
-    const auto h = t.numbers().halfedge_at(strip.triangles()[n].entered);
+    const auto h = t.numbers().halfedge_at(strip.faces[n].halfedge);
     if (session.flip_edge(h) == Move_status::done) return true;
   }
   return false;
@@ -79,11 +79,10 @@ bool restore_input_edge(const Triangulation& t, Session& session, const Coordina
       least = unknown;
       continue;
     }
-    const Curve_strip strip(view, coordinates, sides_of_face(view, start->halfedge),
-                            first_crossing(view, coordinates, *start));
+    const Curve_strip strip(view, coordinates, *start);
     // Where no flip leaves fewer crossings, as in a zigzag, one that leaves as many makes way for that. Where the curve crosses a
     // face more than once, a flip that takes one crossing away may add others, and might be taken back for ever.
-    const std::size_t size = strip.triangles().size();
+    const std::size_t size = strip.faces.size();
     if (size >= least && ++detours > 100 + 10 * least) return false;
     least = std::min(least, size);
     if (!flip_off_curve(t, session, strip, false, size > least ? detours : 0) &&

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -86,7 +87,7 @@ public:
   /// tells whether there are none.
   bool empty() const { return segments_.empty(); }
   /// tells whether a vertex was put on a segment.
-  bool is_on_segment(std::uint32_t vertex) const;
+  bool is_on_segment(std::uint32_t vertex) const { return place_.count(vertex) != 0; }
 
   /*!
   \brief returns where to split an edge: the weight of the target of `h`.
@@ -113,7 +114,16 @@ public:
   \param parameter weight of the second end
   */
   void split(std::uint32_t whole, const std::array<std::uint32_t, 2>& parts,
-             const std::array<std::uint32_t, 2>& ends, std::uint32_t vertex, double parameter);
+             const std::array<std::uint32_t, 2>& ends, std::uint32_t vertex, double parameter) {
+    const std::uint32_t s = segment_[whole];
+    set(whole, Gluing::none);
+    for (const std::uint32_t part : parts) set(part, s);
+    Place p{s, {}};
+    for (std::size_t i = 0; i < 2; ++i)
+      p.distance[i] =
+          (1 - parameter) * distance(s, i, ends[0]) + parameter * distance(s, i, ends[1]);
+    place_[vertex] = p;
+  }
 
   /*!
   \brief tells whether two vertices are on the two sides of a small angle, neither at its corner: a line
@@ -126,7 +136,19 @@ public:
   angle is small: not if the line is a part of it
   */
   bool are_across_small_angle(std::uint32_t v, std::uint32_t w, double bound,
-                              bool may_be_one_segment = true) const;
+                              bool may_be_one_segment = true) const {
+    for (const std::uint32_t s : segments_of(v))
+      for (const std::uint32_t t : segments_of(w))
+        for (std::size_t i = 0; i < 2 && (s != t || may_be_one_segment); ++i) {
+          const std::uint32_t corner = segments_[s].ends[i];
+          const std::optional<double> angle = small_angle(corner, s, t);
+          if (!angle || corner == v || corner == w) continue;
+          const std::size_t j = segments_[t].ends[0] == corner ? 0 : 1;
+          const double d = distance(s, i, v), e = distance(t, j, w);
+          if (*angle < bound || std::abs(d - e) <= same * d) return true;
+        }
+    return false;
+  }
 
   /*!
   \brief tells whether on both sides of a segment a vertex is opposite that is across a small angle, at the
@@ -157,13 +179,27 @@ private:
     std::array<double, 2> distance; // from the ends of the segment
   };
 
-  void set(std::uint32_t edge, std::uint32_t segment);
+  void set(std::uint32_t edge, std::uint32_t segment) {
+    if (edge >= segment_.size()) segment_.resize(edge + std::size_t{1}, Gluing::none);
+    segment_[edge] = segment;
+  }
 
   // of a vertex of a segment from one of its ends, along it; unknown on loops
-  double distance(std::uint32_t s, std::size_t end, std::uint32_t vertex) const;
+  double distance(std::uint32_t s, std::size_t end, std::uint32_t vertex) const {
+    const Segment& segment = segments_[s];
+    if (segment.ends[0] == segment.ends[1]) return std::numeric_limits<double>::quiet_NaN();
+    if (vertex == segment.ends[end]) return 0;
+    const auto p = place_.find(vertex);
+    return p == place_.end() ? segment.length : p->second.distance[end];
+  }
 
   // the segments that a vertex is on
-  std::span<const std::uint32_t> segments_of(std::uint32_t vertex) const;
+  std::span<const std::uint32_t> segments_of(std::uint32_t vertex) const {
+    if (const auto p = place_.find(vertex); p != place_.end())
+      return std::span(&p->second.segment, 1);
+    const auto a = at_.find(vertex);
+    return a == at_.end() ? std::span<const std::uint32_t>() : std::span(a->second);
+  }
 
   // the angle to the next segment counterclockwise about the source, if it is below 60 degrees
   template <NumberedComplex Complex>
@@ -185,7 +221,10 @@ private:
 
   // between two segments at a corner, if it is small; between a segment and itself around its end, if
   // that has no other and a small total angle
-  std::optional<double> small_angle(std::uint32_t corner, std::uint32_t s, std::uint32_t t) const;
+  std::optional<double> small_angle(std::uint32_t corner, std::uint32_t s, std::uint32_t t) const {
+    const auto angle = small_angle_.find({corner, std::min(s, t), std::max(s, t)});
+    return angle == small_angle_.end() ? std::nullopt : std::optional(angle->second);
+  }
 
   static constexpr double limit = std::numbers::pi / 3;
   static constexpr double same = 0x1p-20; // relative difference of distances taken for rounding
@@ -200,9 +239,5 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_CONSTRAINED_SEGMENTS_H

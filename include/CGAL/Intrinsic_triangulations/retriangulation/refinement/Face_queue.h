@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -20,19 +21,37 @@ A face that changes is pushed again, or removed: its old entry is passed over th
 class Face_queue {
 public:
   /// pushes a face, whether it waits or not. \complexity logarithmic
-  void push(std::uint32_t face, double priority);
+  void push(std::uint32_t face, double priority) {
+    resize(face);
+    if (ticket_[face] == 0) ++waiting_;
+    ticket_[face] = ++tickets_;
+    heap_.push({priority, tickets_, face});
+  }
 
   /// removes a face, if it waits.
-  void remove(std::uint32_t face);
+  void remove(std::uint32_t face) {
+    if (face >= ticket_.size() || ticket_[face] == 0) return;
+    --waiting_;
+    ticket_[face] = 0;
+  }
 
   /// tells whether no face waits.
   bool empty() const { return waiting_ == 0; }
 
   /// takes the first face out. \pre `!empty()`
-  std::uint32_t pop();
+  std::uint32_t pop() {
+    while (ticket_[heap_.top().face] != heap_.top().ticket) heap_.pop();
+    const std::uint32_t face = heap_.top().face;
+    heap_.pop();
+    remove(face);
+    return face;
+  }
 
   /// marks a face, and tells whether it was not marked.
-  bool begin_check(std::uint32_t face);
+  bool begin_check(std::uint32_t face) {
+    resize(face);
+    return !std::exchange(is_marked_[face], 1);
+  }
   /// takes the mark away.
   void end_check(std::uint32_t face) { is_marked_[face] = 0; }
 
@@ -46,7 +65,11 @@ private:
     }
   };
 
-  void resize(std::uint32_t face);
+  void resize(std::uint32_t face) {
+    if (face < ticket_.size()) return;
+    ticket_.resize(face + std::size_t{1}, 0);
+    is_marked_.resize(face + std::size_t{1}, 0);
+  }
 
   std::priority_queue<Entry> heap_;
   std::vector<std::uint64_t> ticket_; // of the entry that is valid; 0: the face does not wait
@@ -56,9 +79,5 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_FACE_QUEUE_H

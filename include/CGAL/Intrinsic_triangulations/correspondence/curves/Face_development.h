@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_DEVELOPMENT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_DEVELOPMENT_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/development/Development.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <boost/container/static_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief finds the input triangles over which an intrinsic face lies, and which region of the face is in which.
+
+The curves (input edges) in a face ijk cut off corners or emanate from one corner. In the first case a middle
+region is left, from which the regions at each corner are reached across the curves that cut it off; in the second
+the regions form one strip along the side opposite that corner. Each lies in one input triangle. All are known from
+the lists of the curves that cross one or two sides (§3.5 of the course).
+
+Nothing but the input and integers enters: errors do not depend on the moves that made the face. Memory stays from
+face to face.
+*/
+class Face_development {
+public:
+  /// A corner of the face.
+  struct Corner {
+    std::uint32_t triangle;        ///< an input triangle in which it is
+    std::array<double, 3> weights; ///< where it is in that
+  };
+
+  /*!
+  \brief finds the triangles under the face of a halfedge.
+  \tparam Complex `Intrinsic_view`
+  \tparam Coordinates a model of `CurveCoordinates`
+  \complexity linear in the number of curves in the face, and that of following them
+  */
+  template <class Complex, CurveCoordinates Coordinates>
+  void unfold(const Complex& complex, const Coordinates& coordinates, std::uint32_t h) {
+    const Input& input = coordinates.input();
+    sides_ = sides_of_face(complex, h);
+    curves_ = corner_coordinates(complex, coordinates, h);
+    fan_ = curves_.fan_corner();
+    first_ = fan_ == 3 ? 0 : (fan_ + 1) % 3;
+    along_ = crossings(coordinates.normal_coordinate(sides_[first_] / 2));
+    std::array<Surface_point, 3> corners;
+    for (unsigned k = 0; k < 3; ++k) corners[k] = corner_on_input(complex, coordinates, sides_[k]);
+    triangles_.start(corners[first_].halfedge);
+    find_entered_along(complex, coordinates);
+    for (const std::uint32_t x : entered_) triangles_.enter(input, last(), x);
+    if (fan_ == 3) {
+      const unsigned third = (first_ + 2) % 3;
+      entered_.resize(static_cast<std::size_t>(curves_.cutting[third]));
+      find_entered(complex, coordinates, sides_[third], 0, curves_.cutting[third]);
+      std::uint32_t parent = region_at(first_, curves_.cutting[first_]);
+      for (auto x = entered_.rbegin(); x != entered_.rend(); ++x, parent = last())
+        triangles_.enter(input, parent, *x ^ 1U);
+    }
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t t = region_at(k, 0);
+      corner_[k] = {t, seen_from(input, corners[k], triangles_[t].halfedge).weights};
+    }
+  }
+
+  /// returns the triangles.
+  const Development& triangles() const { return triangles_; }
+  /// returns the number of the last triangle.
+  std::uint32_t last() const { return triangles_.last(); }
+  /// returns a corner of the face.
+  const Corner& corner(unsigned k) const { return corner_[k]; }
+  /// returns how many steps were taken so far along curves.
+  std::size_t steps() const { return steps_; }
+
+  /// returns the point of the triangles at a corner of one of them, if that point is a corner of a triangle, too: its corner.
+  std::optional<unsigned> shared_corner(std::uint32_t triangle, const Corner& c) const {
+    for (unsigned m = 0; m < 3; ++m) {
+      if (c.weights[m] != 1) continue;
+      const auto& points = triangles_[triangle].point;
+      const auto p = std::find(points.begin(), points.end(), triangles_[c.triangle].point[m]);
+      if (p != points.end()) return static_cast<unsigned>(p - points.begin());
+    }
+    return std::nullopt;
+  }
+
+  /// returns a side of the triangle of the first region beside the first side of the face.
+  std::uint32_t beside_first_side() const { return region_at(fan_ == 0 ? 1 : 0, 0); }
+  /// returns the region there, of points on the first side, which runs along a curve.
+  Face_region region_beside_first_side() const {
+    Face_region r = middle_region();
+    if (fan_ < 3) r.right_of_fan = fan_ == 1 ? curves_.emanating[1] : 0;
+    return r;
+  }
+
+  /*!
+  \brief finds the region of a point.
+  \param is_beyond tells of a triangle but the first whether the point is beyond the side over which it is entered
+  \param region becomes the region
+  \return the triangle
+  */
+  template <class Is_beyond>
+  std::uint32_t find_region(const Is_beyond& is_beyond, Face_region& region) const {
+    region = middle_region();
+    if (fan_ < 3) {
+      Normal_coordinate m = 0;
+      while (m < along_ && is_beyond(static_cast<std::uint32_t>(m) + 1)) ++m;
+      region.cutting[first_] = std::min(m, curves_.cutting[first_]);
+      const unsigned end = (first_ + 1) % 3;
+      region.cutting[end] = std::min(along_ - m, curves_.cutting[end]);
+      region.right_of_fan = std::clamp(m - curves_.cutting[first_], 0, curves_.emanating[fan_]);
+      return static_cast<std::uint32_t>(m);
+    }
+    std::uint32_t result = region_at(first_, curves_.cutting[first_]);
+    for (unsigned k = 0; k < 3; ++k) {
+      Normal_coordinate& q = region.cutting[k];
+      for (; q > 0; --q) {
+        const std::uint32_t outer = region_at(k, q - 1);
+        if (k == first_ ? is_beyond(outer + 1) : !is_beyond(outer)) break;
+        result = outer;
+      }
+      if (q < curves_.cutting[k]) break;
+    }
+    return result;
+  }
+
+  /// returns the triangle that is entered over the side of a triangle opposite a corner: itself, or another one.
+  std::optional<std::uint32_t> beyond(const Input& input, std::uint32_t t,
+                                      unsigned opposite) const {
+    if (t > 0 && opposite == 2) return t;
+    for (const std::uint32_t child : children(t))
+      if ((triangles_.side_towards(input, child) + 2) % 3 == opposite) return child;
+    return std::nullopt;
+  }
+  /// returns the triangles that are entered from a triangle, two at most.
+  boost::container::static_vector<std::uint32_t, 2> children(std::uint32_t t) const {
+    boost::container::static_vector<std::uint32_t, 2> result;
+    const auto branch = static_cast<std::uint32_t>(along_) + 1;
+    for (const std::uint32_t child : {t + 1, branch})
+      if (child <= last() && triangles_[child].parent == t) result.push_back(child);
+    return result;
+  }
+
+  /*!
+  \brief names the curve over which a triangle is entered.
+  \return whether the triangle is on the left of the curve as it leaves the face through the side that starts from the
+  corner it cuts off, or as it starts from its corner
+  */
+  bool name_curve(std::uint32_t child, Face_region& r) const {
+    const auto c = static_cast<Normal_coordinate>(child);
+    const unsigned end = (first_ + 1) % 3, third = (first_ + 2) % 3;
+    r = middle_region();
+    r.is_on_curve = true;
+    const Normal_coordinate cut_first = curves_.cutting[first_];
+    const bool at_first = c <= cut_first,
+               in_fan = !at_first && fan_ < 3 && c <= cut_first + curves_.emanating[fan_];
+    r.corner = at_first ? first_ : in_fan ? fan_ : c <= along_ ? end : third;
+    if (fan_ < 3)
+      r.right_of_fan = at_first ? 0 : in_fan ? c - 1 - cut_first : curves_.emanating[fan_];
+    if (!in_fan)
+      r.cutting[r.corner] = at_first      ? c - 1
+                            : c <= along_ ? along_ - c
+                                          : along_ + curves_.cutting[third] - c;
+    return at_first || in_fan;
+  }
+
+private:
+  Face_region middle_region() const {
+    Face_region r;
+    r.cutting = curves_.cutting;
+    r.fan_corner = fan_;
+    return r;
+  }
+
+  // the triangle of the region that `passed` curves cut off corner k do not cut off from it
+  std::uint32_t region_at(unsigned k, Normal_coordinate passed) const {
+    if (k == first_) return static_cast<std::uint32_t>(passed);
+    if (k == (first_ + 1) % 3) return static_cast<std::uint32_t>(along_ - passed);
+    if (passed == curves_.cutting[k]) return static_cast<std::uint32_t>(curves_.cutting[first_]);
+    return static_cast<std::uint32_t>(along_ + curves_.cutting[k] - passed);
+  }
+
+  // the input halfedges of the faces that the strip enters along its side, in order; curves from the corner opposite need
+  // not be followed
+  template <class Complex, class Coordinates>
+  void find_entered_along(const Complex& complex, const Coordinates& coordinates) {
+    entered_.resize(static_cast<std::size_t>(along_));
+    const Normal_coordinate from = fan_ < 3 ? curves_.cutting[first_] : along_,
+                            to = fan_ < 3 ? from + curves_.emanating[fan_] : along_;
+    find_entered(complex, coordinates, sides_[first_], 0, from);
+    for (Normal_coordinate i = from; i < to; ++i)
+      entered_[static_cast<std::size_t>(i)] =
+          input_halfedge(coordinates, Curve_end{sides_[fan_], i - from});
+    find_entered(complex, coordinates, sides_[first_], to, along_);
+  }
+
+  template <class Complex, class Coordinates>
+  void find_entered(const Complex& complex, const Coordinates& coordinates, std::uint32_t side,
+                    Normal_coordinate from, Normal_coordinate to) {
+    steps_ += internal::find_entered(complex, coordinates, side, from, to, entered_, stack_);
+  }
+
+  std::array<std::uint32_t, 3> sides_{};
+  Corner_coordinates curves_{};
+  unsigned first_ = 0;          // corner from which the strip along a side starts
+  unsigned fan_ = 3;            // corner opposite that side, if curves emanate from it
+  Normal_coordinate along_ = 0; // number of curves across that side
+  Development triangles_;
+  std::array<Corner, 3> corner_{};
+  std::vector<std::uint32_t> entered_;
+  std::vector<Curve_bundle> stack_;
+  std::size_t steps_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_DEVELOPMENT_H
