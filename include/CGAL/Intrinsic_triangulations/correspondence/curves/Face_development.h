@@ -24,6 +24,16 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+/// A point of an intrinsic face, placed on the input.
+struct Place_in_face {
+  Face_region region; ///< in the face
+  std::uint32_t triangle =
+      0; ///< the input triangle that contains it, by its number in the development
+  std::array<double, 3> weights{}; ///< of the corners of the triangle, multiples of 2^-52
+  Surface_point
+      location; ///< on the input; if it is on a curve, on the side of the curve of larger numbers
+};
+
 /*!
 \brief finds the input triangles over which an intrinsic face lies, and which region of the face is in which.
 

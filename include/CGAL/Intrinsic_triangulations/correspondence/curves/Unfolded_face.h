@@ -11,13 +11,11 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/development/Development.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -30,27 +28,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-inline double approximation(double x) { return x; }
-inline double approximation(const Interval_nt<false>& x) { return CGAL::to_double(x); }
-template <class Center>
-double approximation(const Ball<Center>& x) {
-  return x.to_double();
-}
-
-} // namespace internal
-
-/// A point of an intrinsic face, placed on the input.
-struct Place_in_face {
-  Face_region region; ///< in the face
-  std::uint32_t triangle =
-      0; ///< the input triangle that contains it, by its number in the development
-  std::array<double, 3> weights{}; ///< of the corners of the triangle, multiples of 2^-52
-  Surface_point
-      location; ///< on the input; if it is on a curve, on the side of the curve of larger numbers
-};
 
 /*!
 \brief places points of an intrinsic face on the input triangles over which it lies.
@@ -228,7 +205,10 @@ private:
     return z_[face_.triangles()[t].point[k]];
   }
   static Rounded approximate(const Point& p) {
-    return {internal::approximation(p.x), internal::approximation(p.y)};
+    if constexpr (requires { p.x.to_double(); })
+      return {p.x.to_double(), p.y.to_double()};
+    else
+      return {CGAL::to_double(p.x), CGAL::to_double(p.y)};
   }
   Rounded rounded_point(std::uint32_t t, std::size_t k) const { return approximate(point(t, k)); }
 
