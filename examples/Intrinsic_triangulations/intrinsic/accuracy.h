@@ -6,7 +6,7 @@
 
 #include "options.h"
 
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Inaccuracy.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 
 #include <optional>
 

@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DIAMOND_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DIAMOND_H
 
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+
 #include <cstdint>
 #include <limits>
 
@@ -165,18 +167,7 @@ Flipped_values<FT> flipped(const Diamond_values<FT>& d) {
 }
 
 /*!
-\brief holds where the apex of a triangle is over its side ij: its foot is p / (2 l_ij) from i, its
-height a / (2 l_ij).
-\tparam FT a model of `Field`
-*/
-template <class FT>
-struct Apex {
-  FT p;    ///< L_ij + L_ki - L_jk
-  FT area; ///< the quadruple area
-};
-
-/*!
-\brief returns the apex of a triangle over its side ij, from values that are rounded.
+\brief returns p + i a, see `scaled_corner()`, from values that are rounded.
 
 The values are redundant: c = a^2 - H is zero, where H = 4 L_ij L_ki - p^2. Rounding leaves a small
 c, and flips that are computed with it make it grow exponentially. So c is removed. Of all changes
@@ -191,7 +182,7 @@ left out, as the triangle on the other side has another one.
 \tparam FT a floating point type
 */
 template <class FT>
-Apex<FT> consistent_apex(const FT& ij, const FT& jk, const FT& ki, const FT& area) {
+Plane_vector<FT> consistent_corner(const FT& ij, const FT& jk, const FT& ki, const FT& area) {
   const FT x = ki - jk, p = ij + x, square = area * area;
   const FT c = square - (4 * ij * ki - p * p);
   const FT u_ki = (ij - x) * ki, u_jk = p * jk, u_ij = (ki + jk - ij) * ij;
@@ -203,16 +194,16 @@ Apex<FT> consistent_apex(const FT& ij, const FT& jk, const FT& ki, const FT& are
 
 /*!
 \brief computes what `flipped()` does from values that are rounded, with the errors of rounding
-alone: see `consistent_apex()`.
+alone: see `consistent_corner()`.
 \pre see `flipped()`
 */
 template <class FT>
 Flipped_values<FT> flipped_consistently(const Diamond_values<FT>& d) {
-  const Apex<FT> k = consistent_apex(d.ij, d.jk, d.ki, d.area_f);
-  const Apex<FT> m = consistent_apex(d.ij, d.mj, d.im, d.area_g);
-  const FT x = k.p - m.p, y = k.area + m.area, twice = 2 * d.ij, half = 1 / twice;
-  return {(x * x + y * y) / (2 * twice), ((twice - m.p) * k.area + (twice - k.p) * m.area) * half,
-          (m.p * k.area + k.p * m.area) * half};
+  const Plane_vector<FT> k = consistent_corner(d.ij, d.jk, d.ki, d.area_f);
+  const Plane_vector<FT> m = consistent_corner(d.ij, d.mj, d.im, d.area_g);
+  const FT x = k.x - m.x, y = k.y + m.y, twice = 2 * d.ij, half = 1 / twice;
+  return {(x * x + y * y) / (2 * twice), ((twice - m.x) * k.y + (twice - k.x) * m.y) * half,
+          (m.x * k.y + k.x * m.y) * half};
 }
 
 /*!

@@ -31,7 +31,7 @@ struct Plane_vector {
     return {a.x - b.x, a.y - b.y};
   }
   /// stretches
-  friend Plane_vector operator*(const FT& s, const Plane_vector& a) { return {s * a.x, s * a.y}; }
+  friend Plane_vector operator*(const FT& s, const Plane_vector& a) { return {a.x * s, a.y * s}; }
   /// shrinks
   friend Plane_vector operator/(const Plane_vector& a, const FT& s) { return {a.x / s, a.y / s}; }
   /// multiplies complex numbers: turns and stretches.

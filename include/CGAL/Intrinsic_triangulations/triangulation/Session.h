@@ -6,13 +6,12 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Whole_star.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/whole_star.h>
 
@@ -78,8 +77,7 @@ public:
     const auto null = boost::graph_traits<Mesh>::null_face();
     halfedge_descriptor h = halfedge(e, t_.mesh());
     if (face(h, t_.mesh()) == null) h = opposite(h, t_.mesh());
-    if (face(opposite(h, t_.mesh()), t_.mesh()) != null)
-      return t_.cotangent_weight(t_.diamond(h));
+    if (face(opposite(h, t_.mesh()), t_.mesh()) != null) return t_.cotangent_weight(t_.diamond(h));
     const halfedge_descriptor jk = next(h, t_.mesh()), ki = next(jk, t_.mesh());
     const auto number = [this](halfedge_descriptor g) { return t_.numbers().halfedge(g) / 2; };
     return t_.metric().cotangent_weight(number(h), number(jk), number(ki),
@@ -106,7 +104,7 @@ public:
       if constexpr (std::is_same_v<Expression, Wedge_sine_expression>)
         if (faces.size() == 2)
           return t_.sign(internal::diamond_of_corners(faces[0], faces[1]),
-                             Convexity_at_source_expression());
+                         Convexity_at_source_expression());
       return t_.sign(faces, expression);
     });
   }

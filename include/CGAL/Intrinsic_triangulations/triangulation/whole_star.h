@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_WHOLE_STAR_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Whole_star.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -76,10 +76,8 @@ TEST(Constrained_segments, Know_the_parts_of_what_was_split) {
   EXPECT_TRUE(s.is_segment(g / 2));
   EXPECT_FALSE(s.is_constrained(g / 2));
   EXPECT_FALSE(s.is_segment(100));
-  EXPECT_FALSE(s.is_on_segment(0));
   s.split(h / 2, {h / 2, 100}, {0, 1}, 3, 1.0 / 3); // at distance 1 of 3
   EXPECT_TRUE(s.is_constrained(100));
-  EXPECT_TRUE(s.is_on_segment(3));
   s.split(g / 2, {101, 102}, {2, 0}, 4, 0.5); // at distance 1 of 2
   EXPECT_FALSE(s.is_segment(g / 2));
   EXPECT_TRUE(s.are_across_small_angle(3, 4, 0.5));

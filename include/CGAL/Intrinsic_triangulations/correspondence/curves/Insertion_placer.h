@@ -54,24 +54,20 @@ inline Surface_point turned_around(const Surface_point& p) {
   return {p.halfedge ^ 1U, {p.weights[1], p.weights[0], 0}};
 }
 
-// the place that is wanted, if it is in the face
-template <class Layout, class View, class Coordinates>
-auto copied_place(const Layout& layout, const View& view, const Coordinates& coordinates,
-                  std::uint32_t h, const std::array<double, 3>& weights, bool along_side,
-                  const Surface_point& wanted) {
+// the place that is wanted, if it is in the face, or one at weights
+template <class Face, class View, class Coordinates>
+std::optional<Place_in_face> place_in(const Face& face, const View& view,
+                                      const Coordinates& coordinates, std::uint32_t h,
+                                      const std::array<double, 3>& weights, bool along_side,
+                                      const std::optional<Surface_point>& wanted = std::nullopt) {
   const Input& input = coordinates.input();
-  if (!along_side) return layout.place_at(input, wanted, weights);
-  const std::uint32_t x = location_on_side(view, coordinates, h, weights[1]).halfedge;
-  if (wanted.halfedge / 2 != x / 2) return std::optional<Place_in_face>();
-  return layout.place_on_side(input, wanted.halfedge == x ? wanted : turned_around(wanted));
-}
-
-template <class Layout, class View, class Coordinates>
-auto place_in(const Layout& layout, const View& view, const Coordinates& coordinates,
-              std::uint32_t h, const std::array<double, 3>& weights, bool along_side) {
-  return along_side ? layout.place_on_side(coordinates.input(),
-                                           location_on_side(view, coordinates, h, weights[1]))
-                    : layout.place(coordinates.input(), weights);
+  if (!along_side)
+    return wanted ? face.place_at(input, *wanted, weights) : face.place(input, weights);
+  const Surface_point p = location_on_side(view, coordinates, h, weights[1]);
+  if (!wanted) return face.place_on_side(input, p);
+  if (wanted->halfedge / 2 != p.halfedge / 2) return std::nullopt;
+  return face.place_on_side(input,
+                            wanted->halfedge == p.halfedge ? *wanted : turned_around(*wanted));
 }
 
 } // namespace internal
@@ -125,9 +121,7 @@ public:
     } else {
       const Input& input = coordinates.input();
       rough_.unfold(view, coordinates, h, approximate_values(input));
-      return placed(wanted ? internal::copied_place(rough_, view, coordinates, h, weights,
-                                                    along_side, *wanted)
-                           : internal::place_in(rough_, view, coordinates, h, weights, along_side),
+      return placed(internal::place_in(rough_, view, coordinates, h, weights, along_side, wanted),
                     along_side);
     }
   }
@@ -169,8 +163,7 @@ private:
   static std::array<double, 3> beside(const View& view, std::uint32_t h,
                                       const std::array<double, 3>& w, double distance) {
     if (w[2] == 0 && distance > usual_farthest) {
-      const auto [ij, jk, ki] = squared_lengths_of_face(view, h);
-      const double foot = (ij + ki - jk) / (2 * ij); // of the height
+      const double foot = apex_above_side(view, h).x; // of the height
       const std::array<double, 3> p{w[0] - distance * (1 - foot), w[1] - distance * foot, distance};
       if (p[0] > 0 && p[1] > 0) return p;
     }
@@ -178,23 +171,21 @@ private:
   }
 
   // the point, or one near it if sides of the face are near
-  template <class Layout, class Triangulation, class Coordinates>
-  std::optional<Placed_insertion> place_near(const Layout& layout, const Triangulation& t,
+  template <class Face, class Triangulation, class Coordinates>
+  std::optional<Placed_insertion> place_near(const Face& face, const Triangulation& t,
                                              const Coordinates& coordinates, std::uint32_t h,
                                              const std::array<double, 3>& weights, bool along_side,
                                              const std::optional<Surface_point>& wanted) {
     const Intrinsic_view<Triangulation> view(t);
     if (wanted) {
-      const auto p =
-          internal::copied_place(layout, view, coordinates, h, weights, along_side, *wanted);
+      const auto p = internal::place_in(face, view, coordinates, h, weights, along_side, wanted);
       const bool is_there = p && is_in_face(t, coordinates.input(), *p, along_side);
       return is_there ? placed(p, along_side) : std::nullopt;
     }
     // a point of a side that runs across input faces cannot be represented, as a rule: one beside it can
     double distance = weights[2] == 0 && !along_side ? nearness : 0;
     const auto place_at_distance = [&] {
-      return place_in_face(layout, t, coordinates, h, beside(view, h, weights, distance),
-                           along_side);
+      return place_in_face(face, t, coordinates, h, beside(view, h, weights, distance), along_side);
     };
     if (const auto p = place_at_distance(); p || along_side) return p;
     const double last = farthest(view, h);
@@ -215,16 +206,16 @@ private:
   }
 
   // where a point is put on a curve if that is in the face, else beside the curve
-  template <class Layout, class Triangulation, class Coordinates>
+  template <class Face, class Triangulation, class Coordinates>
   std::optional<Placed_insertion>
-  place_in_face(const Layout& layout, const Triangulation& t, const Coordinates& coordinates,
+  place_in_face(const Face& face, const Triangulation& t, const Coordinates& coordinates,
                 std::uint32_t h, const std::array<double, 3>& weights, bool along_side) {
     const Input& input = coordinates.input();
-    auto place = internal::place_in(layout, Intrinsic_view<Triangulation>(t), coordinates, h,
-                                    weights, along_side);
+    auto place = internal::place_in(face, Intrinsic_view<Triangulation>(t), coordinates, h, weights,
+                                    along_side);
     if (place && is_in_face(t, input, *place, along_side)) return placed(place, along_side);
     if (!place || along_side || !place->region.is_on_curve) return std::nullopt;
-    place = layout.place(input, weights, Layout::least_nearness);
+    place = face.place(input, weights, Face::least_nearness);
     if (place && is_in_face(t, input, *place, false)) return placed(place, false);
     return std::nullopt;
   }

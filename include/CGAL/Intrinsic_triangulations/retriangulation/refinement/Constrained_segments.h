@@ -86,8 +86,6 @@ public:
   std::uint32_t whole(std::uint32_t edge) const { return segments_[segment_[edge]].halfedge / 2; }
   /// tells whether there are none.
   bool empty() const { return segments_.empty(); }
-  /// tells whether a vertex was put on a segment.
-  bool is_on_segment(std::uint32_t vertex) const { return place_.count(vertex) != 0; }
 
   /*!
   \brief returns where to split an edge: the weight of the target of `h`.

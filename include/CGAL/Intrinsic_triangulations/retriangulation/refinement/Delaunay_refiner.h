@@ -67,46 +67,45 @@ crossed like other edges. There the distances of copies are measured, and a vert
 keep theirs, or nowhere.
 */
 template <class Triangulation, class Visitor>
-class Delaunay_refiner : public Refinement_moves<Triangulation> {
-  using Base = Refinement_moves<Triangulation>;
-  using Face = typename Base::Face;
-  using Halfedge = typename Base::Halfedge;
-  using Insertion = typename Base::Insertion;
-  using Base::descriptor, Base::insert, Base::is_segment, Base::number, Base::split, Base::touch;
-  using Base::encroached_, Base::flipper_, Base::is_going_on_, Base::mesh_, Base::queue_,
-      Base::result_, Base::segments_, Base::session_, Base::t_, Base::touched_, Base::view_;
+class Delaunay_refiner {
+  using Moves = Refinement_moves<Triangulation>;
+  using Mesh = typename Triangulation::Mesh;
+  using Face = typename Triangulation::face_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Insertion = typename Moves::Insertion;
 
 public:
   using Result = Refinement_result<Face>;
 
   Delaunay_refiner(Triangulation& t, const Refinement_settings& asked, Visitor& visitor)
-      : Base(t, asked.is_conforming), test_(asked.minimum_angle, asked.maximum_circumradius,
-                                            asked.maximum_edge_length, t.metric().scale_exponent()),
+      : t_(t), mesh_(t.mesh()), view_(t), moves_(t, asked.is_conforming, state_),
+        test_(asked.minimum_angle, asked.maximum_circumradius, asked.maximum_edge_length,
+              t.metric().scale_exponent()),
         visitor_(visitor), order_(asked.order),
         cap_(asked.maximum_insertions.value_or(1000000 + 10 * std::uint64_t{num_faces(t.mesh())})) {
   }
 
   /// refines; `is_kept` tells of edges, by number, whether they are constrained; empty: none is.
   Result run(const std::vector<char>& is_kept) {
-    Base::find_segments(is_kept);
-    for (const auto e : edges(mesh_)) flipper_.push(halfedge(e, mesh_));
-    flipper_.run(*this);
-    touched_.clear();
-    for (const Face f : faces(mesh_)) touch(f);
+    moves_.find_segments(is_kept);
+    for (const auto e : edges(mesh_)) moves_.suspect(halfedge(e, mesh_));
+    moves_.flip([this] { return (++checks_ & 0xffffU) != 0 || ask_visitor(); });
+    state_.touched.clear();
+    for (const Face f : faces(mesh_)) state_.touched.push_back(f);
     if (split_encroached()) check_touched();
-    while (is_going_on_ && !queue_.empty()) refine(queue_.pop());
-    if (!is_going_on_) flip_over_seams();
+    while (state_.is_going_on && !state_.queue.empty()) refine(state_.queue.pop());
+    if (!state_.is_going_on) flip_over_seams();
     list_unsatisfied();
-    return std::move(result_);
+    return std::move(state_.result);
   }
 
   /// gives away the edges that were kept, and the parts of those that were split.
-  Constrained_segments take_segments() { return std::move(segments_); }
-
-  // ---- observer of the first flips
-  bool before_check() { return (++checks_ & 0xffffU) != 0 || ask_visitor(); }
+  Constrained_segments take_segments() { return std::move(moves_.segments()); }
 
 private:
+  std::uint32_t number(Halfedge h) const { return t_.numbers().halfedge(h); }
+  Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
+
   // where its sides start
   std::array<std::uint32_t, 3> corners_of_sides(Face f) const {
     const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_), l = next(n, mesh_);
@@ -119,8 +118,7 @@ private:
   }
 
   Face_state state(Face f) {
-    const Face_state s =
-        test_(t_, indexed_face(t_, f), corners_of_sides(f), segments_);
+    const Face_state s = test_(t_, indexed_face(t_, f), corners_of_sides(f), moves_.segments());
     if (s != Face_state::bad && is_bad_for_visitor(f)) return Face_state::bad;
     return s;
   }
@@ -129,7 +127,7 @@ private:
     if constexpr (std::is_same_v<Visitor, Refinement_visitor>)
       return false;
     else
-      return session_.suspended([&] { return visitor_.is_bad(t_, f); });
+      return moves_.session().suspended([&] { return visitor_.is_bad(t_, f); });
   }
 
   Face_values<double> approximation(Face f) const { return approximate_values(t_, f); }
@@ -137,17 +135,17 @@ private:
 
   // puts the faces that changed into the queue, or takes them out
   void check_touched() {
-    for (const Face f : touched_) {
+    for (const Face f : state_.touched) {
       const std::uint32_t i = t_.index(f);
-      if (!queue_.begin_check(i)) continue; // seen
-      if (!is_going_on_ || ((++checks_ & 0x3fffU) == 0 && !ask_visitor())) continue;
+      if (!state_.queue.begin_check(i)) continue; // seen
+      if (!state_.is_going_on || ((++checks_ & 0x3fffU) == 0 && !ask_visitor())) continue;
       if (state(f) == Face_state::bad && refused_.count(corners(f)) == 0)
-        queue_.push(i, priority(f));
+        state_.queue.push(i, priority(f));
       else
-        queue_.remove(i);
+        state_.queue.remove(i);
     }
-    for (const Face f : touched_) queue_.end_check(t_.index(f));
-    touched_.clear();
+    for (const Face f : state_.touched) state_.queue.end_check(t_.index(f));
+    state_.touched.clear();
   }
 
   void refine(std::uint32_t f) {
@@ -155,9 +153,9 @@ private:
     // in thin faces lengths and area may be known too roughly for what they both tell to agree
     const std::array<std::uint32_t, 3> face = corners(t_.numbers().face_at(f));
     const bool is_done =
-        refine(f, view_) || (touched_.empty() && refine(f, Accurate_view<Triangulation>(t_)));
+        refine(f, view_) || (state_.touched.empty() && refine(f, Accurate_view<Triangulation>(t_)));
     if (!is_done) {
-      ++result_.counts.refused;
+      ++state_.result.counts.refused;
       refused_.insert(face);
     }
     if (split_encroached()) check_touched();
@@ -170,7 +168,7 @@ private:
     using Kind = Located_circumcenter::Kind;
     const Face bad = t_.numbers().face_at(f);
     const std::uint32_t h = number(halfedge(bad, mesh_));
-    const auto is_kept = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
+    const auto is_kept = [this](std::uint32_t g) { return moves_.segments().is_segment(g / 2); };
     const Located_circumcenter c = locate_circumcenter(view, h, is_kept);
     if (c.kind == Kind::segment) split_between(bad, descriptor(c.segment));
     if (c.kind != Kind::point) return c.kind == Kind::segment;
@@ -182,18 +180,19 @@ private:
   template <class Complex>
   bool insert_near(const Face_values<double>& v, std::uint32_t h, const Surface_point& center,
                    const Complex& view) {
-    const auto is_kept = [this](std::uint32_t g) { return segments_.is_segment(g / 2); };
+    const auto is_kept = [this](std::uint32_t g) { return moves_.segments().is_segment(g / 2); };
     const double least = least_distance(v, test_.is_thin(v)),
                  radius = std::sqrt(squared_circumradius(v)),
                  offset = std::min(radius / 2, radius - std::sqrt(least));
     Insertion found = Insertion::not_here;
     for (const double wanted : {std::max(least, radius * radius / 4), least}) {
-      if (found == Insertion::not_here) found = insert(center, least, wanted);
+      if (found == Insertion::not_here) found = moves_.insert(center, least, wanted);
       for (int k = 0; k < number_of_tries && found == Insertion::not_here; ++k) {
         const double angle = k * 2 * std::numbers::pi / number_of_tries;
         const Located_circumcenter c = locate_circumcenter(
             view, h, is_kept, {offset * std::cos(angle), offset * std::sin(angle)});
-        if (c.kind == Located_circumcenter::Kind::point) found = insert(c.point, least, wanted);
+        if (c.kind == Located_circumcenter::Kind::point)
+          found = moves_.insert(c.point, least, wanted);
       }
     }
     return found == Insertion::done;
@@ -208,30 +207,31 @@ private:
     const Face_values<double> v = approximation(f);
     const double longest = *std::max_element(v.squared_lengths.begin(), v.squared_lengths.end());
     if (view_.squared_length(number(segment) / 2) < (1 - 0x1p-10) * longest) {
-      ++result_.counts.refused;
+      ++state_.result.counts.refused;
       return;
     }
     refused_.clear(); // vertices near it are removed, and make way
     const std::uint32_t i = t_.index(f);
-    queue_.push(i, priority(f)); // before: what changes is checked again, and removed if it goes
-    if (!split(segment)) queue_.remove(i);
+    // before: what changes is checked again, and removed if it goes
+    state_.queue.push(i, priority(f));
+    if (!moves_.split(segment)) state_.queue.remove(i);
   }
 
   bool may_insert() {
-    const std::uint64_t n = result_.counts.circumcenters + result_.counts.segment_splits;
+    const std::uint64_t n =
+        state_.result.counts.circumcenters + state_.result.counts.segment_splits;
     if (n >= cap_) {
-      result_.status = Status::cap;
-      is_going_on_ = false;
+      state_.stop(Status::cap);
     } else if (is_time_to_report(n)) {
       ask_visitor();
     }
-    return is_going_on_;
+    return state_.is_going_on;
   }
 
   bool ask_visitor() {
-    if (session_.suspended([this] { return visitor_.progress(result_.counts); })) return true;
-    result_.status = Status::cancelled;
-    return is_going_on_ = false;
+    if (moves_.session().suspended([this] { return visitor_.progress(state_.result.counts); }))
+      return true;
+    return state_.stop(Status::cancelled);
   }
 
   bool is_time_to_report(std::uint64_t insertions) {
@@ -242,14 +242,14 @@ private:
 
   // splits constrained edges that are not locally Delaunay, if that is asked for
   bool split_encroached() {
-    while (is_going_on_ && !encroached_.empty()) {
-      const Halfedge h = encroached_.back();
-      encroached_.pop_back();
-      if (is_segment(h) && !session_.is_locally_delaunay(h) &&
-          !segments_.is_between_shells(view_, number(h)) && may_insert())
-        split(h);
+    while (state_.is_going_on && !state_.encroached.empty()) {
+      const Halfedge h = state_.encroached.back();
+      state_.encroached.pop_back();
+      if (moves_.segments().is_segment(number(h) / 2) && !moves_.session().is_locally_delaunay(h) &&
+          !moves_.segments().is_between_shells(view_, number(h)) && may_insert())
+        moves_.split(h);
     }
-    return is_going_on_;
+    return state_.is_going_on;
   }
 
   // ---- the end
@@ -258,23 +258,28 @@ private:
   // and every face is Delaunay.
   void flip_over_seams() {
     for (const auto e : edges(mesh_))
-      if (segments_.is_seam(t_.index(e))) flipper_.push(halfedge(e, mesh_));
-    Base::flip();
+      if (moves_.segments().is_seam(t_.index(e))) moves_.suspect(halfedge(e, mesh_));
+    moves_.flip();
   }
 
   void list_unsatisfied() {
     for (const Face f : faces(mesh_)) {
       const Face_state s = state(f);
       if (s == Face_state::good) continue;
-      result_.unsatisfied.push_back({f, unsatisfied_reason(s, !is_going_on_)});
-      if (result_.status == Status::done &&
-          result_.unsatisfied.back().reason == Unsatisfied_reason::refused)
-        result_.status = Status::stalled;
+      state_.result.unsatisfied.push_back({f, unsatisfied_reason(s, !state_.is_going_on)});
+      if (state_.result.status == Status::done &&
+          state_.result.unsatisfied.back().reason == Unsatisfied_reason::refused)
+        state_.result.status = Status::stalled;
     }
   }
 
   static constexpr int number_of_tries = 6; // directions, all around
 
+  Triangulation& t_;
+  const Mesh& mesh_;
+  Intrinsic_view<Triangulation> view_;
+  Refinement_state<Triangulation> state_;
+  Moves moves_;
   Refinement_test test_;
   // Faces by their corners, in order: an insertion at the circumcenter was refused, and would be
   // again.

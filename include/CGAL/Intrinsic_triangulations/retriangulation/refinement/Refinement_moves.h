@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Removable_vertices.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -25,9 +24,29 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// What refinement has to look at, and what it has done.
+template <class Triangulation>
+struct Refinement_state {
+  using Face = typename Triangulation::face_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+
+  Face_queue queue;                 // faces that are bad
+  std::vector<Face> touched;        // those that changed
+  std::vector<Halfedge> encroached; // segments that may not be Delaunay
+  bool is_going_on = true;
+  Refinement_result<Face> result;
+
+  // makes a status the result; returns false
+  bool stop(Status status) {
+    result.status = status;
+    return is_going_on = false;
+  }
+};
 
 /*!
 Inserts and removes vertices of a triangulation that is being refined, with their copies on the sheets of a cover, and
@@ -35,7 +54,6 @@ flips it back to Delaunay; notes which faces changed. What is done next is for `
 */
 template <class Triangulation>
 class Refinement_moves {
-protected:
   using Mesh = typename Triangulation::Mesh;
   using Traits = boost::graph_traits<Mesh>;
   using Session = typename Triangulation::Session;
@@ -44,13 +62,27 @@ protected:
   using Face = typename Triangulation::face_descriptor;
   using View = Intrinsic_view<Triangulation>;
 
-  Refinement_moves(Triangulation& t, bool is_conforming)
-      : t_(t), mesh_(t.mesh()), copies_(t), session_(t), view_(t), flipper_(t, session_),
-        is_conforming_(is_conforming) {}
+  using State = Refinement_state<Triangulation>;
+
+public:
+  // What became of a vertex.
+  enum class Insertion {
+    done,     // it is there, with its copies
+    not_here, // a copy would come too close to other vertices: nothing has changed
+    refused   // edges have been flipped
+  };
+
+  // notes down in `state` what changes, and what is done
+  Refinement_moves(Triangulation& t, bool is_conforming, State& state)
+      : t_(t), mesh_(t.mesh()), state_(state), copies_(t), session_(t), view_(t),
+        flipper_(t, session_), is_conforming_(is_conforming) {}
+
+  Session& session() { return session_; }
+  Constrained_segments& segments() { return segments_; }
 
   // \param is_kept tells of edges, by number, whether they are constrained; empty: none is
   void find_segments(const std::vector<char>& is_kept) {
-    result_.counts.flips += copies_.restore_seams(session_);
+    state_.result.counts.flips += copies_.restore_seams(session_);
     for (const auto e : edges(mesh_)) {
       const Halfedge h = halfedge(e, mesh_);
       const bool is_constrained = !is_kept.empty() && is_kept[number(h) / 2] != 0;
@@ -59,55 +91,22 @@ protected:
         segments_.add(view_, number(h), is_constrained, is_seam);
     }
     segments_.find_small_angles(view_);
-    removable_.find(t_, [this](Halfedge h) { return is_segment(h); });
+    for (const Vertex v : vertices(mesh_)) // inserted by a refinement that goes on, or by the user
+      if (t_.is_inserted(v) && !is_on_segment(v)) removable_.insert(t_.index(v));
   }
 
-public:
-  // ---- observer of the flipper
-  bool before_check() { return true; }
-  bool before_flip() {
-    if (Triangulation::Metric::is_exact || result_.counts.flips < flip_cap()) return true;
-    result_.status = Status::cap;
-    is_going_on_ = false;
-    return false;
-  }
-  bool is_constrained(Halfedge h) {
-    const std::uint32_t e = number(h) / 2;
-    if (!segments_.is_segment(e)) return false;
-    const bool is_seam = segments_.is_seam(e);
-    if (is_seam && !is_going_on_ && !segments_.is_constrained(e)) {
-      segments_.release(e);
-      return false;
-    }
-    if (is_conforming_ || is_seam) encroached_.push_back(h);
-    return true;
-  }
-  void after_flip(Halfedge h) {
-    ++result_.counts.flips;
-    touch(face(h, mesh_));
-    touch(face(opposite(h, mesh_), mesh_));
-  }
-  void refused(Halfedge) { ++result_.counts.refused; }
+  // an edge that may not be Delaunay
+  void suspect(Halfedge h) { flipper_.push(h); }
 
-protected:
-  std::uint32_t number(Halfedge h) const { return t_.numbers().halfedge(h); }
-  Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
-  bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
-  bool is_segment(Halfedge h) const { return segments_.is_segment(number(h) / 2); }
-
-  // with inexact numbers, rounding may make flips go round
-  std::uint64_t flip_cap() const {
-    return 1000000 + 100 * (std::uint64_t{num_edges(mesh_)} + result_.counts.circumcenters);
+  // Flips until all edges that were suspected are Delaunay; `may_go_on` is asked before every check.
+  template <class May_go_on>
+  bool flip(const May_go_on& may_go_on) {
+    Observer<May_go_on> observer{*this, may_go_on};
+    return flipper_.run(observer);
   }
-
-  void touch(Face f) { touched_.push_back(f); }
-
-  // What became of a vertex.
-  enum class Insertion {
-    done,     // it is there, with its copies
-    not_here, // a copy would come too close to other vertices: nothing has changed
-    refused   // edges have been flipped
-  };
+  bool flip() {
+    return flip([] { return true; });
+  }
 
   // Inserts a vertex and its copies if they keep the least distance, squared, from others.
   // \param wanted the distance of copies, as far as it is known before they are inserted
@@ -133,6 +132,69 @@ protected:
     flip();
     return Insertion::refused;
   }
+  // splits a segment and its copies, and removes vertices near them; false if the triangulation refuses
+  bool split(Halfedge h) {
+    if (is_border(h)) h = opposite(h, mesh_);
+    const double length = std::sqrt(view_.squared_length(number(h) / 2));
+    const std::optional<Vertex> v =
+        split_at(h, segments_.split_parameter(view_, number(h)), std::nullopt);
+    if (!v) return false;
+    std::vector<std::uint32_t> all{t_.index(*v)};
+    if (!insert_copies(all)) {
+      ++state_.result.counts.refused;
+      // those in faces may be removed below
+      std::erase_if(all, [this](std::uint32_t i) { return removable_.contains(i); });
+    }
+    for (std::size_t i = 0; i < all.size() && flip(); ++i)
+      remove_near(t_.numbers().vertex_at(all[i]), length);
+    return true;
+  }
+
+private:
+  // what the flipper asks and tells
+  template <class May_go_on>
+  struct Observer {
+    Refinement_moves& moves;
+    const May_go_on& may_go_on;
+
+    bool before_check() { return may_go_on(); }
+    bool before_flip() { return moves.before_flip(); }
+    bool is_constrained(Halfedge h) { return moves.is_constrained(h); }
+    void after_flip(Halfedge h) {
+      ++moves.state_.result.counts.flips;
+      moves.touch(face(h, moves.mesh_));
+      moves.touch(face(opposite(h, moves.mesh_), moves.mesh_));
+    }
+    void refused(Halfedge) { ++moves.state_.result.counts.refused; }
+  };
+
+  bool before_flip() {
+    if (Triangulation::Metric::is_exact || state_.result.counts.flips < flip_cap()) return true;
+    return state_.stop(Status::cap);
+  }
+  bool is_constrained(Halfedge h) {
+    const std::uint32_t e = number(h) / 2;
+    if (!segments_.is_segment(e)) return false;
+    const bool is_seam = segments_.is_seam(e);
+    if (is_seam && !state_.is_going_on && !segments_.is_constrained(e)) {
+      segments_.release(e);
+      return false;
+    }
+    if (is_conforming_ || is_seam) state_.encroached.push_back(h);
+    return true;
+  }
+  std::uint32_t number(Halfedge h) const { return t_.numbers().halfedge(h); }
+  Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
+  bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
+  bool is_segment(Halfedge h) const { return segments_.is_segment(number(h) / 2); }
+
+  // with inexact numbers, rounding may make flips go round
+  std::uint64_t flip_cap() const {
+    return 1000000 + 100 * (std::uint64_t{num_edges(mesh_)} + state_.result.counts.circumcenters);
+  }
+
+  void touch(Face f) { state_.touched.push_back(f); }
+
   // such a copy stays: without it the parts of the segment would be no edges
   bool is_on_segment(Vertex v) const {
     bool is_on_one = false;
@@ -141,8 +203,8 @@ protected:
   }
 
   void start_from(Vertex circumcenter) {
-    ++result_.counts.circumcenters;
-    removable_.set(t_.index(circumcenter), true);
+    ++state_.result.counts.circumcenters;
+    removable_.insert(t_.index(circumcenter));
     copies_.note(t_.index(circumcenter));
     suspect_star(circumcenter);
   }
@@ -157,8 +219,9 @@ protected:
     if (all.size() == 1) return true;
     copies_.join(all);
     const bool are_free =
-        std::ranges::all_of(all, [this](std::uint32_t v) { return removable_.has(v); });
-    for (const std::uint32_t v : all) removable_.set(v, are_free);
+        std::ranges::all_of(all, [this](std::uint32_t v) { return removable_.contains(v); });
+    if (!are_free)
+      for (const std::uint32_t v : all) removable_.erase(v);
     return true;
   }
 
@@ -180,24 +243,6 @@ protected:
     return n.vertex;
   }
 
-  // splits a segment and its copies, and removes vertices near them; false if the triangulation refuses
-  bool split(Halfedge h) {
-    if (is_border(h)) h = opposite(h, mesh_);
-    const double length = std::sqrt(view_.squared_length(number(h) / 2));
-    const std::optional<Vertex> v =
-        split_at(h, segments_.split_parameter(view_, number(h)), std::nullopt);
-    if (!v) return false;
-    std::vector<std::uint32_t> all{t_.index(*v)};
-    if (!insert_copies(all)) {
-      ++result_.counts.refused;
-      // those in faces may be removed below
-      std::erase_if(all, [this](std::uint32_t i) { return removable_.has(i); });
-    }
-    for (std::size_t i = 0; i < all.size() && flip(); ++i)
-      remove_near(t_.numbers().vertex_at(all[i]), length);
-    return true;
-  }
-
   // \param place on the input, if it is known
   std::optional<Vertex> split_at(Halfedge h, double parameter,
                                  const std::optional<Surface_point>& place) {
@@ -206,16 +251,16 @@ protected:
     const bool on_border = is_border(opposite(h, mesh_));
     const auto n = insert_on_edge(h, parameter, place);
     if (n.status != Move_status::done) {
-      ++result_.counts.refused;
+      ++state_.result.counts.refused;
       return std::nullopt;
     }
-    ++result_.counts.segment_splits;
+    ++state_.result.counts.segment_splits;
     // on the border h is the first half; inside it was flipped, and runs from the vertex
     const Halfedge other =
         on_border ? next(opposite(next(h, mesh_), mesh_), mesh_) : next(opposite(h, mesh_), mesh_);
     const Halfedge one = on_border ? h : next(next(h, mesh_), mesh_);
     segments_.split(e, {number(one) / 2, number(other) / 2}, ends, t_.index(n.vertex), parameter);
-    removable_.set(t_.index(n.vertex), false);
+    removable_.erase(t_.index(n.vertex));
     copies_.note(t_.index(n.vertex));
     suspect_star(n.vertex);
     return n.vertex;
@@ -226,8 +271,6 @@ protected:
       if (place) return session_.insert_copy(h, {1 - parameter, parameter, 0}, *place);
     return session_.split_edge(h, parameter);
   }
-
-  bool flip() { return flipper_.run(*this); }
 
   void suspect_star(Vertex v) {
     flipper_.push_star(v);
@@ -240,7 +283,7 @@ protected:
 
   void remove_near(Vertex v, double radius) {
     for (const std::uint32_t w : dijkstra_ball(view_, t_.index(v), radius)) {
-      if (!removable_.has(w)) continue;
+      if (!removable_.contains(w)) continue;
       for (const std::uint32_t copy : copies_.take(w)) {
         remove(t_.numbers().vertex_at(copy));
         if (!flip()) return; // now: edges that wait may be removed next
@@ -260,19 +303,19 @@ protected:
     copies_.forget(number_of_v);
     if (session_.remove_vertex(v) != Move_status::done) {
       copies_.note(number_of_v);
-      ++result_.counts.refused;
+      ++state_.result.counts.refused;
       for (const Halfedge h : rim) suspect_face(h); // flips have been taken back
       return;
     }
-    ++result_.counts.removals;
-    removable_.set(number_of_v, false);
-    touched_.erase(std::remove_if(touched_.begin(), touched_.end(),
-                                  [&](Face f) {
-                                    return std::find(old.begin(), old.end(), t_.index(f)) !=
-                                           old.end();
-                                  }),
-                   touched_.end());
-    for (const std::uint32_t f : old) queue_.remove(f);
+    ++state_.result.counts.removals;
+    removable_.erase(number_of_v);
+    state_.touched.erase(std::remove_if(state_.touched.begin(), state_.touched.end(),
+                                        [&](Face f) {
+                                          return std::find(old.begin(), old.end(), t_.index(f)) !=
+                                                 old.end();
+                                        }),
+                         state_.touched.end());
+    for (const std::uint32_t f : old) state_.queue.remove(f);
     // the faces of a polygon that was a star: two less than the star had
     if (!rim.empty() && old.size() > 2)
       for (const Halfedge h : faces_inside(t_, rim, old.size() - 2)) suspect_face(h);
@@ -285,18 +328,15 @@ protected:
 
   Triangulation& t_;
   const Mesh& mesh_;
+  State& state_;
   Sheet_copies<Triangulation> copies_;
   Session session_;
   View view_;
   Delaunay_flipper<Triangulation> flipper_;
   bool is_conforming_;
   Constrained_segments segments_;
-  Face_queue queue_;
-  std::vector<Face> touched_;
-  std::vector<Halfedge> encroached_;
-  Removable_vertices removable_;
-  bool is_going_on_ = true;
-  Refinement_result<Face> result_;
+  // may be removed near a segment that is split: inserted, on no segment
+  std::unordered_set<std::uint32_t> removable_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
