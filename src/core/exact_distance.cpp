@@ -3,6 +3,4 @@
 
 // Exact distances, which know nothing of the type of a triangulation.
 
-#include <CGAL/Intrinsic_triangulations/geodesics/distance/Distance_field_impl.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/distance/Path_tracer_impl.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Window_propagation_impl.h>

@@ -18,6 +18,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// Whether a triangulation may know the places of inserted vertices on its input.
+template <class Triangulation>
+concept Knows_places = Triangulation::has_correspondence && requires(const Triangulation& t) {
+  t.places();
+};
+
 /*!
 Knows which points of a double cover are copies of one point of the user's faces: the front and the back of a face, by
 name 2f and 2f + 1, and all edges of the cover that lie over one edge of the user.

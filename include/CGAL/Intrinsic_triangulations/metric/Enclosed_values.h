@@ -103,6 +103,12 @@ public:
     return is_narrow(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
   }
 
+  /// computes a flip so that the doubles stay good, see `flipped_consistently()`; for edges that may be
+  /// Delaunay: on others errors do not grow. \pre the diamond is strictly convex
+  std::optional<Flipped> compute_consistent_flip(const Diamond& d) const {
+    return Flipped{flipped_nonnegative(enclosure(d)), flipped_consistently(approximation(d))};
+  }
+
 protected:
   /// returns the intervals of a diamond.
   Diamond_values<FT> enclosure(const Diamond& d) const {

@@ -127,6 +127,15 @@ void link_copies(const Triangulation& t, Corner_table& table) {
   }
 }
 
+// The halfedge whose source a corner is, in its face.
+template <NumberedTriangulation Triangulation>
+std::uint32_t halfedge_of_corner(const Triangulation& t, std::uint32_t corner) {
+  typename Triangulation::halfedge_descriptor h =
+      halfedge(t.numbers().face_at(corner / 3), t.mesh());
+  for (std::uint32_t k = 0; k < corner % 3; ++k) h = next(h, t.mesh());
+  return t.numbers().halfedge(h);
+}
+
 // Reads a triangulation once: nothing else asks it for numbers.
 template <NumberedTriangulation Triangulation>
 Corner_table corner_table(const Triangulation& t) {

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Stored_windows.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Window.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +23,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /// A point of a face.
 struct Point_in_face {
   std::uint32_t side;            ///< a corner
-  Plane_vector<double> point;    ///< in the frame of the side
+  Plane_vector<double> point;            ///< in the frame of the side
   std::array<double, 3> weights; ///< of the source of the side, its target, and the apex
 };
 
@@ -31,15 +32,16 @@ struct Arrival {
   enum class Kind : std::uint8_t {
     none,      ///< no path is known
     at_source, ///< the point is a source
-    straight,  ///< straight from `image` through `side`, or from within the face
-    leaving,   ///< along `side`, from its target to its source
-    following, ///< along `side`, from its source to its target
+    straight,  ///< straight from `image` through `side`, from an end of it, or from within the face
     copied     ///< the point is a copy of vertex `source` on a cover, where the path comes to
   };
-  Plane_vector<double> image{0, 0};    ///< of the source, in the frame of `side`
+  Plane_vector<double> image{0, 0};            ///< of the source, in the frame of `side`
   std::uint32_t side = Gluing::none;   ///< a corner
   std::uint32_t source = Gluing::none; ///< number of the source: a vertex, or one in a face
   Kind kind = Kind::none;
+
+  /// returns the corner of a vertex to which a path comes straight: the apex seen from the side.
+  std::uint32_t corner() const { return Corner_table::previous(side); }
 };
 
 /// A distance, and where it comes from.
@@ -70,6 +72,8 @@ struct Distance_field {
   double offset(std::uint32_t source) const {
     return source < vertices.size() ? vertices[source].distance : 0;
   }
+  /// returns how many windows are looked through at most: there are more on bodies that are very thin.
+  std::uint64_t default_cap() const { return 4000000 + 500 * std::uint64_t{table.corners.size()}; }
   /// returns the number of bytes held.
   std::size_t bytes() const {
     return table.corners.size() * sizeof(Face_corner) +
@@ -77,24 +81,69 @@ struct Distance_field {
            windows.bytes();
   }
   /// returns the sources in a face.
-  std::span<const std::uint32_t> sources_in_face(std::uint32_t face) const;
+  std::span<const std::uint32_t> sources_in_face(std::uint32_t face) const {
+    const auto face_of = [this](std::uint32_t s) { return face_sources[s].side / 3; };
+    const auto range = std::ranges::equal_range(sources_by_face, face, {}, face_of);
+    return {range.begin(), range.end()};
+  }
   /// returns a point in the frame of a side in that of another side of the face.
-  Plane_vector<double> turned_to(std::uint32_t side, Plane_vector<double> p,
-                                 std::uint32_t from) const;
+  Plane_vector<double> turned_to(std::uint32_t side, Plane_vector<double> p, std::uint32_t from) const {
+    while (from != side) {
+      const std::uint32_t n = Corner_table::next(from);
+      // seen in the mirror, and turned about the target, where n starts
+      const Plane_vector<double> back = turned({table.corners[from].length - p.x, p.y}, table.corners[n]);
+      p = {back.x, -back.y};
+      from = n;
+    }
+    return p;
+  }
   /// returns the point of the face of a side with given weights of the source of the side, its target, and the apex.
-  Point_in_face point(std::uint32_t side, const std::array<double, 3>& weights) const;
+  Point_in_face point(std::uint32_t side, const std::array<double, 3>& weights) const {
+    const Window_face face(table, side);
+    return {side,
+            {weights[1] * face.base.length + weights[2] * face.apex.x, weights[2] * face.apex.y},
+            weights};
+  }
   /// finds the distance of a point of a face.
-  Distance_and_arrival at(const Point_in_face& p) const;
+  Distance_and_arrival at(const Point_in_face& p) const {
+    Distance_and_arrival best;
+    const auto go_straight = [&](std::uint32_t side, Plane_vector<double> image, std::uint32_t source,
+                                 double distance) {
+      if (distance < best.distance)
+        best = {distance, {image, side, source, Arrival::Kind::straight}};
+    };
+    const std::uint32_t face = p.side / 3;
+    for (const std::uint32_t s : sources_in_face(face)) {
+      const Plane_vector<double> q = turned_to(p.side, face_sources[s].point, face_sources[s].side);
+      go_straight(p.side, q, static_cast<std::uint32_t>(vertices.size() + s),
+                  planar_distance(q, p.point));
+    }
+    for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
+      const Plane_vector<double> q = turned_to(side, p.point, p.side), corner{0, 0};
+      const std::uint32_t v = table.corners[side].origin;
+      go_straight(side, corner, v, vertices[v].distance + planar_distance(q, corner));
+      look_through(side, q, best);
+    }
+    return best;
+  }
 
 private:
-  void look_through(std::uint32_t side, Plane_vector<double> p, Distance_and_arrival& best) const;
-  void go_to_corner(std::uint32_t side, Plane_vector<double> p, Distance_and_arrival& best) const;
+  // Through the windows of a side.
+  void look_through(std::uint32_t side, Plane_vector<double> p, Distance_and_arrival& best) const {
+    const double length = table.corners[side].length;
+    windows.for_each(side, [&](const Stored_windows::Record& w) {
+      const double distance = offset(w.source) + planar_distance(w.image, p);
+      if (!(distance < best.distance)) return;
+      const double crossing = w.image.x + (p.x - w.image.x) * (-w.image.y / (p.y - w.image.y));
+      const double tolerance = window_angle_tolerance * length;
+      if (crossing < Stored_windows::place(w.begin, length) - tolerance ||
+          crossing > Stored_windows::place(w.end, length) + tolerance)
+        return;
+      best = {distance, {w.image, side, w.source, Arrival::Kind::straight}};
+    });
+  }
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/geodesics/distance/Distance_field_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_DISTANCE_DISTANCE_FIELD_H

@@ -108,8 +108,7 @@ public:
     for_each_place(sources, [&](const auto& p) { propagation.add_source(p); });
     internal::Propagation_limits limits;
     limits.radius = internal::value_or<maximum_distance>(np, limits.radius) / field_.table.unit;
-    limits.windows = internal::value_or<maximum_number>(
-        np, 4000000 + 500 * std::uint64_t{field_.table.corners.size()});
+    limits.windows = internal::value_or<maximum_number>(np, field_.default_cap());
     for_each_place(internal::object_or<targets>(np, std::array<Surface_point, 0>()),
                    [&](const auto& p) { limits.add_target(p); });
     auto stored_visitor = internal::object_or<visitor>(np, Polyhedral_distance_visitor());
@@ -200,12 +199,6 @@ private:
     for (Halfedge g = halfedge(face(h, mesh), mesh); g != h; g = next(g, mesh)) ++k;
     return 3 * t_->index(face(h, mesh)) + k;
   }
-  std::uint32_t halfedge_of(std::uint32_t side) const {
-    const typename Triangulation::Mesh& mesh = t_->mesh();
-    Halfedge h = halfedge(t_->numbers().face_at(side / 3), mesh);
-    for (std::uint32_t k = 0; k < side % 3; ++k) h = next(h, mesh);
-    return t_->numbers().halfedge(h);
-  }
 
   internal::Point_in_face point_in_face(const Surface_point& p) const {
     return field_.point(side_of(p.halfedge), p.weights);
@@ -233,7 +226,7 @@ private:
   Shortest_path path(Status status, const internal::Path_tracer& tracer, double length) const {
     Shortest_path result{status, {}, length};
     for (const internal::Path_place& p : tracer.places())
-      result.points.push_back({halfedge_of(p.side), p.weights});
+      result.points.push_back({internal::halfedge_of_corner(*t_, p.side), p.weights});
     std::reverse(result.points.begin(), result.points.end());
     return result;
   }
@@ -245,7 +238,7 @@ private:
     const internal::Path_place& place = tracer.places().back();
     const Plane_vector<double> d = tracer.departure();
     const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
-    return {{halfedge_of(place.side), place.weights}, {scale * d.x, scale * d.y}};
+    return {{internal::halfedge_of_corner(*t_, place.side), place.weights}, {scale * d.x, scale * d.y}};
   }
 
   const Triangulation* t_;

@@ -86,14 +86,11 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::reach_copies(std::
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE double
 Window_propagation::find_arrival(std::uint32_t v, std::size_t& index) const {
   const Arrival& a = field_.vertices[v].arrival;
-  std::uint32_t corner = a.side;
-  if (a.kind == Arrival::Kind::straight) corner = Corner_table::previous(a.side);
-  if (a.kind == Arrival::Kind::following) corner = Corner_table::next(a.side);
-  const auto found =
-      std::find_if(fan_.begin(), fan_.end(), [&](const Wedge& w) { return w.corner == corner; });
+  if (a.kind != Arrival::Kind::straight) return 0;
+  const auto found = std::find_if(fan_.begin(), fan_.end(),
+                                  [&](const Wedge& w) { return w.corner == a.corner(); });
   index = static_cast<std::size_t>(found - fan_.begin());
-  if (found == fan_.end() || a.kind == Arrival::Kind::leaving) return 0;
-  if (a.kind == Arrival::Kind::following) return found->angle;
+  if (found == fan_.end()) return 0;
   const Window_face f(table_, a.side);
   const double x = a.image.x - f.apex.x, y = a.image.y - f.apex.y;
   const double angle = std::atan2(-f.apex.x * y + f.apex.y * x, -f.apex.x * x - f.apex.y * y);
@@ -112,9 +109,8 @@ Window_propagation::open_fan(std::uint32_t v, std::uint32_t first, bool everywhe
     fan_.push_back({c, std::atan2(corner.sine, corner.cosine)});
     everywhere = everywhere || !(corner.length > 0 && back.length > 0);
     reach(table_.corners[Corner_table::next(c)].origin, distance + corner.length,
-          {{0, 0}, c, v, Arrival::Kind::following});
-    reach(back.origin, distance + back.length,
-          {{0, 0}, Corner_table::previous(c), v, Arrival::Kind::leaving});
+          {{back.length, 0}, Corner_table::previous(c), v, Arrival::Kind::straight});
+    reach(back.origin, distance + back.length, {{0, 0}, c, v, Arrival::Kind::straight});
     c = table_.turn_left(c);
   } while (c != Gluing::none && c != first);
   std::size_t index = fan_.size();

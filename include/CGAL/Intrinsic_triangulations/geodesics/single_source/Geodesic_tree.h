@@ -17,40 +17,6 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace internal {
-
-// Forgets ways that do not lead from the root to their vertices, and tells whether there were any. With doubles a wedge with an edge of the
-// tree may seem to be below pi, and the edge is flipped away: what was behind it has no way then, or one in a circle.
-template <class Triangulation, class Labels>
-bool drop_lost_ways(const Triangulation& t, Labels& labels, std::uint32_t root) {
-  enum : char { unknown, on_way, reached, lost };
-  const auto end = [&t](std::uint32_t h) {
-    return t.index(target(t.numbers().halfedge_at(h), t.mesh()));
-  };
-  std::vector<char> state(labels.size(), unknown);
-  state[root] = reached;
-  std::vector<std::uint32_t> way;
-  bool are_lost = false;
-  for (std::uint32_t v = 0; v < labels.size(); ++v) {
-    std::uint32_t u = v;
-    for (way.clear(); state[u] == unknown; u = end(labels[u].halfedge ^ 1U)) {
-      state[u] = on_way;
-      way.push_back(u);
-      if (labels[u].halfedge == Gluing::none || end(labels[u].halfedge) != u) break;
-    }
-    const char found = state[u] == reached ? reached : lost;
-    for (const std::uint32_t w : way) state[w] = found;
-  }
-  for (std::uint32_t v = 0; v < labels.size(); ++v) {
-    if (state[v] == reached || labels[v].halfedge == Gluing::none) continue;
-    labels[v] = {};
-    are_lost = true;
-  }
-  return are_lost;
-}
-
-} // namespace internal
-
 /*!
 \brief is a tree of edges of an intrinsic triangulation, along which its paths from a source are geodesics.
 

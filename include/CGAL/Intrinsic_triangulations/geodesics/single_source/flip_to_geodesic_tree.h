@@ -14,10 +14,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief flips edges until a geodesic from a source to every vertex is among them (§5.5 of the course).
 
-Dijkstra's algorithm, where a path that is bent is replaced by shorter ones, see `shorten_curves()`, before it is accepted. Every path of the
-tree has an angle of at least pi on both sides of all its vertices, or the border there. Beyond the course, straight ways on from vertices of
-the tree are then looked for by windows, in doubles, and made edges where they are shorter. Nearly all paths are shortest ones, but this is
-not certified; see `Polyhedral_distance`.
+Shortest paths are found by windows, see `Polyhedral_distance`, and made edges, the nearest vertex first. Windows are doubles: where a path is
+bent by rounding, it is straightened as by `shorten_curves()`. So every path of the tree has an angle of at least pi on both sides of all its
+vertices, or the border there, as the traits decide; that it is a shortest one is as certain as doubles are.
 
 \tparam Triangulation a model of `GeodesicTriangulation`
 \tparam NP a chain of named parameters
@@ -30,7 +29,7 @@ not certified; see `Polyhedral_distance`.
 \return the tree, which refers to `t`. Its status is `done`, `stalled` if a vertex that is connected with the source has no path as
 flips were refused or, if the traits are not exact, all ways to it seem to be bent; `cap` or `cancelled`. What is in the tree is geodesic in any
 case.
-\complexity n log n in the number of edges, and of the flips, for which no bound is known
+\complexity that of `Polyhedral_distance`, and linear in the number of flips
 */
 template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Geodesic_tree<Triangulation> flip_to_geodesic_tree(Triangulation& t,
@@ -42,7 +41,7 @@ Geodesic_tree<Triangulation> flip_to_geodesic_tree(Triangulation& t,
   auto& observed = internal::unwrapped(stored_visitor);
   const std::uint64_t cap = internal::maximum_flips(t, np);
   typename Triangulation::Session session(t);
-  internal::Geodesic_tree_builder<Triangulation> builder(t, session, nullptr);
+  internal::Geodesic_tree_builder<Triangulation> builder(t, session);
   builder.run(source, cap, [&](const Shortening_result& r) { return observed.progress(r); });
   return builder.tree();
 }

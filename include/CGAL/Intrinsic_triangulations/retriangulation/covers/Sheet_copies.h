@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edge.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -25,12 +25,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// Whether a triangulation may know the places of inserted vertices on its input.
-template <class Triangulation>
-concept Knows_places = Triangulation::has_correspondence && requires(const Triangulation& t) {
-  t.places();
-};
 
 // Finds the copies of inserted vertices on a cover, and the edges over seams. Where nobody knows the places of vertices, there
 // are none.
@@ -76,10 +70,11 @@ public:
   // Flips away the edges that cross a seam, as a rule all of them. \return how many flips that took
   template <class Session>
   std::uint64_t restore_seams(Session& session) {
-    std::uint64_t flips = 0;
+    if (!exist()) return 0;
+    Input_edge_restorer restore(t_, session, *places());
     for (std::uint32_t e = 0; e < is_seam_.size() && exist(); ++e)
-      if (is_seam_[e] != 0) restore_input_edge(t_, session, *places(), 2 * e, flips);
-    return flips;
+      if (is_seam_[e] != 0) restore(2 * e);
+    return restore.flips();
   }
 
   // whether an intrinsic edge runs along a seam

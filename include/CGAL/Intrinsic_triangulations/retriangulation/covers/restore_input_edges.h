@@ -5,11 +5,20 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_COVERS_RESTORE_INPUT_EDGES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edge.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Segment_flipper.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Wedge_flipper.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -22,6 +31,77 @@ struct Restored_edges {
   /// Number in `t.input()` of the first edge that could not be restored; `Gluing::none`: all are there.
   std::uint32_t missing = Gluing::none;
 };
+
+namespace internal {
+
+// Flips edges until edges of the input are edges of the triangulation.
+template <class Triangulation, class Session, class Coordinates>
+class Input_edge_restorer {
+  using Crossed = std::vector<typename Triangulation::halfedge_descriptor>;
+
+public:
+  Input_edge_restorer(const Triangulation& t, Session& session, const Coordinates& coordinates)
+      : t_(t), session_(session), coordinates_(coordinates), flip_wedge_(t, session, nullptr),
+        flip_to_segment_(t, session, flip_wedge_) {}
+
+  std::uint64_t flips() const { return result_.flips; }
+
+  // Restores an input edge, given by a halfedge, or all of its parts if vertices were inserted on it. Tells whether it is there.
+  bool operator()(std::uint32_t x) {
+    const Intrinsic_view<Triangulation> view(t_);
+    std::uint32_t vertex = coordinates_.input().source(x);
+    for (;;) {
+      const std::optional<Curve_end> start = find_curve(view, coordinates_, vertex, x);
+      if (!start) return false;
+      const Crossed crossed = crossed_edges(view, *start);
+      if (crossed.empty()) {
+        vertex = view.target(start->halfedge);
+        if (!coordinates_.is_inserted(vertex)) return true;
+      } else if (!pass_faces_once(t_, std::array{crossed})) {
+        if (!flip_off(view, vertex, x, crossed)) return false;
+      } else if (flip_to_segment_(crossed, std::numeric_limits<std::uint64_t>::max(), result_,
+                                  [](auto) {})
+                     .size() > 1) {
+        return false;
+      }
+    }
+  }
+
+private:
+  // by a curve, from right to left
+  Crossed crossed_edges(const Intrinsic_view<Triangulation>& view, const Curve_end& start) const {
+    Crossed crossed;
+    if (start.index >= 0)
+      follow_curve(view, coordinates_, first_crossing(view, coordinates_, start),
+                   [&](const Curve_crossing& c) {
+                     crossed.push_back(t_.numbers().halfedge_at(c.halfedge));
+                   });
+    return crossed;
+  }
+
+  // Flips one edge so that the part of x from a vertex crosses fewer; where a face is crossed more than once, there may be none.
+  bool flip_off(const Intrinsic_view<Triangulation>& view, std::uint32_t vertex, std::uint32_t x,
+                const Crossed& crossed) {
+    for (const auto h : crossed) {
+      if (session_.flip_edge(h) != Move_status::done) continue;
+      ++result_.flips;
+      const std::optional<Curve_end> start = find_curve(view, coordinates_, vertex, x);
+      if (start && crossed_edges(view, *start).size() < crossed.size()) return true;
+      if (session_.flip_edge(h) != Move_status::done) return false;
+      ++result_.flips;
+    }
+    return false;
+  }
+
+  const Triangulation& t_;
+  Session& session_;
+  const Coordinates& coordinates_;
+  Wedge_flipper<Triangulation> flip_wedge_;
+  Segment_flipper<Triangulation> flip_to_segment_;
+  Shortening_result result_;
+};
+
+} // namespace internal
 
 /*!
 \brief flips edges until some edges of the input are edges of the triangulation again, or chains of edges through vertices that
@@ -38,15 +118,12 @@ Other edges may not be Delaunay afterwards. With constraints on those that were 
 template <class Triangulation>
   requires CurveCoordinates<typename Triangulation::Correspondence>
       Restored_edges restore_input_edges(Triangulation& t, const std::vector<char>& is_wanted) {
-    Restored_edges result;
     typename Triangulation::Session session(t);
-    for (std::size_t e = 0; e < is_wanted.size() && result.missing == Gluing::none; ++e) {
-      const auto number = static_cast<std::uint32_t>(e);
-      if (is_wanted[e] != 0 &&
-          !internal::restore_input_edge(t, session, t.correspondence(), 2 * number, result.flips))
-        result.missing = number;
-    }
-    return result;
+    internal::Input_edge_restorer restore(t, session, t.correspondence());
+    std::uint32_t missing = Gluing::none;
+    for (std::uint32_t e = 0; e < is_wanted.size() && missing == Gluing::none; ++e)
+      if (is_wanted[e] != 0 && !restore(2 * e)) missing = e;
+    return {restore.flips(), missing};
   }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edge.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
@@ -51,6 +50,12 @@ std::uint32_t first_edge(const Exact& t) {
   return IT::Gluing::none;
 }
 
+IT::Restored_edges restore(Exact& t, std::uint32_t x) {
+  std::vector<char> is_wanted(t.input().number_of_edges());
+  is_wanted[x / 2] = 1;
+  return IT::restore_input_edges(t, is_wanted);
+}
+
 // how many edges run along an input edge
 std::ptrdiff_t edges_along(const Exact& t, std::uint32_t x) {
   const auto& c = t.correspondence();
@@ -66,24 +71,21 @@ TEST(Restore_input_edge, straightens_zigzags) {
     IT::flip_to_delaunay(t);
     const std::uint32_t x = first_edge(t);
     EXPECT_EQ(edges_along(t, x), 0) << n;
-    Exact::Session session(t);
-    std::uint64_t flips = 0;
-    EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x, flips)) << n;
+    const IT::Restored_edges restored = restore(t, x);
+    EXPECT_EQ(restored.missing, IT::Gluing::none) << n;
     EXPECT_EQ(edges_along(t, x), 1) << n;
-    EXPECT_GT(flips, 0U) << n;
+    EXPECT_GT(restored.flips, 0U) << n;
   }
 }
 
 TEST(Restore_input_edge, leaves_an_edge_alone_that_is_there) {
   Exact t(soups::soup(edge_in_zigzag(5)));
   const std::uint32_t x = first_edge(t);
-  Exact::Session session(t);
-  std::uint64_t flips = 0;
-  EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x ^ 1U, flips));
+  EXPECT_EQ(restore(t, x).missing, IT::Gluing::none);
   EXPECT_EQ(edges_along(t, x), 1);
-  const std::uint64_t once = flips;
-  EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x ^ 1U, flips));
-  EXPECT_EQ(flips, once) << "it is there";
+  const IT::Restored_edges again = restore(t, x);
+  EXPECT_EQ(again.missing, IT::Gluing::none);
+  EXPECT_EQ(again.flips, 0U) << "it is there";
 }
 
 TEST(Restore_input_edge, restores_the_parts_of_an_edge_that_was_split) {
@@ -92,9 +94,7 @@ TEST(Restore_input_edge, restores_the_parts_of_an_edge_that_was_split) {
   ASSERT_EQ(t.split_edge(t.numbers().halfedge_at(x), 0.4).status, IT::Move_status::done);
   IT::flip_to_delaunay(t);
   EXPECT_LT(edges_along(t, x), 2);
-  Exact::Session session(t);
-  std::uint64_t flips = 0;
-  EXPECT_TRUE(IT::internal::restore_input_edge(t, session, t.correspondence(), x, flips));
+  EXPECT_EQ(restore(t, x).missing, IT::Gluing::none);
   EXPECT_EQ(edges_along(t, x), 2);
 }
 
@@ -121,10 +121,8 @@ TEST(Restore_input_edge, ends_where_an_edge_crosses_faces_more_than_once) {
     IT::flip_to_delaunay(t);
     for (int flips = 0; flips < 180; ++flips)
       t.flip_edge(t.numbers().halfedge_at(below(2 * num_edges(t.mesh()))));
-    Exact::Session session(t);
-    std::uint64_t flips = 0;
     for (std::uint32_t x = 0; x < t.input().number_of_halfedges(); x += 2)
-      if (IT::internal::restore_input_edge(t, session, t.correspondence(), x, flips)) {
+      if (restore(t, x).missing == IT::Gluing::none) {
         EXPECT_EQ(edges_along(t, x), 1) << seed << ' ' << x;
       }
   }
