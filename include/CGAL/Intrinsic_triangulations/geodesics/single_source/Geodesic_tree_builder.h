@@ -36,16 +36,19 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // Makes shortest paths from a source edges, the nearest vertex first.
 //
-// Windows tell the last straight piece of each path. It begins at a vertex of the tree, at an angle from the edge of the tree
-// there, and is flipped into place. Shortest paths do not cross, so that no edge of the tree is in its way.
+// Windows tell the last straight piece of each path. It begins at a vertex of the tree, at an angle
+// from the edge of the tree there, and is flipped into place. Shortest paths do not cross, so that
+// no edge of the tree is in its way.
 //
-// Windows are doubles. So the traits decide whether each path is a geodesic where it leaves the tree. If it is not, edges are
-// flipped out of the wedge there, as in `shorten_curves()`, and the shortest way to the vertex is taken that there is then. No other edge
-// of the tree is in that wedge: the wedge of that edge would be smaller still. Hence edges of the tree are never flipped; with
-// doubles, a wedge that seems to have one is left alone.
+// Windows are doubles. So the traits decide whether each path is a geodesic where it leaves the
+// tree. If it is not, edges are flipped out of the wedge there, as in `shorten_curves()`, and the
+// shortest way to the vertex is taken that there is then. No other edge of the tree is in that
+// wedge: the wedge of that edge would be smaller still. Hence edges of the tree are never flipped;
+// with doubles, a wedge that seems to have one is left alone.
 //
-// A piece that rounding has lost is not made an edge: the vertex is then joined by edges that are there, and straightened. It waits if none
-// leads to the tree yet. Every flip shortens a way to it, and there are finitely many geodesic edges below a length.
+// A piece that rounding has lost is not made an edge: the vertex is then joined by edges that are
+// there, and straightened. It waits if none leads to the tree yet. Every flip shortens a way to it,
+// and there are finitely many geodesic edges below a length.
 template <class Triangulation>
 class Geodesic_tree_builder {
   using Vertex = typename Triangulation::vertex_descriptor;
@@ -155,8 +158,8 @@ private:
     return false;
   }
 
-  // Makes the last piece of a path an edge, or the chain beside it where rounding prevents that. Returns the halfedge to the vertex, none
-  // if it is lost.
+  // Makes the last piece of a path an edge, or the chain beside it where rounding prevents that.
+  // Returns the halfedge to the vertex, none if it is lost.
   std::uint32_t insert(std::uint32_t v, const Last_piece& piece) {
     if (piece.from == none) return none;
     const Reference& r = references_[piece.from];
@@ -198,7 +201,8 @@ private:
     if (last == none) return true;
     const Halfedge in = halfedge_at(last), out = halfedge_at(h);
     for (const bool is_left : {true, false}) {
-      const Halfedge from = is_left ? in : opposite(out, mesh), to = is_left ? out : opposite(in, mesh);
+      const Halfedge from = is_left ? in : opposite(out, mesh);
+      const Halfedge to = is_left ? out : opposite(in, mesh);
       Wedge wedge;
       if (!find_wedge(t_, from, to, wedge,
                       [&](Halfedge g) { return !is_in_tree(t_.numbers().halfedge(g)); }))
@@ -216,8 +220,8 @@ private:
     return true;
   }
 
-  // The edge of the tree to a vertex is that of the last piece, or beside it. An edge of the tree stays, unlike the first reference at the
-  // source.
+  // The edge of the tree to a vertex is that of the last piece, or beside it. An edge of the tree
+  // stays, unlike the first reference at the source.
   void note_directions(std::uint32_t v, const Last_piece& piece, std::uint32_t segment) {
     if (segment == none || view_.target(segment) != v) return;
     const std::uint32_t h = branches_[v].halfedge;

@@ -15,8 +15,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The last straight piece of the shortest path to a vertex. Its directions are angles from the first
-// corner of a vertex, as the field has it: flips do not change them.
+// The last straight piece of the shortest path to a vertex. Its directions are angles from the
+// first corner of a vertex, as the field has it: flips do not change them.
 struct Last_piece {
   std::uint32_t from = Gluing::none; // the vertex where it begins
   double departure = 0;              // its direction there

@@ -14,9 +14,11 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief flips edges until a geodesic from a source to every vertex is among them (§5.5 of the course).
 
-Shortest paths are found by windows, see `Polyhedral_distance`, and made edges, the nearest vertex first. Windows are doubles: where a path is
-bent by rounding, it is straightened as by `shorten_curves()`. So every path of the tree has an angle of at least pi on both sides of all its
-vertices, or the border there, as the traits decide; that it is a shortest one is as certain as doubles are.
+Shortest paths are found by windows, see `Polyhedral_distance`, and made edges, the nearest vertex
+first. Windows are doubles: where a path is bent by rounding, it is straightened as by
+`shorten_curves()`. So every path of the tree has an angle of at least pi on both sides of all its
+vertices, or the border there, as the traits decide; that it is a shortest one is as certain as
+doubles are.
 
 \tparam Triangulation a model of `GeodesicTriangulation`
 \tparam NP a chain of named parameters
