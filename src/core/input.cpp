@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud_impl.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/Path_record_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_flattener_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper_impl.h>

@@ -5,13 +5,13 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESICS_CURVES_GROWING_PATHS_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/Path_record.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <list>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -20,6 +20,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // last one grows.
 template <class Triangulation>
 class Growing_paths {
+  using Path = std::list<std::uint32_t>; // of halfedges
+
 public:
   // A vertex on an edge, and the halfedges from it to the ends of the edge, and to the apex of
   // the face in which it was split.
@@ -32,18 +34,14 @@ public:
   std::vector<typename Triangulation::halfedge_descriptor> halfedges(const Triangulation& t,
                                                                      std::size_t i = 0) const {
     std::vector<typename Triangulation::halfedge_descriptor> result;
-    for (const std::uint32_t h : paths_[i].halfedges())
-      result.push_back(t.numbers().halfedge_at(h));
+    for (const std::uint32_t h : paths_[i]) result.push_back(t.numbers().halfedge_at(h));
     return result;
   }
-  std::uint32_t last() const { return paths_.back().last(); }
-  bool has_edge(std::uint32_t e) const {
-    return std::any_of(paths_.begin(), paths_.end(),
-                       [e](const Path_record& path) { return path.has_edge(e); });
-  }
+  std::uint32_t last() const { return paths_.back().back(); }
+  bool has_edge(std::uint32_t e) const { return at_.count(e) != 0; }
 
   void begin() { paths_.emplace_back(); }
-  void append(std::uint32_t h) { paths_.back().append(h); }
+  void append(std::uint32_t h) { insert(paths_.size() - 1, paths_.back().end(), h); }
 
   // splits the edge of a halfedge that has a face
   Split split(Triangulation& t, std::uint32_t h, double parameter) {
@@ -64,16 +62,40 @@ public:
       // h has come in between if the edge has this face on both sides
       if (s.to_apex / 2 == h / 2) s.to_apex = next_around_source(view, s.to_apex);
     }
-    for (Path_record& path : paths_)
-      if (h % 2 == 0)
-        path.split(h / 2, s.to_source ^ 1U, s.to_target);
-      else
-        path.split(h / 2, s.to_target ^ 1U, s.to_source);
+    if (h % 2 == 0)
+      replace(h / 2, s.to_source ^ 1U, s.to_target);
+    else
+      replace(h / 2, s.to_target ^ 1U, s.to_source);
     return s;
   }
 
 private:
-  std::vector<Path_record> paths_{1};
+  // where an edge is in a path
+  struct Place {
+    std::size_t path;
+    Path::iterator at;
+  };
+
+  void insert(std::size_t path, Path::iterator before, std::uint32_t h) {
+    at_.emplace(h / 2, Place{path, paths_[path].insert(before, h)});
+  }
+
+  // `first` and `second` lead from the source of halfedge 2 e to its target.
+  void replace(std::uint32_t e, std::uint32_t first, std::uint32_t second) {
+    std::vector<Place> along;
+    const auto [begin, end] = at_.equal_range(e);
+    for (auto i = begin; i != end; ++i) along.push_back(i->second);
+    at_.erase(begin, end);
+    for (const auto& [path, at] : along) {
+      const bool is_forward = *at % 2 == 0;
+      insert(path, at, is_forward ? first : second ^ 1U);
+      insert(path, at, is_forward ? second : first ^ 1U);
+      paths_[path].erase(at);
+    }
+  }
+
+  std::vector<Path> paths_{1};
+  std::unordered_multimap<std::uint32_t, Place> at_; // by edge
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -150,18 +150,12 @@ public:
 
   /// returns a shortest path to a vertex from the nearest source. \complexity linear in the number of its points
   Shortest_path shortest_path(vertex_descriptor v) const {
-    internal::Path_tracer tracer(field_);
-    const double length = distance(v);
-    if (!std::isfinite(length)) return {Status::stalled, {}, length};
-    return path(tracer.trace(t_->index(v)), tracer, length);
+    return path_to(t_->index(v), distance(v));
   }
   /// returns a shortest path to a point from the nearest source. \complexity linear in the number of its points and of the
   /// windows of its face
   Shortest_path shortest_path(const Surface_point& p) const {
-    internal::Path_tracer tracer(field_);
-    const double length = distance(p);
-    if (!std::isfinite(length)) return {Status::stalled, {}, length};
-    return path(tracer.trace(point_in_face(p)), tracer, length);
+    return path_to(point_in_face(p), distance(p));
   }
 
   /// returns the vector at the nearest source along the shortest path to a vertex, as long as the
@@ -169,17 +163,11 @@ public:
   /// which it points. Its coordinates are not numbers where the distance is infinite, or rounding
   /// has led the path astray. \complexity that of `shortest_path()`
   Tangent_vector logarithm(vertex_descriptor v) const {
-    internal::Path_tracer tracer(field_);
-    const double length = distance(v);
-    const bool is_known = std::isfinite(length) && tracer.trace(t_->index(v)) == Status::done;
-    return departure(tracer, is_known && !tracer.places().empty(), length);
+    return departure_to(t_->index(v), distance(v));
   }
   /// returns the vector at the nearest source along the shortest path to a point; see above.
   Tangent_vector logarithm(const Surface_point& p) const {
-    internal::Path_tracer tracer(field_);
-    const double length = distance(p);
-    const bool is_known = std::isfinite(length) && tracer.trace(point_in_face(p)) == Status::done;
-    return departure(tracer, is_known, length);
+    return departure_to(point_in_face(p), distance(p));
   }
 
 private:
@@ -223,22 +211,27 @@ private:
     }
   }
 
-  Shortest_path path(Status status, const internal::Path_tracer& tracer, double length) const {
-    Shortest_path result{status, {}, length};
+  // To a vertex by number, or to a point in a face.
+  template <class Place>
+  Shortest_path path_to(const Place& place, double length) const {
+    if (!std::isfinite(length)) return {Status::stalled, {}, length};
+    internal::Path_tracer tracer(field_);
+    Shortest_path result{tracer.trace(place), {}, length};
     for (const internal::Path_place& p : tracer.places())
       result.points.push_back({internal::halfedge_of_corner(*t_, p.side), p.weights});
     std::reverse(result.points.begin(), result.points.end());
     return result;
   }
-
-  Tangent_vector departure(const internal::Path_tracer& tracer, bool is_known,
-                           double length) const {
+  template <class Place>
+  Tangent_vector departure_to(const Place& to, double length) const {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    if (!is_known) return {{Gluing::none, {unknown, unknown, unknown}}, {unknown, unknown}};
+    internal::Path_tracer tracer(field_);
+    if (!std::isfinite(length) || tracer.trace(to) != Status::done || tracer.places().empty())
+      return {{Gluing::none, {unknown, unknown, unknown}}, {unknown, unknown}};
     const internal::Path_place& place = tracer.places().back();
     const Plane_vector<double> d = tracer.departure();
     const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
-    return {{internal::halfedge_of_corner(*t_, place.side), place.weights}, {scale * d.x, scale * d.y}};
+    return {{internal::halfedge_of_corner(*t_, place.side), place.weights}, scale * d};
   }
 
   const Triangulation* t_;

@@ -11,9 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/queries/starting_path.h>
+#include <CGAL/Intrinsic_triangulations/geodesics/queries/Lone_curve_finder.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/queries/trace_curve.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/shortening/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/Shortening_result.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
 
@@ -61,7 +60,7 @@ public:
 
   /// prepares queries. \param t the triangulation, which must outlive the finder, and not change
   /// between queries \complexity linear
-  explicit Geodesic_finder(Triangulation& t) : t_(t), network_(t), find_edge_path_(t) {}
+  explicit Geodesic_finder(Triangulation& t) : t_(t), finder_(t) {}
 
   /*!
   \brief finds a shortest path between two vertices.
@@ -93,8 +92,14 @@ public:
   Geodesic_path operator()(const std::vector<vertex_descriptor>& vertices,
                            const NP& np = parameters::default_values()) {
     Geodesic_path result;
-    for (std::size_t i = 0; i + 1 < vertices.size() && result.status == Status::done; ++i)
-      append(vertices[i], vertices[i + 1], np, result);
+    for (std::size_t i = 0; i + 1 < vertices.size() && result.status == Status::done; ++i) {
+      internal::Curve_side<Triangulation> side;
+      const Status s = finder_.find(vertices[i], vertices[i + 1], side, result.shortening, np);
+      if (side.way.points.empty() && s != Status::done) result = {};
+      internal::append(side.way, result);
+      result.initial_length += side.initial_length;
+      result.status = s == Status::done ? side.search : s;
+    }
     return result;
   }
 
@@ -127,33 +132,8 @@ public:
   }
 
 private:
-  // flips edges until there is a path, reads it off, and takes the flips back
-  template <class NP>
-  void append(vertex_descriptor from, vertex_descriptor to, const NP& np, Geodesic_path& path) {
-    if (internal::are_copies(t_, from, to)) return;
-    Flip_log<Triangulation> log;
-    Shortening_result r;
-    const auto way = internal::starting_path(t_, from, to, find_edge_path_, &log, r, np);
-    if (way.halfedges.empty()) {
-      path = {};
-      path.status = way.status;
-      return;
-    }
-    network_.add_path(way.halfedges);
-    path.initial_length += way.length;
-    r += internal::shorten_curves(network_, &log, np);
-    for (const halfedge_descriptor h : network_.halfedges(0)) internal::append_edge(t_, h, path);
-    network_.clear();
-    typename Triangulation::Session session(t_);
-    log.undo(session);
-    path.shortening += r;
-    if (path.status == Status::done) path.status = r.status == Status::done ? way.status : r.status;
-  }
-
-private:
   Triangulation& t_;
-  Curve_network<Triangulation> network_;
-  Edge_path_finder<Triangulation> find_edge_path_;
+  internal::Lone_curve_finder<Triangulation> finder_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -28,6 +28,8 @@ template <class Triangulation>
 struct Curve_side {
   typename Triangulation::vertex_descriptor from, to;
   Traced_curve way;
+  Status search = Status::done; // `inaccurate` if the search for the shortest path gave up
+  double initial_length = 0;    // of what it was made of
 };
 
 // Finds geodesics, each alone on the surface, and leaves the triangulation as it was.
@@ -41,13 +43,18 @@ public:
 
   // A shortest path between any copies of two vertices, which become the ends of the side; where
   // the search for that gives up, another geodesic.
-  Status find(Vertex from, Vertex to, Side& side, Shortening_result& counts) {
+  // \param np those of `shorten_curves()`, and `shortest(b)`
+  template <class NamedParameters = parameters::Parameters<>>
+  Status find(Vertex from, Vertex to, Side& side, Shortening_result& counts,
+              const NamedParameters& np = parameters::default_values()) {
     side = {from, to, {}};
     if (are_copies(t_, from, to)) return Status::done;
     Flip_log<Triangulation> log;
-    const auto way = starting_path(t_, from, to, find_, &log, counts, parameters::default_values());
+    const auto way = starting_path(t_, from, to, find_, &log, counts, np);
+    side.search = way.status;
+    side.initial_length = way.length;
     Status status = way.status;
-    if (!way.halfedges.empty()) status = shorten(way.halfedges, false, log, side, counts);
+    if (!way.halfedges.empty()) status = shorten(way.halfedges, false, log, side, counts, np);
     take_back(log);
     return status;
   }
@@ -61,7 +68,8 @@ public:
     Curve_inserter<Triangulation, false> inserter(t_, &log);
     Status status = Status::stalled;
     Side result{sides.front().from, sides.back().to, {}};
-    if (insert(sides, inserter)) status = shorten(inserter.path(), is_loop, log, result, counts);
+    if (insert(sides, inserter))
+      status = shorten(inserter.path(), is_loop, log, result, counts, parameters::default_values());
     joined = std::move(result);
     take_back(log);
     return status;
@@ -81,15 +89,17 @@ private:
     return true;
   }
 
+  template <class NamedParameters>
   Status shorten(const std::vector<typename Triangulation::halfedge_descriptor>& way, bool is_loop,
-                 Flip_log<Triangulation>& log, Side& joined, Shortening_result& counts) {
+                 Flip_log<Triangulation>& log, Side& joined, Shortening_result& counts,
+                 const NamedParameters& np) {
     if (way.empty()) return Status::done;
     try {
       is_loop ? network_.add_loop(way) : network_.add_path(way);
     } catch (const Invalid_input&) {
       return Status::stalled;
     }
-    const Shortening_result r = shorten_curves(network_, log);
+    const Shortening_result r = internal::shorten_curves(network_, &log, np);
     counts += r;
     const auto halfedges = network_.halfedges(0);
     joined.from = network_.start(0);

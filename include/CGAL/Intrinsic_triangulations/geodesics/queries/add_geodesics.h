@@ -114,14 +114,6 @@ private:
     return true;
   }
 
-  static void append(const Traced_curve& way, Traced_curve& all) {
-    all.points.insert(all.points.end(), way.points.begin() + (all.points.empty() ? 0 : 1),
-                      way.points.end());
-    all.faces.insert(all.faces.end(), way.faces.begin(), way.faces.end());
-    all.length += way.length;
-    all.length_enclosure += way.length_enclosure;
-  }
-
   // One side after the other: two geodesics that meet cross less often than all sides. If they
   // do, the sides stay as they are for
   // now: they are shortened with their crossings fixed.

@@ -63,6 +63,16 @@ inline Surface_point seen_in_face(const Input& input, const Surface_point& p, st
   return p;
 }
 
+// Lets one curve follow another, which ends where it starts.
+inline void append(const Traced_curve& way, Traced_curve& all) {
+  if (way.points.empty()) return;
+  all.points.insert(all.points.end(), way.points.begin() + (all.points.empty() ? 0 : 1),
+                    way.points.end());
+  all.faces.insert(all.faces.end(), way.faces.begin(), way.faces.end());
+  all.length += way.length;
+  all.length_enclosure += way.length_enclosure;
+}
+
 template <class Triangulation>
 void append_edge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
                  Traced_curve& curve) {
