@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What reads and prepares inputs, and writes files; what refinement and curves keep of them.
+// What reads and prepares inputs, and writes files; what refinement keeps of them.
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup_impl.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
