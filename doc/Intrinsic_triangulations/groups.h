@@ -163,12 +163,14 @@ What is in the files: \ref page_file_format, \ref page_output_formats, \ref page
 |---|---|
 | the question | expressions such as \itc{Delaunay_expression}, models of \itc{DiamondExpression} |
 | its evaluation beyond intervals of doubles | \itc{Recorded_diamond_expression}, \itc{Recorded_face_expression} |
-| who decides, in which order | \itc{Exact_ladder} |
+| what decides, in which order | \itc{Exact_ladder}, ladder.h |
 | on what | \itc{Unfolded_diamond}: input triangles under a diamond; \itc{Replayed_faces}: flips that made faces |
-| two input faces, in integers of fixed size | \itf{input_diamond_sign} |
-| diamonds in one plane | \itf{flat_diamond_sign} |
-| symmetric ties | \itf{is_mirrored_strip} |
-| is it zero? | \itc{Diamond_zero_test}, \itc{Field_zero_test} |
+| what a proof is | \itc{Question}, \itc{ProofOf} |
+| two input faces, in integers of fixed size | \itc{Input_integers_proof} |
+| diamonds in one plane | \itc{Flat_proof} |
+| cylinders and prisms | \itc{Prism_proof}, \itc{Prism_in_field_proof} |
+| symmetric ties | \itc{Mirrored_proof} |
+| all other zeros | \itc{Field_proof} |
 */
 
 /*!

@@ -49,7 +49,7 @@ input, from which each predicate rebuilds what it needs (ch. 7 of the course: "t
 
 To test an edge, the input triangles over which its diamond lies are found by integers alone (see
 `Diamond_unfolder`) and unfolded in interval arithmetic. Where that leaves the sign open, the same triangles
-decide exactly (see `Exact_evaluation`). No length is stored, so no error is carried from one flip to the
+decide exactly (see `Exact_ladder`). No length is stored, so no error is carried from one flip to the
 next, and nothing is remembered of the flips: memory does not grow with them.
 
 With exact traits the moves have made the values that predicates read; here a predicate reads nothing that
@@ -99,20 +99,22 @@ public:
       const face_descriptor null = boost::graph_traits<Mesh>::null_face();
       const face_descriptor f = face(h, t_.mesh_), g = face(opposite(h, t_.mesh_), t_.mesh_);
       if (f == null || g == null || f == g) return true;
-      return t_.geometry_.is_locally_delaunay(View(t_), t_.correspondence_, t_.number_.halfedge(h),
-                                              t_.statistics_);
+      return t_.geometry().is_locally_delaunay(t_.diamond(h));
     }
     /// returns the sign of pi minus the angles opposite an edge.
     /// \pre the edge has two faces
-    Sign delaunay_sign(halfedge_descriptor h) const { return t_.sign(h, Delaunay_expression()); }
+    Sign delaunay_sign(halfedge_descriptor h) const { return t_.geometry().sign(t_.diamond(h), Delaunay_expression()); }
     /// returns the sign of the area of the face of a halfedge, which is positive in a triangulation.
-    Sign orientation(halfedge_descriptor h) const { return t_.sign(h, Left_area_expression()); }
+    Sign orientation(halfedge_descriptor h) const {
+      return t_.geometry().orientation(t_.indexed_face(h));
+    }
     /// tells whether an edge runs straight over the input, as the edges of a triangulation do; see
     /// `Integer_geometry::is_straight()`.
     bool is_straight(halfedge_descriptor h) const {
       if (face(h, t_.mesh_) == boost::graph_traits<Mesh>::null_face()) h = opposite(h, t_.mesh_);
-      return t_.geometry_.is_straight(View(t_), t_.correspondence_, t_.number_.halfedge(h),
-                                      t_.statistics_);
+      if (t_.correspondence_.normal_coordinate(t_.number_.halfedge(h) / 2) <= 0)
+        return true; // in one face, or along its side
+      return t_.geometry().is_straight(t_.indexed_face(h));
     }
     /// compares an angle with pi; see `Predicate_session::compare_angle_to_pi()`. \pre no border is in between
     Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
@@ -124,13 +126,15 @@ public:
       const face_descriptor f = face(h, t_.mesh_), g = face(opposite(h, t_.mesh_), t_.mesh_);
       if (f == null || g == null) return Move_status::border;
       if (f == g) return Move_status::same_face;
-      const bool convex = t_.sign(h, Convexity_at_source_expression()) == POSITIVE &&
-                          t_.sign(h, Convexity_at_target_expression()) == POSITIVE;
+      const Diamond d = t_.diamond(h);
+      Geometry geometry = t_.geometry();
+      const bool convex = geometry.sign(d, Convexity_at_source_expression()) == POSITIVE &&
+                          geometry.sign(d, Convexity_at_target_expression()) == POSITIVE;
       return convex ? Move_status::done : Move_status::not_convex;
     }
     /// returns intervals that contain the values of the diamond of an edge with two faces, in scaled units.
     Diamond_values<FT> diamond_values(halfedge_descriptor h) const {
-      return t_.geometry_.values(View(t_), t_.correspondence_, t_.number_.halfedge(h));
+      return t_.geometry().values(t_.diamond(h));
     }
     /// calls a function in the default floating point environment.
     template <class Function>
@@ -204,7 +208,7 @@ public:
   explicit Integer_only_triangulation(
       const Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>& t)
       : mesh_(t.mesh()), number_(mesh_, t.numbers(), t.mesh()), correspondence_(t.correspondence()),
-        geometry_((check_input(t.input()), t.shared_input())) {
+        input_((check_input(t.input()), t.shared_input())) {
     check_coordinates(*this);
     correspondence_.keep_crossings(*this);
   }
@@ -212,8 +216,8 @@ public:
   /// copies everything; elements keep their numbers.
   Integer_only_triangulation(const Integer_only_triangulation& other)
       : mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
-        correspondence_(other.correspondence_), geometry_(other.geometry_),
-        statistics_(other.statistics_), has_only_positive_areas_(other.has_only_positive_areas_) {}
+        correspondence_(other.correspondence_), input_(other.input_),
+        memory_(other.memory_), statistics_(other.statistics_), has_only_positive_areas_(other.has_only_positive_areas_) {}
   Integer_only_triangulation& operator=(const Integer_only_triangulation&) = delete;
 
   /// returns the connectivity.
@@ -223,9 +227,9 @@ public:
   /// returns the numbers of the elements of the mesh, and the elements with given numbers.
   const Mesh_adaptor<Mesh>& numbers() const { return number_; }
   /// returns the input, which defines all geometry exactly.
-  const Input& input() const { return geometry_.input(); }
+  const Input& input() const { return *input_; }
   /// returns the input, to be shared.
-  const std::shared_ptr<const Input>& shared_input() const { return geometry_.shared_input(); }
+  const std::shared_ptr<const Input>& shared_input() const { return input_; }
   /// returns what was done to the input.
   const Input_report& report() const { return input().report(); }
   /// returns how predicates were decided, which may be reset.
@@ -238,12 +242,25 @@ public:
   std::uint32_t index(face_descriptor f) const { return number_.face(f); }
 
 private:
-  using View = Intrinsic_view<Integer_only_triangulation>;
+  using Geometry = Integer_geometry<Integer_only_triangulation>;
 
   explicit Integer_only_triangulation(internal::Prepared_input<Exact_euclidean_metric, Input>&& p)
-      : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_), geometry_(p.input),
+      : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_),
+        input_(std::move(p.input)),
         has_only_positive_areas_(true) {
+    check_lengths(*input_);
     correspondence_.start(*this);
+  }
+
+  // nothing can be unfolded across an edge without length
+  static void check_lengths(const Input& input) {
+    const Protect_FPU_rounding<true> upward;
+    for (std::uint32_t f = 0; f < input.number_of_faces(); ++f)
+      for (unsigned k = 0; k < 3; ++k)
+        if (input.metric().squared_length<FT>(f, k).sup() <= 0)
+          throw Invalid_input(Element_kind::face, f,
+                              "face " + std::to_string(f) +
+                                  " has a side without length; build with mollification");
   }
 
   static void check_input(const Input& input) {
@@ -251,6 +268,7 @@ private:
       throw Invalid_input(Element_kind::none, 0,
                           "the input does not tell the lengths of its faces exactly; build the "
                           "triangulation from the mesh");
+    check_lengths(input);
   }
 
   static void check_coordinates(const Integer_only_triangulation& t) {
@@ -273,13 +291,20 @@ private:
       return Move_status::crossings;
     CGAL::Euler::flip_edge(h, mesh_);
     correspondence_.after(*this, move);
+    memory_.after(move);
     return Move_status::done;
   }
 
-  template <class Expression>
-  Sign sign(halfedge_descriptor h, const Expression& expression) const {
-    return geometry_.sign(View(*this), correspondence_, number_.halfedge(h), expression,
-                          statistics_);
+  Geometry geometry() const { return {*this, memory_, statistics_}; }
+
+  Diamond diamond(halfedge_descriptor h) const {
+    return internal::diamond_of(h, mesh_, number_);
+  }
+  Indexed_face indexed_face(halfedge_descriptor h) const {
+    const halfedge_descriptor n = next(h, mesh_);
+    return {number_.face(face(h, mesh_)),
+            {number_.halfedge(h) / 2, number_.halfedge(n) / 2,
+             number_.halfedge(next(n, mesh_)) / 2}};
   }
 
   static Face_values<double> midpoints(const Face_values<FT>& v) {
@@ -290,31 +315,27 @@ private:
 
   Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
     internal::Wedge wedge;
-    std::vector<std::uint32_t> sides;
-    const auto values = [&](halfedge_descriptor ij, const Indexed_face&) {
-      sides.push_back(number_.halfedge(ij));
-      return midpoints(geometry_.face_values(View(*this), correspondence_, sides.back()));
+    Geometry geometry = this->geometry();
+    const auto values = [&](halfedge_descriptor, const Indexed_face& f) {
+      return midpoints(geometry.values(std::span(&f, 1)).front());
     };
     internal::find_wedge(*this, h, g, wedge, values, [](halfedge_descriptor) { return true; });
-    const View view(*this);
     return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
       using Expression = std::decay_t<decltype(expression)>;
-      const auto first = static_cast<std::size_t>(faces.data() - wedge.faces.data());
       if constexpr (std::is_same_v<Expression, Wedge_sine_expression>)
         if (faces.size() == 2)
-          return geometry_.sign(view, correspondence_, sides[first],
-                                Convexity_at_source_expression(), statistics_);
-      return geometry_.sign_of_faces(view, correspondence_,
-                                     std::span(sides).subspan(first, faces.size()), expression,
-                                     statistics_);
+          return geometry.sign(internal::diamond_of_corners(faces[0], faces[1]),
+                               Convexity_at_source_expression());
+      return geometry.sign_of_faces(faces, expression);
     });
   }
 
   Mesh mesh_;
   Mesh_adaptor<Mesh> number_;
   Integer_coordinates correspondence_;
+  std::shared_ptr<const Input> input_;
   // working memory of predicates, and how they decided
-  mutable Integer_geometry geometry_;
+  mutable typename Geometry::Memory memory_;
   mutable Predicate_statistics statistics_;
   bool has_only_positive_areas_ = false; // as far as is known
 };

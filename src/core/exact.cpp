@@ -4,11 +4,8 @@
 // What decides exactly, and values of the input; what knows where vertices are.
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets_impl.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts_impl.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates_impl.h>
-#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign_impl.h>
-#include <CGAL/Intrinsic_triangulations/exact/input_diamond_sign_impl.h>
-#include <CGAL/Intrinsic_triangulations/exact/ladder_impl.h>
+#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
 

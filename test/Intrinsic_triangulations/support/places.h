@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
-#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>

@@ -5,8 +5,9 @@
 #define TEST_INTRINSIC_TRIANGULATIONS_PROPERTIES_H
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/exact/Field_zero_test.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+
+#include "places.h"
 
 #include <gtest/gtest.h>
 
@@ -146,10 +147,9 @@ inline void expect_same_laplacian(std::map<Vertex_pair, double> a, std::map<Vert
 /// The values of the diamond of `h`, exactly, from the input. They refer to what `f` gets and must not leave it.
 template <class T, class Function>
 void with_exact_values(const T& t, Halfedge<T> h, const Function& f) {
-  IT::Integer_faces integers;
-  IT::Field_zero_test field(t.input().metric(), integers);
+  const places::Exact_input input(t.input().metric());
   t.exact_values().with_figure(t.diamond(h), [&](const auto& figure) {
-    f(figure.template values<IT::Multiquadratic_number>(field.exact_faces()));
+    f(figure.template values<IT::Multiquadratic_number>(input));
   });
 }
 

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>

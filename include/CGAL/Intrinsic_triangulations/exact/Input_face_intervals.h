@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/thresholds.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_side_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
@@ -26,7 +27,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief encloses the squared lengths and the quadruple areas of input faces, and remembers them.
-\tparam FT `Interval_nt<false>` or a `Ball`, of the same precision in all calls; rounding is as the type asks for
+\tparam FT `Interval_nt<false>` or a `Ball`, of the same precision in all calls; rounding is as the
+type asks for
 */
 template <class FT>
 class Input_face_intervals {
@@ -36,7 +38,8 @@ public:
   /// Squared lengths and quadruple area of a face.
   using Face = std::pair<std::array<FT, 3>, FT>;
 
-  /// returns a functor from a face to its values; references stay valid until the next call of this function.
+  /// returns a functor from a face to its values; references stay valid until the next call of this
+  /// function.
   auto of(const Input_metric& input) {
     if (faces_.size() > maximal_faces) {
       faces_.clear();
@@ -56,8 +59,8 @@ public:
 private:
   static constexpr bool is_long = std::is_same_v<FT, Ball<Mpfr_number>>;
 
-  // numbers of many bits take up to a kilobyte per face
-  static constexpr std::size_t maximal_faces = is_long ? 1U << 16 : 1U << 31;
+  static constexpr std::size_t maximal_faces =
+      is_long ? thresholds::remembered_faces : std::size_t(1) << 31;
 
   static Face face(const Input_metric& input, std::uint32_t f) {
     if constexpr (std::is_same_v<FT, Interval_nt<false>>)
@@ -97,7 +100,8 @@ private:
             input.squared_length<FT>(f, 2)};
   }
 
-  // in the order in which they were first asked for: those that are unfolded together are near each other
+  // in the order in which they were first asked for: those that are unfolded together are near each
+  // other
   std::deque<Face> faces_;
   std::vector<std::uint32_t> place_; // of each face: its number there and one, or zero
 };

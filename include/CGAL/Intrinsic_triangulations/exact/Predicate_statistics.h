@@ -17,15 +17,18 @@ struct Predicate_statistics {
   std::uint64_t checks = 0;
   /// Predicates that the floating point filter could not decide.
   std::uint64_t filter_failures = 0;
-  /// Predicates in two input faces that integer arithmetic proved not to be zero.
+  /// Predicates that proofs in integers, of two input faces or in a plane, found not to be zero.
   std::uint64_t integer = 0;
-  /// Predicates decided by interval arithmetic of so many bits; 53: doubles, unfolded anew from the input.
+  /// Predicates found not to be zero in so many bits: 53 (doubles, unfolded anew from the input),
+  /// 106, 256, 512, ...
   std::map<unsigned, std::uint64_t> escalations;
-  /// Faces and weights whose values were computed in so many bits, for an insertion or to be handed out; 53: doubles.
+  /// Faces and weights whose values were computed in so many bits, for an insertion or to be handed
+  /// out; 53: doubles.
   std::map<unsigned, std::uint64_t> sharpenings;
-  /// Values proven to be zero by exact arithmetic.
+  /// Predicates proven to be zero, by any step of the ladder.
   std::uint64_t certified_zero = 0;
-  /// Values taken for zero because they vanish modulo several large primes, without proof.
+  /// Predicates taken for zero without proof, since no proof got through and
+  /// `thresholds::probable_bits` bits show no sign.
   std::uint64_t probable_zero = 0;
   /// Predicates left open by intervals that have nothing to escalate to.
   std::uint64_t undecided = 0;

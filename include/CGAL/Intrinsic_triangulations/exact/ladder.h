@@ -4,116 +4,110 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_H
 
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/exact/Climb.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/Ladder_memory.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
-
-#include <CGAL/Interval_nt.h>
-#include <CGAL/enum.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/nearest_double.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/field.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/input_integers.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/mirrored.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/prism.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/prism_in_field.h>
 
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
+
+/*!
+\file
+The order in which exact traits decide signs that the stored intervals of a metric leave open.
+*/
 
 namespace CGAL::Intrinsic_triangulations {
 
-/*!
-\brief decides signs that the stored intervals of a metric leave open, and encloses values as narrowly as is asked for.
+template <class Figure, class Expression, class Values>
+Sign Exact_ladder::sign(const Input_metric& input, const Figure& figure,
+                        const Expression& expression, Values& better,
+                        Predicate_statistics& statistics) {
+  Memory& known = memory();
+  const Question question{input, figure, expression};
+  internal::Climb climb(question, statistics);
+  const auto in_numbers = [&](unsigned bits) {
+    return Memory::In_numbers<Values>{known, better, bits};
+  };
+  const bool is_decided =
+      // Two faces of the input, in integers of fixed size. Most ties of real meshes are of this
+      // kind.
+      climb.ask(Input_integers_proof()) ||
+      // Doubles: stored intervals carry the errors of all flips, a figure has those of its
+      // triangles alone.
+      climb.ask(in_numbers(53)) ||
+      // A plane in space, in integers. On CAD surfaces nearly all flips are of this kind.
+      climb.ask(Flat_proof()) ||
+      // Cylinders and prisms, in integers: most other ties on CAD surfaces.
+      climb.ask(Prism_proof()) ||
+      // A tie by symmetry, which may have as many square roots as triangles.
+      climb.ask(Mirrored_proof()) ||
+      // Nearly all values that are not zero show their sign in 106 bits.
+      climb.ask(in_numbers(106)) ||
+      // All zeros over cylinders and prisms: positions are known there without dividing, so that
+      // this takes less time than 256 bits.
+      climb.ask(Prism_in_field_proof()) ||
+      // What is open then is hardly ever not zero.
+      climb.ask(in_numbers(256)) ||
+      // All other zeros, exactly in the field of the square roots.
+      climb.ask(Field_proof());
+  // What is proven not to be zero shows its sign at last.
+  for (unsigned bits = 512; !is_decided && !climb.gives_up(bits); bits *= 2)
+    if (climb.ask(in_numbers(bits))) break;
+  return climb.sign();
+}
 
-All is evaluated on a *figure*, which says how values follow from the faces of the input:
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_ladder::Memory& Exact_ladder::memory() {
+  if (memory_ == nullptr) memory_ = std::make_shared<Memory>();
+  return *memory_;
+}
 
-| figure | how | values |
-|--------|-----|--------|
-| `Unfolded_diamond` | input triangles under a diamond, unfolded | of a diamond |
-| `Unfolded_faces` | those under faces | of faces |
-| `Replayed_diamond`, `Replayed_faces` | flips, made again: where few flips make edges cross very many triangles | of both |
+template <class Faces>
+std::vector<Face_values<Exact_ladder::FT>>
+Exact_ladder::enclosures(const Input_metric& input, const Faces& faces, unsigned bits) {
+  return memory().with_numbers(
+      bits, [&](auto& numbers) { return Memory::values(input, faces, numbers); },
+      [](const auto& values) { return internal::intervals(values); });
+}
 
-Who decides, in this order; `decide()` in `ladder_impl.h` is the list:
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_ladder::FT
+Exact_ladder::squared_length(const Input_metric& input, const Unfolded_diamond& diamond,
+                             unsigned bits) {
+  return memory().with_numbers(
+      bits,
+      [&](auto& numbers) {
+        using Number = typename std::decay_t<decltype(numbers)>::Number;
+        return diamond.squared_length<Number>(numbers.of(input));
+      },
+      [](const auto& length) { return internal::intervals(length); });
+}
 
-1. `input_diamond_sign()`: two faces of the input, in integers of fixed size. Most ties are of this kind.
-2. `flat_diamond_sign()`: a plane in space, in integers. On CAD surfaces nearly all flips are of this kind.
-3. Doubles: stored intervals carry the errors of all flips, a figure has those of its triangles alone.
-4. `is_mirrored_strip()`: a tie by symmetry, which may have as many square roots as triangles.
-5. Balls of 106 bits.
-6. `Diamond_zero_test`: what seems to be zero, in finite fields; first for small figures.
-7. Balls of 256 bits, then the same test, then 512 bits, 1024 and so on: what is proven not to be zero shows its
-   sign at last. What is only probably zero, which takes more than twelve independent square roots, counts as zero at 1024 bits.
-
-All members ask for rounding upwards.
-*/
-class Exact_ladder {
-public:
-  /// Number type of enclosures.
-  using FT = Interval_nt<false>;
-
-  /// remembers nothing.
-  Exact_ladder() = default;
-  /// remembers nothing.
-  Exact_ladder(const Exact_ladder&) {}
-  /// takes the memory of another one.
-  Exact_ladder(Exact_ladder&&) = default;
-  /// forgets everything.
-  Exact_ladder& operator=(const Exact_ladder&) {
-    memory_ = nullptr;
-    return *this;
-  }
-  /// takes the memory of another one.
-  Exact_ladder& operator=(Exact_ladder&&) = default;
-  ~Exact_ladder() = default;
-
-  /*!
-  \brief returns the sign of an expression in the values of a figure.
-  \param input the input, always the same
-  \param figure see above; no triangle is entered by a side without length
-  \param expression a `Recorded_diamond_expression` or a `Recorded_face_expression`
-  \param better set to intervals that contain the values
-  \param statistics counts how the sign was decided
-  */
-  template <class Figure, class Expression, class Values>
-  Sign sign(const Input_metric& input, const Figure& figure, const Expression& expression,
-            Values& better, Predicate_statistics& statistics);
-
-  /*!
-  \brief encloses the values of faces.
-  \param input the input, always the same
-  \param faces `Unfolded_faces` or `Replayed_faces`
-  \param bits 53, 106, 256, or any more
-  */
-  template <class Faces>
-  std::vector<Face_values<FT>> enclosures(const Input_metric& input, const Faces& faces,
-                                          unsigned bits);
-
-  /// encloses the squared distance of corners i and j of a diamond that is unfolded; see above.
-  FT squared_length(const Input_metric& input, const Unfolded_diamond& diamond, unsigned bits);
-
-  /// Bits in which the nearest double to any weight is told.
-  static constexpr unsigned last_bits = Mpfr_number::most_bits;
-
-  /*!
-  \brief returns the double nearest to the cotangent weight of a diamond, if so many bits tell which one that is, and it is
-  neither zero nor infinite; with `last_bits` it is returned always.
-  \param input, diamond see `sign()`
-  \param bits 106, 256, or any more
-  */
-  template <class Figure>
-  std::optional<double> weight(const Input_metric& input, const Figure& diamond, unsigned bits);
-
-private:
-  struct Memory;
-  Memory& memory(); // made when it is first asked for
-
-  std::shared_ptr<Memory> memory_; // of this object only
-};
+template <class Figure>
+std::optional<double> Exact_ladder::weight(const Input_metric& input, const Figure& diamond,
+                                           unsigned bits) {
+  const auto nearest = [&](auto& numbers) -> std::optional<double> {
+    const auto weight = cotangent_weight(Memory::values(input, diamond, numbers));
+    // in the end it is in the middle between two doubles, or beyond all of them
+    return bits < last_bits ? nearest_double(weight) : std::optional(weight.to_double());
+  };
+  if (bits <= 106) return internal::to_nearest(nearest, memory().short_balls);
+  const Mpfr_precision precision(bits);
+  return internal::to_nearest(nearest, memory().long_balls[bits]);
+}
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/exact/ladder_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_H

@@ -4,7 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_values.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 

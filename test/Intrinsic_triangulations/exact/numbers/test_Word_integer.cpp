@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Prime_field.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Word_integer.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 
@@ -38,15 +37,6 @@ TEST(Word_integer, Agrees_with_integers_of_variable_length) {
     EXPECT_TRUE((left - right + full_product(n, n)).is_zero());
     EXPECT_EQ((full_product(m, m) - full_product(n, n)).sign(),
               static_cast<int>((p * p - q * q).sign()));
-  }
-}
-
-TEST(Prime_fields, Are_those_of_the_largest_primes_that_are_three_modulo_four) {
-  IT::Prime_fields fields;
-  std::uint64_t p = (std::uint64_t(1) << 62) - 1;
-  for (std::size_t i = 0; i < 50; ++i, p -= 4) {
-    while (!IT::is_prime(p)) p -= 4;
-    EXPECT_EQ(fields[i].size(), p) << i;
   }
 }
 

@@ -9,8 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/exact/Conjugate_bound.h>
-#include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/field.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
@@ -18,7 +17,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -248,38 +246,8 @@ TEST(unfold_corners, agrees_exactly_with_repeated_moves_on_Delta_complexes) {
   EXPECT_GT(checked, 100U);
 }
 
-// values that a diamond has for all choices of signs of the roots; the bound is on the value times an
-// integer, hence on the value itself
-TEST(unfold_corners, gives_diamonds_whose_conjugates_are_bounded) {
-  Walk walk(meshes::integer_height_field(2, 3, 7).input(), 7);
-  for (int i = 0; i < 14; ++i) walk.step();
-  const IT::Input_metric& input = walk.t.input().metric();
-  places::Unfolded<Exact> unfolded(walk.t);
-  IT::Integer_faces integers;
-  std::size_t checked = 0;
-  for (const Halfedge h : walk.inner_edges()) {
-    const IT::Unfolded_diamond& d = unfolded.diamond(h.index);
-    std::vector<const IT::Integer_face*> faces;
-    for (const auto& t : d.triangles) faces.push_back(&integers(input, t.face));
-    const double bits =
-        IT::Conjugate_bound(d, faces, true).bits(IT::recorded(IT::Delaunay_expression()));
-    for (unsigned signs = 0; signs < 256; ++signs) {
-      const auto face = [&](std::uint32_t f) {
-        const double area = std::sqrt(input.squared_quadruple_area<double>(f));
-        return std::pair<std::array<double, 3>, double>({input.squared_length<double>(f, 0),
-                                                         input.squared_length<double>(f, 1),
-                                                         input.squared_length<double>(f, 2)},
-                                                        (signs >> (f % 8)) % 2 != 0 ? -area : area);
-      };
-      EXPECT_LE(std::log2(std::abs(IT::Delaunay_expression()(d.values<double>(face)))), bits);
-    }
-    checked += d.has_inserted_corners() ? 1 : 0;
-  }
-  EXPECT_GT(checked, 10U);
-}
-
 // an insertion on an edge, and one that is as near to it as weights allow
-TEST(unfold_corners, lets_a_zero_test_tell_a_straight_angle_from_one_that_is_bent_by_an_ulp) {
+TEST(unfold_corners, lets_the_field_tell_a_straight_angle_from_one_that_is_bent_by_an_ulp) {
   std::array<std::size_t, 2> straight{};
   for (const bool is_bent : {false, true}) {
     Walk walk(meshes::integer_height_field(2, 3, 11).input(), 11);
@@ -290,14 +258,15 @@ TEST(unfold_corners, lets_a_zero_test_tell_a_straight_angle_from_one_that_is_ben
     ASSERT_EQ(p.status, Move_status::done);
     // around p: the sum of the angles between the ends of the edge
     std::size_t zeros = 0, others = 0;
-    IT::Diamond_zero_test is_zero;
+    IT::Field_proof proof;
     places::Unfolded<Exact> unfolded(t);
     for (const Halfedge e : walk.inner_edges()) {
       const IT::Convexity_at_source_expression expression;
       const auto answer =
-          is_zero(t.input().metric(), unfolded.diamond(e.index), IT::recorded(expression));
+          proof(IT::Question{t.input().metric(), unfolded.diamond(e.index),
+                             IT::recorded(expression)});
       const bool expected = expression(t.correspondence().values(t.diamond(e))).is_zero();
-      EXPECT_EQ(answer, expected ? IT::Zero_answer::zero : IT::Zero_answer::not_zero);
+      EXPECT_EQ(answer, expected ? IT::Answer::zero : IT::Answer::not_zero);
       ++(expected ? zeros : others);
     }
     EXPECT_GT(others, 0U);

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
@@ -63,13 +63,12 @@ Knows the values of a triangulation exactly, by where its edges run on the input
 evaluates. That is the input under a diamond, or the flips since the input, if these are few and edges cross very many triangles, or
 nothing can be unfolded: over an edge without length, about a face that is glued to itself, or where crossings are not counted.
 */
-template <class Triangulation>
+template <class Triangulation, class Places = Vertex_places<Triangulation>>
 class Exact_values {
 public:
   using FT = Interval_nt<false>;
 
-  Exact_values(const Triangulation& t, const Vertex_places<Triangulation>& places,
-               Exact_memory& memory)
+  Exact_values(const Triangulation& t, const Places& places, Exact_memory& memory)
       : t_(t), places_(places), memory_(memory), view_(t) {}
 
   Sign sign(const Diamond& d, const Recorded_diamond_expression& expression,
@@ -104,9 +103,13 @@ public:
   FT first_squared_length(const Indexed_face& face, unsigned bits) const {
     if (!can_unfold(std::array{face.edges[0]}))
       return enclosures(std::span(&face, 1), bits).front().squared_lengths.front();
-    const Unfolded_diamond& strip =
-        memory_.unfolder.strip(view_, coordinates(), halfedge(face.face, face.edges[0], face.edges[1]));
-    return memory_.ladder.squared_length(metric(), strip, bits);
+    return memory_.ladder.squared_length(metric(), strip(face), bits);
+  }
+
+  // The input triangles through which the first side of a face runs. \pre it can be unfolded
+  const Unfolded_diamond& strip(const Indexed_face& face) const {
+    return memory_.unfolder.strip(view_, coordinates(),
+                                  halfedge(face.face, face.edges[0], face.edges[1]));
   }
 
   // The double nearest to the cotangent weight of a diamond. \pre it is not zero
@@ -139,6 +142,16 @@ public:
           memory_.unfolder.face(view_, coordinates(), halfedge(face, e[0], e[1])));
     }
     return f(unfolded);
+  }
+
+  // two faces of the input, if the diamond consists of them
+  std::optional<Input_diamond> input_diamond(const Diamond& d) const {
+    const Integer_coordinates& c = coordinates();
+    const std::uint32_t h = halfedge(d.f, d.ij, d.jk);
+    if (c.has_inserted_vertices() || !is_of_input(c, h) || !is_of_input(c, h ^ 1U))
+      return std::nullopt;
+    const std::uint32_t x = c.fans().halfedge(c.roundabout(h));
+    return Input_diamond{input_side(c.input(), x), input_side(c.input(), x ^ 1U)};
   }
 
 private:
@@ -209,15 +222,6 @@ private:
     return slot ? std::optional(Face_side{f, *slot}) : std::nullopt;
   }
 
-  // two faces of the input, if the diamond consists of them
-  std::optional<Input_diamond> input_diamond(const Diamond& d) const {
-    const Integer_coordinates& c = coordinates();
-    const std::uint32_t h = halfedge(d.f, d.ij, d.jk);
-    if (c.has_inserted_vertices() || !is_of_input(c, h) || !is_of_input(c, h ^ 1U))
-      return std::nullopt;
-    const std::uint32_t x = c.fans().halfedge(c.roundabout(h));
-    return Input_diamond{input_side(c.input(), x), input_side(c.input(), x ^ 1U)};
-  }
   // whether the sides of a face run along input edges, between which there is no vertex
   bool is_of_input(const Integer_coordinates& c, std::uint32_t h) const {
     const std::uint32_t n = view_.next(h);
@@ -271,7 +275,7 @@ private:
   }
 
   const Triangulation& t_;
-  const Vertex_places<Triangulation>& places_;
+  const Places& places_;
   Exact_memory& memory_;
   Intrinsic_view<Triangulation> view_;
 };

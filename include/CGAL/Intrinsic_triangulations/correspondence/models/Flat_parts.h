@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
-#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 
@@ -17,9 +17,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Knows which intrinsic faces lie in a flat part of the input: faces in space that are connected across edges over which
-// they are exactly coplanar. Two intrinsic faces of one part make a diamond in its plane, whatever edge they share, and two
-// others when it is flipped. On CAD surfaces nearly all flips are of this kind.
+// Knows which intrinsic faces lie in a flat part of the input: faces in space that are connected
+// across edges over which they are exactly coplanar. Two intrinsic faces of one part make a diamond
+// in its plane, whatever edge they share, and two others when it is flipped. On CAD surfaces nearly
+// all flips are of this kind.
 class Flat_parts {
 public:
   // of no part
@@ -27,8 +28,8 @@ public:
 
   explicit Flat_parts(const Input& input) : part_of_input_(input.number_of_faces(), unknown) {}
 
-  // The part in which a diamond of two faces lies, named by a face of the input in it. `unfold()` returns the input under
-  // the diamond, which is taken for flat or not as a whole.
+  // The part in which a diamond of two faces lies, named by a face of the input in it. `unfold()`
+  // returns the input under the diamond, which is taken for flat or not as a whole.
   template <class Unfold>
   std::uint32_t part(const Input& input, std::uint32_t f, std::uint32_t g, const Unfold& unfold) {
     if (std::max(f, g) >= part_.size()) part_.resize(std::max(f, g) + 1, unknown);
@@ -42,12 +43,23 @@ public:
   }
   // the part in which all triangles are
   std::uint32_t part_of(const Input& input,
-                        const std::vector<Unfolded_diamond::Triangle>& triangles);
+                        const std::vector<Unfolded_diamond::Triangle>& triangles) {
+    const std::uint32_t first = triangles.front().face;
+    if (part_of_input_[first] == unknown) find_part(input, first);
+    const bool is_flat = std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+      return part_of_input_[t.face] == part_of_input_[first];
+    });
+    return is_flat ? part_of_input_[first] : none;
+  }
   // how many diamonds have been unfolded for that
   std::size_t number_of_searches() const { return number_of_searches_; }
 
   // follows a flip; two faces that are not flat hardly make flat ones
-  void flip(std::uint32_t f, std::uint32_t g);
+  void flip(std::uint32_t f, std::uint32_t g) {
+    if (known(f) == known(g)) return;
+    change(f);
+    change(g);
+  }
   // follows any other change of a face
   void change(std::uint32_t face) {
     if (face < part_.size()) part_[face] = unknown;
@@ -60,7 +72,23 @@ private:
     return face < part_.size() ? part_[face] : unknown;
   }
 
-  void find_part(const Input& input, std::uint32_t name);
+  void find_part(const Input& input, std::uint32_t name) {
+    std::vector<std::uint32_t> stack{name};
+    part_of_input_[name] = name;
+    while (!stack.empty()) {
+      const std::uint32_t f = stack.back();
+      stack.pop_back();
+      std::uint32_t h = input.halfedge_of_face(f);
+      for (unsigned k = 0; k < 3; ++k, h = input.next(h)) {
+        const std::uint32_t g = input.face(h ^ 1U);
+        if (g == Gluing::none || part_of_input_[g] != unknown) continue;
+        const std::uint32_t slot = (input_side(input, h ^ 1U).slot + 2) % 3;
+        if (!are_coplanar(input.metric(), name, g, slot)) continue;
+        part_of_input_[g] = name;
+        stack.push_back(g);
+      }
+    }
+  }
 
   std::vector<std::uint32_t> part_of_input_; // of each face of the input
   std::vector<std::uint32_t> part_;          // of each intrinsic face
@@ -68,9 +96,5 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_FLAT_PARTS_H

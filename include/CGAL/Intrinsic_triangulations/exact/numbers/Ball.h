@@ -82,9 +82,6 @@ public:
                                            : Uncertain<Sign>::indeterminate();
   }
 
-  /// tells whether the number is zero as far as can be seen: rounding errors of zero mostly cancel.
-  bool seems_zero() const { return magnitude_ * 64 < radius_; }
-
   /// tells whether center and radius are the same.
   bool is_identical(const Ball& other) const {
     return center_ == other.center_ && radius_ == other.radius_;

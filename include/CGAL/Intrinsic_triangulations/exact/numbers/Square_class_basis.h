@@ -4,12 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_SQUARE_CLASS_BASIS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_SQUARE_CLASS_BASIS_H
 
-#include <CGAL/Intrinsic_triangulations/exact/numbers/modular_arithmetic.h>
-
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -187,22 +186,22 @@ private:
     return mpz_kronecker_ui(rest.mpz(), p) < 0;
   }
 
-  // the largest prime that is at most p, from a list if it is close to 2^31
-  static unsigned long prime_up_to(unsigned long p) {
-    static constexpr auto primes = [] {
-      std::array<unsigned long, 48> list{};
-      unsigned long q = 2147483647UL;
-      for (unsigned long& x : list) {
-        while (!is_prime(q)) q -= 2;
-        x = q;
-        q -= 2;
-      }
+  // odd primes below 2^32; half of them have a given symbol, so that a full basis needs about 128
+  static unsigned long prime_after(unsigned long p) {
+    static const auto primes = [] {
+      std::array<unsigned long, 160> list{};
+      unsigned long q = 1UL << 30;
+      for (unsigned long& x : list) x = q = next_prime(q);
       return list;
     }();
-    for (const unsigned long q : primes)
-      if (q <= p) return q;
-    while (!is_prime(p)) p -= 2;
-    return p;
+    const auto found = std::upper_bound(primes.begin(), primes.end(), p);
+    return found == primes.end() ? next_prime(p) : *found;
+  }
+  static unsigned long next_prime(unsigned long p) {
+    const Gmpz n(p);
+    Gmpz next;
+    mpz_nextprime(next.mpz(), n.mpz());
+    return mpz_get_ui(next.mpz());
   }
 
   // returns the only set S for which n d_S can be a square
@@ -223,9 +222,8 @@ private:
   void append(const Gmpz& n, Mask candidate, const Gmpz& e) {
     const std::size_t k = dimension();
     const Mask bit = Mask(1) << k;
-    unsigned long p = k == 0 ? 2147483647UL : generators_.back().prime - 2; // fits 32 bits
-    p = prime_up_to(p);
-    while (!is_negative_symbol(e, p)) p = prime_up_to(p - 2);
+    unsigned long p = prime_after(k == 0 ? 1UL << 30 : generators_.back().prime);
+    while (!is_negative_symbol(e, p)) p = prime_after(p);
     Mask negative = 0; // representatives with chi_p(d) = -1
     for (std::size_t i = 0; i < k; ++i)
       if (is_negative_symbol(generators_[i].d, p)) negative |= Mask(1) << i;

@@ -29,6 +29,14 @@ public:
     words_[0] = static_cast<std::uint64_t>(x);
   }
 
+  /// converts an integer of fewer words.
+  template <std::size_t m>
+    requires(m < n)
+  explicit constexpr Word_integer(const Word_integer<m>& x) {
+    words_.fill(x.is_negative() ? ~std::uint64_t(0) : 0);
+    for (std::size_t i = 0; i < m; ++i) words_[i] = x.words_[i];
+  }
+
   /// returns the sign, -1, 0 or 1.
   constexpr int sign() const { return is_negative() ? -1 : is_zero() ? 0 : 1; }
   /// tells whether the number is zero.
@@ -41,6 +49,9 @@ public:
   constexpr Word_integer magnitude() const {
     return is_negative() ? Word_integer() - *this : *this;
   }
+
+  /// returns the words, the lowest first.
+  constexpr const std::array<std::uint64_t, n>& words() const { return words_; }
 
   /// returns 2^k times the number. \pre `k` < 64 n
   constexpr Word_integer shifted(unsigned k) const {

@@ -145,9 +145,15 @@ struct Unfolded_diamond {
   template <class FT, class Input_values>
   Diamond_values<FT> values(const Input_values& input) const {
     const Positions<FT> z = positions<FT>(input);
-    const Position<FT> i = position(0, z), j = position(1, z), k = position(2, z),
-                       m = position(3, z);
-    const FT unit = input(triangles.front().face).first[0], twice = unit + unit;
+    return values_of<FT>({position(0, z), position(1, z), position(2, z), position(3, z)},
+                         input(triangles.front().face).first[0]);
+  }
+
+  /// returns the values of a diamond with given corners. \param unit the squared length of (1, 0)
+  template <class FT>
+  static Diamond_values<FT> values_of(const std::array<Position<FT>, 4>& corners, const FT& unit) {
+    const auto& [i, j, k, m] = corners;
+    const FT twice = unit + unit;
     const auto length = [&unit](const Position<FT>& e) { return unit * (e.x * e.x + e.y * e.y); };
     return {length(j - i),
             length(k - j),

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/exact/is_mirrored_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/mirrored.h>
 
-#include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/field.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
 #include "meshes.h"
@@ -44,26 +44,32 @@ Walk delaunay_walk(const meshes::Mesh& m) {
   return walk;
 }
 
-TEST(is_mirrored_strip, proves_the_ties_of_a_symmetric_surface_and_no_others) {
+bool is_mirrored(const Walk& walk, const IT::Unfolded_diamond& d) {
+  return IT::Mirrored_proof()(IT::Question{walk.input, d,
+                                           IT::recorded(IT::Delaunay_expression())}) ==
+         IT::Answer::zero;
+}
+
+TEST(Mirrored_proof, proves_the_ties_of_a_symmetric_surface_and_no_others) {
   const Walk walk = delaunay_walk(ellipsoid(2, 8));
-  IT::Diamond_zero_test is_zero;
+  IT::Field_proof proof;
   std::size_t mirrored = 0, zeros = 0;
   for (const Map::Halfedge h : walk.inner_edges()) {
     const auto d = walk.unfolded(h);
     ASSERT_TRUE(d);
     if (d->triangles.size() > 8) continue; // which the general test takes long for
-    const bool is_tie =
-        is_zero(walk.input, *d, IT::recorded(IT::Delaunay_expression())) == IT::Zero_answer::zero;
-    const bool is_mirrored = IT::is_mirrored_strip(walk.input, *d);
-    EXPECT_TRUE(is_tie || !is_mirrored);
-    mirrored += is_mirrored;
+    const IT::Question question{walk.input, *d, IT::recorded(IT::Delaunay_expression())};
+    const bool is_tie = proof(question) == IT::Answer::zero;
+    const bool is_proven = is_mirrored(walk, *d);
+    EXPECT_TRUE(is_tie || !is_proven);
+    mirrored += is_proven;
     zeros += is_tie;
   }
   EXPECT_GT(mirrored, 5U);
   EXPECT_GT(zeros, mirrored); // rectangles over pairs of faces
 }
 
-TEST(is_mirrored_strip, proves_nothing_after_a_vertex_has_moved_by_an_ulp) {
+TEST(Mirrored_proof, proves_nothing_after_a_vertex_has_moved_by_an_ulp) {
   meshes::Mesh m = ellipsoid(2, 8);
   std::mt19937 random(1);
   std::size_t before = 0, after = 0;
@@ -75,22 +81,22 @@ TEST(is_mirrored_strip, proves_nothing_after_a_vertex_has_moved_by_an_ulp) {
     for (const Map::Halfedge h : walk.inner_edges()) {
       const auto d = walk.unfolded(h);
       ASSERT_TRUE(d);
-      const bool is_mirrored = IT::is_mirrored_strip(walk.input, *d);
-      (is_moved ? after : before) += is_mirrored;
+      const bool is_proven = is_mirrored(walk, *d);
+      (is_moved ? after : before) += is_proven;
     }
   }
   EXPECT_GT(before, 0U);
   EXPECT_EQ(after, 0U);
 }
 
-TEST(is_mirrored_strip, is_no_proof_for_kites) {
+TEST(Mirrored_proof, is_no_proof_for_kites) {
   // two isosceles triangles glued at their base are symmetric, and not cocircular
   meshes::Mesh kite{{{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, -1.5, 0}}, {{0, 1, 2}, {1, 0, 3}}};
   Map map = kite.map();
   IT::Input_metric input = IT::Input_metric::from_points(map, kite.points, 0);
   const Walk walk(std::move(map), std::move(input));
   ASSERT_EQ(walk.inner_edges().size(), 1U);
-  EXPECT_FALSE(IT::is_mirrored_strip(walk.input, *walk.unfolded(walk.inner_edges().front())));
+  EXPECT_FALSE(is_mirrored(walk, *walk.unfolded(walk.inner_edges().front())));
 }
 
 } // namespace

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/exact/Diamond_zero_test.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/field.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/prism_in_field.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
 #include "gallery.h"
@@ -19,7 +20,7 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using IT::Zero_answer;
+using IT::Answer;
 using random_history::Map;
 using random_history::Walk;
 
@@ -54,17 +55,21 @@ std::size_t make_delaunay(Walk& walk) {
   return ties;
 }
 
-// the faster test against repeating the flips, for all edges and expressions
+// over unfolded faces against repeating the flips, for all edges and expressions
 template <class Expression>
 std::size_t compare(const Walk& walk, const Expression& expression) {
-  IT::Diamond_zero_test is_zero;
+  const IT::Field_proof proof;
   std::size_t zeros = 0;
   for (const Map::Halfedge h : walk.inner_edges()) {
     const auto d = walk.unfolded(h);
     if (!d) continue;
-    const Zero_answer a = is_zero(walk.input, *d, IT::recorded(expression));
-    EXPECT_EQ(a, is_zero(walk.input, walk.replayed(h), IT::recorded(expression)));
-    zeros += a == Zero_answer::zero;
+    const auto& recorded = IT::recorded(expression);
+    const auto replayed = walk.replayed(h);
+    const Answer a = proof(IT::Question{walk.input, *d, recorded});
+    EXPECT_EQ(a, proof(IT::Question{walk.input, replayed, recorded}));
+    const Answer in_prism = IT::Prism_in_field_proof()(IT::Question{walk.input, *d, recorded});
+    EXPECT_TRUE(in_prism == a || in_prism == Answer::open);
+    zeros += a == Answer::zero;
   }
   return zeros;
 }
@@ -75,7 +80,7 @@ std::size_t compare_all(const Walk& walk) {
          compare(walk, IT::Convexity_at_target_expression());
 }
 
-TEST(Zero_answer, agrees_with_repeated_flips_on_a_box) {
+TEST(Field_proof, agrees_with_repeated_flips_on_a_box) {
   std::mt19937 random(1);
   Walk walk = walk_on(meshes::box(2, 1, 1));
   std::size_t zeros = compare_all(walk);
@@ -86,7 +91,7 @@ TEST(Zero_answer, agrees_with_repeated_flips_on_a_box) {
   EXPECT_GT(zeros, 50U);
 }
 
-TEST(Zero_answer, agrees_with_repeated_flips_on_folded_lattices) {
+TEST(Field_proof, agrees_with_repeated_flips_on_folded_lattices) {
   std::mt19937 random(2);
   Walk walk = walk_on(meshes::folded_lattice(3, 4, 1));
   walk.run(30, random);
@@ -95,7 +100,7 @@ TEST(Zero_answer, agrees_with_repeated_flips_on_folded_lattices) {
   EXPECT_GT(compare_all(walk), 3U);
 }
 
-TEST(Zero_answer, agrees_with_repeated_flips_on_squared_lengths_and_with_mollification) {
+TEST(Field_proof, agrees_with_repeated_flips_on_squared_lengths_and_with_mollification) {
   std::mt19937 random(3);
   Walk torus = walk_on(gallery::flat_torus(3, 3));
   torus.run(40, random);
@@ -107,7 +112,7 @@ TEST(Zero_answer, agrees_with_repeated_flips_on_squared_lengths_and_with_mollifi
   compare_all(mollified);
 }
 
-TEST(Zero_answer, agrees_with_repeated_flips_on_Delta_complexes) {
+TEST(Field_proof, agrees_with_repeated_flips_on_Delta_complexes) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
     std::mt19937 random(4);
@@ -119,7 +124,7 @@ TEST(Zero_answer, agrees_with_repeated_flips_on_Delta_complexes) {
   }
 }
 
-TEST(Zero_answer, agrees_with_repeated_flips_on_random_walls_with_and_without_an_ulp) {
+TEST(Field_proof, agrees_with_repeated_flips_on_random_walls_with_and_without_an_ulp) {
   // hinges along an axis and along diagonals, planes of rational and of irrational area
   std::mt19937 random(8);
   std::uniform_int_distribution<int> step(1, 9);
@@ -145,7 +150,7 @@ TEST(Zero_answer, agrees_with_repeated_flips_on_random_walls_with_and_without_an
   }
 }
 
-TEST(Zero_answer, certifies_all_ties_of_a_shuffled_box) {
+TEST(Field_proof, certifies_all_ties_of_a_shuffled_box) {
   std::mt19937 random(5);
   Walk walk = walk_on(meshes::box(3, 3, 3));
   walk.run(300, random);
@@ -154,7 +159,7 @@ TEST(Zero_answer, certifies_all_ties_of_a_shuffled_box) {
   EXPECT_EQ(walk.statistics.probable_zero, 0U);
 }
 
-TEST(Zero_answer, certifies_the_ties_of_sheared_walls_that_pass_many_planes) {
+TEST(Field_proof, certifies_the_ties_of_sheared_walls_that_pass_many_planes) {
   // rolling out the walls of a prism gives a rectangle; shearing it makes the ties pass over edges
   for (const std::uint32_t sides : {6U, 10U, 16U}) {
     std::vector<std::array<double, 2>> polygon{{0, 0}};
@@ -172,7 +177,7 @@ TEST(Zero_answer, certifies_the_ties_of_sheared_walls_that_pass_many_planes) {
   }
 }
 
-TEST(Zero_answer, tells_a_tie_from_a_value_of_two_to_the_minus_fifty) {
+TEST(Field_proof, tells_a_tie_from_a_value_of_two_to_the_minus_fifty) {
   for (const double lift : {0.0, std::ldexp(1.0, -50)}) {
     meshes::Mesh m = meshes::box(1, 1, 1);
     m.points[0][0] += lift;
@@ -194,15 +199,15 @@ TEST(Zero_answer, tells_a_tie_from_a_value_of_two_to_the_minus_fifty) {
   }
 }
 
-TEST(Zero_answer, survives_flips_whose_paths_are_too_long) {
+TEST(Field_proof, survives_flips_whose_paths_are_too_long) {
   Walk walk = walk_on(gallery::one_vertex_torus());
   for (std::uint32_t i = 0; i < 60; ++i) walk.flip(Map::Halfedge{2 * (i % 3)});
   EXPECT_FALSE(walk.unfolded(Map::Halfedge{0}));
   // thin parallelograms of a flat torus: far from any circle
-  IT::Diamond_zero_test is_zero;
-  EXPECT_EQ(is_zero(walk.input, walk.replayed(Map::Halfedge{0}),
-                    IT::recorded(IT::Delaunay_expression())),
-            Zero_answer::not_zero);
+  const IT::Field_proof proof;
+  const auto replayed = walk.replayed(Map::Halfedge{0});
+  EXPECT_EQ(proof(IT::Question{walk.input, replayed, IT::recorded(IT::Delaunay_expression())}),
+            Answer::not_zero);
   EXPECT_NE(walk.sign(Map::Halfedge{0}, IT::Delaunay_expression()), CGAL::ZERO);
 }
 

@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_MIRRORED_STRIP_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_MIRRORED_STRIP_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_MIRRORED_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_MIRRORED_H
 
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
@@ -21,9 +23,9 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 /*
-A reflection of the unfolded triangles of a diamond onto themselves: a map of the tree of triangles that turns each over, with
-the same side lengths, and neighbors to neighbors. Then the figure in the plane has that reflection too, since it is developed from
-nothing else.
+A reflection of the unfolded triangles of a diamond onto themselves: a map of the tree of triangles
+that turns each over, with the same side lengths, and neighbors to neighbors. Then the figure in the
+plane has that reflection too, since it is developed from nothing else.
 */
 class Strip_reflection {
 public:
@@ -126,22 +128,23 @@ private:
 } // namespace internal
 
 /*!
-\brief proves that the corners of an unfolded diamond are cocircular, where a reflection of its triangles exchanges the ends of two
-opposite sides: it is an isosceles trapezoid.
+\brief proves that the corners of an unfolded diamond are cocircular, where a reflection of its
+triangles exchanges the ends of two opposite sides: it is an isosceles trapezoid.
 
-Ties on curved surfaces that are symmetric by a plane are of this kind. Their values have as many square roots as there are
-triangles, which no other proof gets through.
-\param input the input
-\param diamond the triangles
-\return true if `Delaunay_expression` is zero, proven; false if nothing is known
-\complexity linear in the number of triangles, times that at a corner
+Ties on curved surfaces that are symmetric by a plane are of this kind. Their values have as many
+square roots as there are triangles, which no other proof gets through. Linear in the number of
+triangles, times that at a corner.
 */
-inline bool is_mirrored_strip(const Input_metric& input, const Unfolded_diamond& diamond) {
-  if (diamond.has_inserted_corners()) return false;
-  internal::Strip_reflection reflection(input, diamond);
-  return reflection.exchanges(2, 3) || reflection.exchanges(3, 2);
-}
+struct Mirrored_proof {
+  /// returns `zero`, or nothing is known.
+  Answer operator()(const Question<Unfolded_diamond, Recorded_diamond_expression>& q) const {
+    if (q.expression.zero_meaning() != Zero_meaning::cocircular || q.figure.has_inserted_corners())
+      return Answer::open;
+    internal::Strip_reflection reflection(q.input, q.figure);
+    return reflection.exchanges(2, 3) || reflection.exchanges(3, 2) ? Answer::zero : Answer::open;
+  }
+};
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_IS_MIRRORED_STRIP_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_MIRRORED_H

@@ -1,15 +1,11 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_FLAT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_FLAT_H
 
-#include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/escalation.h>
-#include <CGAL/Intrinsic_triangulations/exact/flat_diamond_sign.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
@@ -23,7 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -60,8 +55,8 @@ public:
     const Input_metric::Point& p = input_.points()[name];
     return {FT(p[0]), FT(p[1]), FT(p[2])};
   }
-  // Whether another face lies in the plane, in the same orientation; two of its corners do, but for the one in a given
-  // slot.
+  // Whether another face lies in the plane, in the same orientation; two of its corners do, but for
+  // the one in a given slot.
   Uncertain<bool> contains(std::uint32_t face, std::uint32_t slot) const {
     const Input_metric::Sides& s = input_.sides(face);
     const Vector side = difference(point(s[slot]), point(s[(slot + 1) % 3]));
@@ -133,38 +128,43 @@ private:
 
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool are_coplanar(const Input_metric& input, std::uint32_t f,
-                                                       std::uint32_t g, std::uint32_t slot) {
+/*!
+\brief tells whether an input face lies in the plane of another one in space, in the same
+orientation, exactly.
+\param input the input, from points in space
+\param f a face with area
+\param g another face, of which the corners but the one in slot `slot` lie in the plane of `f`
+\param slot the slot of that corner
+*/
+inline bool are_coplanar(const Input_metric& input, std::uint32_t f, std::uint32_t g,
+                         std::uint32_t slot) {
   const Uncertain<bool> s = internal::Input_plane<Interval_nt<false>>(input, f).contains(g, slot);
   return is_certain(s) ? get_certain(s)
                        : get_certain(internal::Input_plane<Mpzf>(input, f).contains(g, slot));
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign flat_diamond_sign(const Input_metric& input, const Flat_diamond& diamond,
-                       const Recorded_diamond_expression& expression,
-                       Diamond_values<Interval_nt<false>>& better,
-                       Predicate_statistics& statistics) {
-  better = internal::Diamond_in_space<Interval_nt<false>>(input, diamond).values();
-  const Uncertain<Sign> s = CGAL::sign(expression(better));
-  if (const std::optional<Sign> certain = internal::counted(s, 53, statistics)) return *certain;
-  const Sign exact =
-      CGAL::sign(expression(internal::Diamond_in_space<Mpzf>(input, diamond).scaled_values()));
-  ++(exact == ZERO ? statistics.certified_zero : statistics.integer);
-  return exact;
+/// encloses the values of a diamond that lies in one plane in space.
+inline Diamond_values<Interval_nt<false>> values_in_space(const Input_metric& input,
+                                                          const Flat_diamond& diamond) {
+  return internal::Diamond_in_space<Interval_nt<false>>(input, diamond).values();
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Flat_diamond flat_diamond(const Input_metric& input,
-                                                               const Unfolded_diamond& diamond) {
-  Flat_diamond flat{diamond.triangles.front().face, {}};
-  for (std::size_t c = 0; c < 4; ++c) {
-    const auto& [triangle, slot, weights] = diamond.corners[c];
-    const Input_metric::Sides& s = input.sides(diamond.triangles[triangle].face);
-    flat.corners[c] = {{s[slot], s[(slot + 1) % 3], s[(slot + 2) % 3]}, weights};
+/*!
+\brief decides signs of expressions in a diamond that lies in one plane in space, if they are linear
+in the areas.
+
+There all corners have coordinates that are multiples of a power of two, and areas have one square
+root as a factor: no field is extended. On CAD surfaces nearly all flips are of this kind.
+*/
+struct Flat_proof {
+  /// returns the sign.
+  Answer operator()(const Question<Flat_diamond, Recorded_diamond_expression>& q) const {
+    if (!q.expression.is_linear_in_areas()) return Answer::open;
+    const internal::Diamond_in_space<Mpzf> diamond(q.input, q.figure);
+    return to_answer(CGAL::sign(q.expression(diamond.scaled_values())));
   }
-  return flat;
-}
+};
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_FLAT_DIAMOND_SIGN_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_FLAT_H

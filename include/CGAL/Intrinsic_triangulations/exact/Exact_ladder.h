@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_LADDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_LADDER_H
+
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief decides signs that the stored intervals of a metric leave open, and encloses values as
+narrowly as is asked for.
+
+All is evaluated on a *figure*, which says how values follow from the faces of the input:
+
+| figure | how | values |
+|--------|-----|--------|
+| `Input_diamond` | two faces of the input | of a diamond |
+| `Flat_diamond` | corners in a plane in space | of a diamond |
+| `Unfolded_diamond` | input triangles under a diamond, unfolded | of a diamond |
+| `Unfolded_faces` | those under faces | of faces |
+| `Replayed_diamond`, `Replayed_faces` | flips, made again: where few flips make edges cross very many triangles | of both |
+
+What decides, in which order and why, is written in ladder.h.
+
+All members ask for rounding upwards.
+*/
+class Exact_ladder {
+public:
+  /// Number type of enclosures.
+  using FT = Interval_nt<false>;
+
+  /// remembers nothing.
+  Exact_ladder() = default;
+  /// remembers nothing.
+  Exact_ladder(const Exact_ladder&) {}
+  /// takes the memory of another one.
+  Exact_ladder(Exact_ladder&&) = default;
+  /// forgets everything.
+  Exact_ladder& operator=(const Exact_ladder&) {
+    memory_ = nullptr;
+    return *this;
+  }
+  /// takes the memory of another one.
+  Exact_ladder& operator=(Exact_ladder&&) = default;
+  ~Exact_ladder() = default;
+
+  /*!
+  \brief returns the sign of an expression in the values of a figure.
+  \param input the input, always the same
+  \param figure see above; no triangle is entered by a side without length
+  \param expression a `Recorded_diamond_expression` or a `Recorded_face_expression`
+  \param better set to intervals that contain the values
+  \param statistics counts how the sign was decided
+  */
+  template <class Figure, class Expression, class Values>
+  Sign sign(const Input_metric& input, const Figure& figure, const Expression& expression,
+            Values& better, Predicate_statistics& statistics);
+
+  /*!
+  \brief encloses the values of faces.
+  \param input the input, always the same
+  \param faces `Unfolded_faces` or `Replayed_faces`
+  \param bits 53, 106, 256, or any more
+  */
+  template <class Faces>
+  std::vector<Face_values<FT>> enclosures(const Input_metric& input, const Faces& faces,
+                                          unsigned bits);
+
+  /// encloses the squared distance of corners i and j of a diamond that is unfolded; see above.
+  FT squared_length(const Input_metric& input, const Unfolded_diamond& diamond, unsigned bits);
+
+  /// Bits in which the nearest double to any weight is told.
+  static constexpr unsigned last_bits = Mpfr_number::most_bits;
+
+  /*!
+  \brief returns the double nearest to the cotangent weight of a diamond, if so many bits tell which
+  one that is, and it is neither zero nor infinite; with `last_bits` it is returned always.
+  \param input, diamond see `sign()`
+  \param bits 106, 256, or any more
+  */
+  template <class Figure>
+  std::optional<double> weight(const Input_metric& input, const Figure& diamond, unsigned bits);
+
+private:
+  struct Memory;
+  Memory& memory(); // made when it is first asked for
+
+  std::shared_ptr<Memory> memory_; // of this object only
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_LADDER_H

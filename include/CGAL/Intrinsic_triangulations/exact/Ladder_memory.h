@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_MEMORY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_MEMORY_H
+
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <map>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+inline Interval_nt<false> intervals(const Interval_nt<false>& x) { return x; }
+template <class Center>
+Interval_nt<false> intervals(const Ball<Center>& x) {
+  return x.interval();
+}
+template <class FT>
+Diamond_values<Interval_nt<false>> intervals(const Diamond_values<FT>& d) {
+  return {intervals(d.ij), intervals(d.jk),     intervals(d.ki),    intervals(d.im),
+          intervals(d.mj), intervals(d.area_f), intervals(d.area_g)};
+}
+template <class FT>
+std::vector<Face_values<Interval_nt<false>>> intervals(const std::vector<Face_values<FT>>& faces) {
+  std::vector<Face_values<Interval_nt<false>>> result;
+  for (const auto& [l, a] : faces)
+    result.push_back({{intervals(l[0]), intervals(l[1]), intervals(l[2])}, intervals(a)});
+  return result;
+}
+
+inline Uncertain<Sign> sign_of(const Interval_nt<false>& x) { return CGAL::sign(x); }
+template <class Center>
+Uncertain<Sign> sign_of(const Ball<Center>& x) {
+  return x.sign();
+}
+
+} // namespace internal
+
+// What is remembered of the input: its faces in each precision.
+struct Exact_ladder::Memory {
+  // Computes with input faces in numbers of so many bits, with rounding as these ask for; converts
+  // the result with rounding upwards.
+  template <class Compute, class Convert>
+  auto with_numbers(unsigned bits, const Compute& compute, const Convert& convert) {
+    if (bits <= 53) return convert(compute(doubles));
+    if (bits <= 106) return convert(internal::to_nearest(compute, short_balls));
+    const Mpfr_precision precision(bits);
+    return convert(internal::to_nearest(compute, long_balls[bits]));
+  }
+
+  template <class FT, class Figure>
+  static auto values(const Input_metric& input, const Figure& figure,
+                     Input_face_intervals<FT>& faces) {
+    return figure.template values<FT>(faces.of(input));
+  }
+
+  Input_face_intervals<Interval_nt<false>> doubles;
+  Input_face_intervals<Ball<Double_double>> short_balls;
+  std::map<unsigned, Input_face_intervals<Ball<Mpfr_number>>> long_balls; // by precision
+
+  // Decides a sign in numbers of so many bits; see `Exact_ladder::sign()`.
+  template <class Values>
+  struct In_numbers {
+    template <class Asked>
+    Answer operator()(const Asked& q) {
+      if constexpr (std::is_same_v<typename Asked::Figure, Flat_diamond>) {
+        if (bits > 53) return Answer::open;
+        better = values_in_space(q.input, q.figure);
+        return answer(q.expression(better));
+      } else {
+        return memory.with_numbers(
+            bits,
+            [&](auto& faces) {
+              const auto v = Memory::values(q.input, q.figure, faces);
+              return std::pair(v, q.expression(v));
+            },
+            [&](const auto& result) {
+              better = internal::intervals(result.first);
+              return answer(result.second);
+            });
+      }
+    }
+
+    template <class FT>
+    static Answer answer(const FT& value) {
+      const Uncertain<Sign> s = internal::sign_of(value);
+      return is_certain(s) ? to_answer(get_certain(s)) : Answer::open;
+    }
+
+    Memory& memory;
+    Values& better; // set to intervals that contain the values
+    unsigned bits;
+  };
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_MEMORY_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_QUESTION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_QUESTION_H
+
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+
+#include <CGAL/enum.h>
+
+#include <concepts>
+
+/*!
+\file
+What a proof is: a functor from a question to an answer.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief asks for the sign of an expression in the values of a figure.
+\tparam Figure_ says how values follow from the input, see `Exact_ladder`
+\tparam Expression_ `Recorded_diamond_expression` or `Recorded_face_expression`
+*/
+template <class Figure_, class Expression_>
+struct Question {
+  /// Type of the figure.
+  using Figure = Figure_;
+  /// Type of the expression.
+  using Expression = Expression_;
+
+  const Input_metric& input;    ///< the input
+  const Figure& figure;         ///< the figure; no triangle is entered by a side without length
+  const Expression& expression; ///< the expression
+};
+
+template <class Figure, class Expression>
+Question(const Input_metric&, const Figure&, const Expression&) -> Question<Figure, Expression>;
+
+/// What is proven of a value.
+enum class Answer {
+  negative, ///< it is negative
+  zero,     ///< it is zero
+  positive, ///< it is positive
+  not_zero, ///< it is not zero; its sign is not known
+  open      ///< nothing
+};
+
+/// returns the answer that names a sign.
+constexpr Answer to_answer(Sign s) {
+  return s == ZERO ? Answer::zero : s == POSITIVE ? Answer::positive : Answer::negative;
+}
+
+/*!
+\brief asks for a functor that answers questions of one kind.
+
+Proofs take those questions that they understand: the ladder skips a proof where the call does not
+compile.
+*/
+template <class Proof, class Asked>
+concept ProofOf = requires(Proof& proof, const Asked& question) {
+  { proof(question) } -> std::same_as<Answer>;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_QUESTION_H
