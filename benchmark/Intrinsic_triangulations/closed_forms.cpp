@@ -320,7 +320,7 @@ nlohmann::json errors(const Shape& shape, const Triangulation& t, const Surface_
                         {"distance", distance_error(shape, t, mesh, time)},
                         {"eigenvalues", eigenvalue_error(shape, t)}};
   if (!shape.geodesic) return result;
-  const IT::Vector_heat_method<Triangulation> heat(t, time);
+  const IT::Vector_heat_method<Triangulation> heat(t, IT::parameters::time_factor(time));
   const auto v = IT::vertex_on_intrinsic(t, Surface_mesh::Vertex_index(source), mesh);
   result["transport"] = transport_error(shape, t, mesh, heat.transport(v, 1));
   result["exact_logarithm"] = logarithm_error(shape, IT::logarithmic_map(t, v));

@@ -4,9 +4,7 @@
 // What solves for functions and for positions.
 
 #include <CGAL/Intrinsic_triangulations/applications/distance/Heat_solver_impl.h>
-#include <CGAL/Intrinsic_triangulations/applications/distance/Pinned_laplacian_impl.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/Signed_heat_solver_impl.h>
-#include <CGAL/Intrinsic_triangulations/applications/editing/Biharmonic_interpolation_impl.h>
 #include <CGAL/Intrinsic_triangulations/applications/editing/Surface_deformation_impl.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/certify_map_impl.h>
 #include <CGAL/Intrinsic_triangulations/applications/parametrization/conformal_map_impl.h>

@@ -134,7 +134,8 @@ Direction_field transported(const Triangulation& t, const std::vector<Asked_vect
   }
   std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> sources;
   for (const Asked_vector& v : asked) sources.push_back({IT::vertex_of_row(t, v.row), v.z});
-  const IT::Vector_heat_method<Triangulation> heat(t, options.application.time_factor);
+  const IT::Vector_heat_method<Triangulation> heat(
+      t, IT::parameters::time_factor(options.application.time_factor));
   return {"vector", heat.transport(sources), 1, first_copies(t)};
 }
 
@@ -227,7 +228,8 @@ template <class Triangulation>
 std::vector<Complex> logarithms(const Triangulation& t, IT::Gluing_map::Vertex source,
                                 const Options& options, const std::string& method) {
   if (method == "exact") return IT::logarithmic_map(t, source);
-  return IT::Vector_heat_method<Triangulation>(t, options.application.time_factor)
+  return IT::Vector_heat_method<Triangulation>(
+             t, IT::parameters::time_factor(options.application.time_factor))
       .logarithmic_map(source, method == "polar" ? IT::Logarithm_method::polar
                                                  : IT::Logarithm_method::affine);
 }
@@ -241,8 +243,7 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
   const std::vector<Complex> log =
       is_cloud(t) ? cloud_logarithms(t, t.input_vertex(sources[0][0]), options, points)
                   : logarithms(t, sources[0][0], options, method);
-  const std::vector<std::uint32_t> nearest =
-      is_cloud(t) ? all_rows(t) : nearest_copies(t, log);
+  const std::vector<std::uint32_t> nearest = is_cloud(t) ? all_rows(t) : nearest_copies(t, log);
   Computed computed{"logmap", {}, {}};
   computed.functions = {{"u", by_rows(nearest, log, [](const Complex& z) { return z.real(); })},
                         {"v", by_rows(nearest, log, [](const Complex& z) { return z.imag(); })}};

@@ -17,14 +17,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// Where a vector is not known.
+inline constexpr std::complex<double> unknown_vector{std::numeric_limits<double>::quiet_NaN(),
+                                                     std::numeric_limits<double>::quiet_NaN()};
+
+inline bool is_known(const std::complex<double>& z) {
+  return std::isfinite(z.real()) && std::isfinite(z.imag());
+}
+
+// A vector of length 1, or zero.
+inline std::complex<double> unit_vector(const std::complex<double>& z) {
+  const double larger = std::max(std::abs(z.real()), std::abs(z.imag()));
+  if (!(larger > 0) || !std::isfinite(larger)) return 0;
+  const std::complex<double> scaled = z / larger; // whose square does not underflow
+  return scaled / std::abs(scaled);
+}
 
 // What matrices on tangent vectors are assembled from.
 template <class Triangulation>

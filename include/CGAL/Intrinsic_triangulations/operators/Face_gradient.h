@@ -4,9 +4,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_FACE_GRADIENT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_FACE_GRADIENT_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <Eigen/Core>
@@ -56,9 +56,9 @@ public:
   explicit Face_gradient(const Triangulation& t)
       : vertices_(checked_matrix_size(t)), sheets_(t.input().names().sheets),
         faces_(t.numbers().face_capacity(t.mesh())) {
-    const Intrinsic_view<Triangulation> view(t);
+    const internal::Face_table table = internal::face_table(t);
     for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
-      if (!measure(t, view, f)) internal::throw_degenerate_face(t, f);
+      if (!measure(table, t.index(f))) internal::throw_degenerate_face(t, f);
   }
 
   /// returns the number of vertices.
@@ -132,25 +132,18 @@ private:
   }
 
   // The gradient of a hat function is the opposite side, turned by a right angle inwards, by twice the area.
-  // false: it is not finite
-  template <class Triangulation>
-  bool measure(const Triangulation& t, const Intrinsic_view<Triangulation>& view,
-               typename Triangulation::face_descriptor f) {
-    const auto& mesh = t.mesh();
-    Face& face = faces_[t.index(f)];
-    face.area = t.area(f);
-    auto h = halfedge(f, mesh);
-    for (const auto side : {h, next(h, mesh), prev(h, mesh)})
-      t.squared_length(
-          edge(side, mesh)); // like area(), makes what is read next exact to a rounding
-    const Geodesic_face sides(view, t.numbers().halfedge(h));
-    const double twice_area = view.quadruple_area(t.index(f)) / 2;
+  // \return whether it is finite
+  bool measure(const internal::Face_table& table, std::uint32_t f) {
+    const internal::Table_face& read = table.faces[table.slot[f]];
+    const auto corners = read.layout();
+    Face& face = faces_[f];
+    face.row = read.rows;
+    face.area = table.unscaled(table.unscaled(read.area()));
     double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k, h = next(h, mesh)) {
-      face.row[k] = static_cast<int>(t.input_vertex(source(h, mesh)));
-      const auto& side = sides.edge[(k + 1) % 3];
-      face.hat_gradient[k] = {std::ldexp(-side[1] / twice_area, t.metric().scale_exponent()),
-                              std::ldexp(side[0] / twice_area, t.metric().scale_exponent())};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector side = (corners[(k + 2) % 3] - corners[(k + 1) % 3]) / (read.quadruple_area / 2);
+      face.hat_gradient[k] = {std::ldexp(-side.imag(), table.scale_exponent),
+                              std::ldexp(side.real(), table.scale_exponent)};
       sum += std::norm(face.hat_gradient[k]);
     }
     return std::isfinite(sum);

@@ -7,8 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/components_of_matrix.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 
 #include <array>
 #include <cmath>
@@ -42,6 +42,19 @@ struct Table_face {
     return {0, base, {(l[0] + l[2] - l[1]) / two_l, quadruple_area / two_l}};
   }
 };
+
+// What a field of one vector in a face adds to the divergence at its corners: the integral of <v, grad hat function>.
+// \param v in the frame of side 0
+inline std::array<double, 3>
+divergence_at_corners(const std::array<std::complex<double>, 3>& corners, std::complex<double> v) {
+  std::array<double, 3> result;
+  for (std::size_t k = 0; k < 3;
+       ++k) { // area times gradient: the opposite side, a quarter turn to the left, by 2
+    const std::complex<double> side = corners[(k + 2) % 3] - corners[(k + 1) % 3];
+    result[k] = (side.real() * v.imag() - side.imag() * v.real()) / 2;
+  }
+  return result;
+}
 
 // A triangulation as one flat array of faces, for what is solved on it: nothing else asks it for numbers.
 struct Face_table {

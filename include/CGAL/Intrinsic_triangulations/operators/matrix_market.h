@@ -32,14 +32,8 @@ namespace internal {
 
 inline bool is_symmetric(const Eigen::SparseMatrix<double>& m) {
   if (m.rows() != m.cols()) return false;
-  const Eigen::SparseMatrix<double> t = m.transpose();
-  for (Eigen::Index c = 0; c < m.outerSize(); ++c) {
-    Eigen::SparseMatrix<double>::InnerIterator i(m, c), j(t, c);
-    for (; i && j; ++i, ++j)
-      if (i.row() != j.row() || i.value() != j.value()) return false;
-    if (i || j) return false;
-  }
-  return true;
+  const Eigen::SparseMatrix<double> rest = m - Eigen::SparseMatrix<double>(m.transpose());
+  return rest.nonZeros() == m.nonZeros() && (rest.coeffs() == 0).all();
 }
 
 } // namespace internal

@@ -241,10 +241,11 @@ TEST(Vector_heat_method,
 // the area of this surface.
 TEST(Vector_heat_method, refuses_times_in_which_heat_is_even_or_does_not_spread) {
   const Exact t(meshes::potato(2, 3).input());
-  for (const double time : {1e-90, 1e-3, 1., 1e6}) EXPECT_NO_THROW(Heat(t, time)) << time;
+  for (const double time : {1e-90, 1e-3, 1., 1e6})
+    EXPECT_NO_THROW(Heat(t, IT::parameters::time_factor(time))) << time;
   for (const double time : {0., -1., 1e-200, 1e20, 1e300, std::numeric_limits<double>::infinity(),
                             std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(Heat(t, time), std::invalid_argument) << time;
+    EXPECT_THROW(Heat(t, IT::parameters::time_factor(time)), std::invalid_argument) << time;
 }
 
 TEST(Vector_heat_method, extends_scalars_between_their_extremes_and_by_the_nearest_source) {
@@ -282,8 +283,8 @@ TEST(Vector_heat_method, knows_nothing_of_components_without_a_source_and_isolat
     else
       EXPECT_TRUE(std::isnan(field[i].real()) && std::isnan(field[i].imag())) << i;
   }
-  for (const auto method : {IT::Logarithm_method::exact, IT::Logarithm_method::affine,
-                            IT::Logarithm_method::polar}) {
+  for (const auto method :
+       {IT::Logarithm_method::exact, IT::Logarithm_method::affine, IT::Logarithm_method::polar}) {
     const std::vector<Complex> log = heat.logarithmic_map(t.numbers().vertex_at(0), method);
     for (std::uint32_t i = 0; i < log.size(); ++i) {
       EXPECT_EQ(std::abs(log[i]) > 0, i > 0 && i < n) << i;
@@ -305,7 +306,7 @@ TEST(Vector_heat_method, knows_nothing_of_components_without_a_source_and_isolat
   EXPECT_THROW(heat.logarithmic_map(isolated), std::invalid_argument);
   const IT::Surface_point p{0, {0.5, 0.25, 0.25}};
   EXPECT_THROW(heat.logarithm_at(std::vector<Complex>(2 * n), p, p), std::invalid_argument);
-  EXPECT_THROW(Heat(t, 0), std::invalid_argument);
+  EXPECT_THROW(Heat(t, IT::parameters::time_factor(0)), std::invalid_argument);
 }
 
 TEST(Vector_heat_method, is_finite_where_paths_lead_on_covers_and_delta_complexes) {

@@ -134,8 +134,7 @@ TEST(Laplacian_factorization, has_entries_where_elimination_makes_them) {
         }
       for (int k = 0; k < size; ++k) {
         const std::set<int>& mine = later[static_cast<std::size_t>(k)];
-        ASSERT_EQ(rows_of_column(e, k),
-                  std::vector<int>(mine.begin(), mine.end()));
+        ASSERT_EQ(rows_of_column(e, k), std::vector<int>(mine.begin(), mine.end()));
         for (const int p : mine)
           for (const int q : mine)
             if (p < q) later[static_cast<std::size_t>(p)].insert(q);
@@ -199,7 +198,8 @@ TEST(Laplacian_factorization, solves_columns_together_as_one_by_one) {
   }
 }
 
-IT::internal::Symbolic_factorization::Part part_of_column(const IT::internal::Symbolic_factorization& e, int k) {
+IT::internal::Symbolic_factorization::Part
+part_of_column(const IT::internal::Symbolic_factorization& e, int k) {
   return e.part[static_cast<std::size_t>(e.supernode[static_cast<std::size_t>(k)])];
 }
 
@@ -227,10 +227,11 @@ TEST(Laplacian_factorization, halves_have_nothing_in_common) {
 TEST(Laplacian_factorization, indefinite_rows_of_halves_are_told) {
   const Matrix l = grid_laplacian(90, [] { return 1.; });
   const IT::internal::Symbolic_factorization e(l);
-  for (const auto part :
-       {IT::internal::Symbolic_factorization::first_half, IT::internal::Symbolic_factorization::second_half}) {
+  for (const auto part : {IT::internal::Symbolic_factorization::first_half,
+                          IT::internal::Symbolic_factorization::second_half}) {
     const auto supernode = std::find(e.part.begin(), e.part.end(), part) - e.part.begin();
-    const int row = e.row[static_cast<std::size_t>(e.supernode_begin[static_cast<std::size_t>(supernode)])];
+    const int row =
+        e.row[static_cast<std::size_t>(e.supernode_begin[static_cast<std::size_t>(supernode)])];
     Eigen::VectorXd d = Eigen::VectorXd::Constant(l.rows(), 0.1);
     d[row] = -1e3;
     try {

@@ -87,7 +87,7 @@ public:
   */
   template <NamedParameters NP = parameters::Parameters<>>
   explicit Heat_distance(const Triangulation& t, const NP& np = parameters::default_values())
-      : t_(&t), positions_(internal::positions_of_rows(t)), 
+      : t_(&t), positions_(internal::positions_of_rows(t)),
         solver_(cotangent_laplacian(t), internal::face_table(t), options(np),
                 t.input().names().sheets, progress(np)) {}
 

@@ -48,8 +48,8 @@ struct Heat_options {
 // The heat method on a table of faces, in scaled units.
 class Heat_solver {
 public:
-  Heat_solver(const Eigen::SparseMatrix<double>& laplacian, Face_table table, const Heat_options& options,
-              std::uint32_t sheets, Heat_progress progress);
+  Heat_solver(const Eigen::SparseMatrix<double>& laplacian, Face_table table,
+              const Heat_options& options, std::uint32_t sheets, Heat_progress progress);
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_HEAT_SOLVER_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/applications/distance/Heat_solver.h>
-#include <CGAL/Intrinsic_triangulations/applications/distance/divergence_at_corners.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/near_distances.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/row_number.h>
@@ -45,11 +44,12 @@ inline Heat<double> magnitudes(Heat<double> heat) {
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Heat_solver::Heat_solver(const Eigen::SparseMatrix<double>& laplacian, Face_table table, const Heat_options& options,
-                         std::uint32_t sheets, Heat_progress progress)
+Heat_solver::Heat_solver(const Eigen::SparseMatrix<double>& laplacian, Face_table table,
+                         const Heat_options& options, std::uint32_t sheets, Heat_progress progress)
     : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
       time_(flow_time(options.time_factor, mean_edge_ * mean_edge_, table_.area())),
-      component_(table_.components()), poisson_(laplacian, component_), sheets_(sheets), progress_(std::move(progress)) {
+      component_(table_.components()), poisson_(laplacian, component_), sheets_(sheets),
+      progress_(std::move(progress)) {
   const Eigen::VectorXd masses = row_areas(table_, sheets);
   insulated_.emplace(poisson_.laplacian(), time_, poisson_.factor_with_multiple(time_, masses));
   is_cancelled_ = !progress_(Heat_step::heat_factored);

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_DISTANCE_SIGNED_HEAT_SOLVER_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/applications/distance/Signed_heat_solver.h>
-#include <CGAL/Intrinsic_triangulations/applications/distance/divergence_at_corners.h>
 #include <CGAL/Intrinsic_triangulations/applications/distance/near_distances.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/elements/crouzeix_raviart.h>

@@ -6,9 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/operators/Face_table.h>
+#include <CGAL/Intrinsic_triangulations/tracing/common_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -115,59 +115,14 @@ private:
   void add_polyline(const std::vector<Surface_point>& points) {
     if (points.size() == 1) add(points[0]);
     for (std::size_t i = 1; i < points.size(); ++i) {
-      const auto in_common = in_one_face(points[i - 1], points[i]);
-      if (in_common.empty())
+      const auto in_common =
+          in_one_face(Intrinsic_view<Triangulation>(t_), points[i - 1], points[i]);
+      if (!in_common)
         throw std::invalid_argument("points " + std::to_string(i - 1) + " and " +
                                     std::to_string(i) + " of a polyline are not in one face");
       // a point that is repeated is no source of its own
-      if (in_common[0].weights != in_common[1].weights || points.size() == 2)
-        add_segment(in_common[0], in_common[1]);
-    }
-  }
-
-  // two points as seen from one halfedge; nothing if they have no face in common
-  std::vector<Surface_point> in_one_face(const Surface_point& p, const Surface_point& q) const {
-    const Intrinsic_view<Triangulation> view(t_);
-    const std::vector<Surface_point> of_q = descriptions(view, q);
-    for (const Surface_point& a : descriptions(view, p))
-      for (const Surface_point& b : of_q)
-        if (view.face(a.halfedge) == view.face(b.halfedge))
-          return {a, seen_from(view, b, a.halfedge)};
-    return {};
-  }
-
-  // a point of an edge is in two faces, one at a vertex in all around it
-  static std::vector<Surface_point> descriptions(const Intrinsic_view<Triangulation>& view,
-                                                 Surface_point p) {
-    std::vector<Surface_point> result{p};
-    for (int k = 0; k < 3; ++k, p = turned(view, p)) {
-      const auto& w = p.weights;
-      if (w[2] != 0) continue;
-      if (w[0] != 0 && w[1] != 0) {
-        if (!view.is_border(p.halfedge ^ 1U)) result.push_back({p.halfedge ^ 1U, {w[1], w[0], 0}});
-      } else if (w[0] != 0)
-        add_star(view, p.halfedge, result);
-    }
-    return result;
-  }
-  static Surface_point turned(const Intrinsic_view<Triangulation>& view, const Surface_point& p) {
-    return {view.next(p.halfedge), {p.weights[1], p.weights[2], p.weights[0]}};
-  }
-  // the source of a halfedge, seen from all halfedges with a face that start there
-  static void add_star(const Intrinsic_view<Triangulation>& view, std::uint32_t first,
-                       std::vector<Surface_point>& result) {
-    std::uint32_t h = first;
-    do { // clockwise
-      const std::uint32_t o = h ^ 1U;
-      if (view.is_border(o)) break;
-      h = view.next(o);
-      result.push_back({h, {1, 0, 0}});
-    } while (h != first);
-    if (h == first && !view.is_border(first ^ 1U)) return;
-    for (h = first;;) { // counterclockwise, from the first on
-      h = view.next(view.next(h)) ^ 1U;
-      if (h == first || view.is_border(h)) return;
-      result.push_back({h, {1, 0, 0}});
+      const auto& [from, to] = *in_common;
+      if (from.weights != to.weights || points.size() == 2) add_segment(from, to);
     }
   }
 

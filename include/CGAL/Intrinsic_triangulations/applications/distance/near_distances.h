@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -38,32 +37,31 @@ inline double distance_to_segment(std::complex<double> p, std::complex<double> a
 inline void lower_along_edges(const Face_table& table, std::map<int, double>& values) {
   double farthest = 0;
   for (const auto& [row, value] : values) farthest = std::max(farthest, value);
-  std::multimap<int, std::pair<int, double>> neighbours;
-  std::vector<char> is_near(table.number_of_rows, 0);
+  struct Edge {
+    int from, to;
+    double length;
+  };
+  std::vector<Edge> edges;
   table.for_each_edge([&](const Table_face& f, std::size_t k) {
     const double length = f.length(k);
     if (length >= farthest) return;
-    neighbours.insert({f.rows[k], {f.rows[(k + 1) % 3], length}});
-    neighbours.insert({f.rows[(k + 1) % 3], {f.rows[k], length}});
+    edges.push_back({f.rows[k], f.rows[(k + 1) % 3], length});
+    edges.push_back({f.rows[(k + 1) % 3], f.rows[k], length});
   });
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  std::map<int, double> best = values;
-  for (const auto& [row, value] : values) queue.push({value, row});
-  while (!queue.empty()) {
-    const auto [distance, row] = queue.top();
-    queue.pop();
-    if (distance > best.at(row)) continue;
-    const auto [begin, end] = neighbours.equal_range(row);
-    for (auto i = begin; i != end; ++i) {
-      const double there = distance + i->second.second;
-      const auto [place, is_new] = best.insert({i->second.first, there});
-      if (there >= farthest || (!is_new && there >= place->second)) continue;
-      place->second = there;
-      queue.push({there, i->second.first});
+  std::vector<double> best(table.number_of_rows, farthest);
+  for (const auto& [row, value] : values) best[static_cast<std::size_t>(row)] = value;
+  // paths have few edges, as none is longer than the edges of the faces with sources
+  for (bool is_lowered = true; is_lowered;) {
+    is_lowered = false;
+    for (const Edge& e : edges) {
+      const double there = best[static_cast<std::size_t>(e.from)] + e.length;
+      double& known = best[static_cast<std::size_t>(e.to)];
+      if (!(there < known)) continue;
+      known = there;
+      is_lowered = true;
     }
   }
-  for (auto& [row, value] : values) value = best.at(row);
+  for (auto& [row, value] : values) value = best[static_cast<std::size_t>(row)];
 }
 
 // The distances that are known beforehand: zero at vertices that are sources, and at the corners of faces with sources inside,

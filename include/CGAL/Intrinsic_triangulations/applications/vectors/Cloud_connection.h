@@ -88,8 +88,7 @@ public:
 private:
   // Triangles are there about three times.
   void add(const std::array<std::uint32_t, 3>& t) {
-    const Vector normal =
-        (places_[t[1]] - places_[t[0]]).cross(places_[t[2]] - places_[t[0]]);
+    const Vector normal = (places_[t[1]] - places_[t[0]]).cross(places_[t[2]] - places_[t[0]]);
     const double twice_area = normal.norm();
     if (!(twice_area > 0)) return;
     normals_[t[0]] += normal;
@@ -157,9 +156,7 @@ private:
     first_[i] = x.normalized();
   }
 
-  bool is_seam(const Cloud_edge& e) const {
-    return normals_[e.source].dot(normals_[e.target]) < 0;
-  }
+  bool is_seam(const Cloud_edge& e) const { return normals_[e.source].dot(normals_[e.target]) < 0; }
 
   void turn(std::array<std::uint32_t, 3>& t) const {
     const Vector normal = (places_[t[1]] - places_[t[0]]).cross(places_[t[2]] - places_[t[0]]);

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_DIRECTION_PROBLEM_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Direction_problem.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
@@ -34,8 +33,7 @@ class Direction_solver {
 public:
   Direction_solver(const Direction_problem& problem, const Connection_graph& graph)
       : graph_(graph), part_(graph.parts()), masses_(positive_masses(graph)),
-        right_(Eigen::VectorXcd::Zero(problem.guide.size())),
-        factor_(factored(problem)) {}
+        right_(Eigen::VectorXcd::Zero(problem.guide.size())), factor_(factored(problem)) {}
 
   // \return nothing if it was cancelled
   Eigen::VectorXcd solve(const std::function<bool(Direction_step)>& progress) const {

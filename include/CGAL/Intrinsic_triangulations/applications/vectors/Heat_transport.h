@@ -59,8 +59,8 @@ void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
 // factored when they are first needed, and once.
 class Heat_transport {
 public:
-  // \param time_scale the time, in squares of the mean length of edges
-  Heat_transport(Connection_graph graph, double time_scale);
+  // \param time_factor of the time, in squares of the mean length of edges
+  Heat_transport(Connection_graph graph, double time_factor);
 
   const Connection_graph& graph() const { return graph_; }
 

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_HEAT_TRANSPORT_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Diffusion.h>
@@ -26,9 +25,9 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Heat_transport::Heat_transport(Connection_graph graph, double time_scale)
+Heat_transport::Heat_transport(Connection_graph graph, double time_factor)
     : graph_(std::move(graph)), part_(graph_.parts()),
-      time_(flow_time(time_scale, graph_.squared_mean_length,
+      time_(flow_time(time_factor, graph_.squared_mean_length,
                       std::accumulate(graph_.areas.begin(), graph_.areas.end(), 0.))),
       masses_(positive_masses(graph_)) {
   at_source_.reserve(graph_.edges.size());

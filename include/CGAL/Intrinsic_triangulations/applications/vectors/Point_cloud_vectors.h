@@ -44,13 +44,13 @@ public:
   \brief finds tangent planes.
   \param points the points, in any order
   \param neighbours how many are triangulated around each point; two at least
-  \param time_scale the time of diffusion, in squares of the mean length of edges
+  \param time_factor the time of diffusion, in squares of the mean length of edges
   \throws Invalid_input as `make_point_cloud()`
   \throws std::invalid_argument if the time is not positive, or so long that heat is even everywhere
   \complexity that of triangles at n points, O(n log n); the first question factors matrices
   */
   explicit Point_cloud_vectors(const std::vector<std::array<double, 3>>& points,
-                               std::size_t neighbours = 30, double time_scale = 1);
+                               std::size_t neighbours = 30, double time_factor = 1);
 
   /// returns the number of points.
   std::size_t size() const { return points_.size(); }

@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Cloud_connection.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Direction_problem.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Point_cloud_vectors.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 
 #include <Eigen/Core>
@@ -25,7 +24,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Point_cloud_vectors::Point_cloud_vectors(const std::vector<std::array<double, 3>>& points,
-                                         std::size_t neighbours, double time_scale)
+                                         std::size_t neighbours, double time_factor)
     : points_(points) {
   const internal::Cloud_connection connection(points, neighbours);
   exponent_ = connection.exponent();
@@ -33,7 +32,7 @@ Point_cloud_vectors::Point_cloud_vectors(const std::vector<std::array<double, 3>
   for (std::size_t i = 0; i < points.size(); ++i)
     axes_.push_back({vector(connection.first_axis(i)), vector(connection.second_axis(i))});
   seam_edges_ = connection.seam_edges();
-  heat_.emplace(connection.graph(), time_scale);
+  heat_.emplace(connection.graph(), time_factor);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -57,8 +56,8 @@ void Point_cloud_vectors::expect_plane(std::size_t i) const {
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Tangent_field Point_cloud_vectors::transport(
-    const std::vector<std::pair<std::size_t, Complex>>& sources) const {
+Tangent_field
+Point_cloud_vectors::transport(const std::vector<std::pair<std::size_t, Complex>>& sources) const {
   if (sources.empty()) throw std::invalid_argument("there must be a source; none is given");
   internal::Vector_sources s(size());
   for (const auto& [i, z] : sources) {

@@ -8,8 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Point_frames.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/logarithmic_map.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
@@ -74,14 +74,19 @@ public:
   /*!
   \brief reads angles, weights and areas of a triangulation.
   \param t the triangulation, which must outlive this and not change
-  \param time_scale the time of diffusion, in squares of the mean length of the edges of `t`
+  \param np optional named parameters:
+    - `time_factor(x)`: the time of diffusion is x times the square of the mean length of the edges. Default: 1.
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if the time is not positive, or so long that heat is even
     everywhere, or the surface is that of a cloud of points, see `Point_cloud_vectors`
   \complexity linear; the first question factors matrices
   */
-  explicit Vector_heat_method(const Triangulation_& t, double time_scale = 1)
-      : frames_(t), heat_(internal::connection_graph(t, frames_.angles()), time_scale) {}
+  template <NamedParameters NP = parameters::Parameters<>>
+  explicit Vector_heat_method(const Triangulation_& t, const NP& np = parameters::default_values())
+      : frames_(t), heat_(internal::connection_graph(t, frames_.angles()),
+                          internal::value_or<internal::tags::time_factor>(np, 1.)) {
+    internal::expect_names<internal::tags::time_factor>(np);
+  }
 
   /*!
   \brief factors the matrices that are factored at the first question otherwise: what takes long, so that it can be followed and stopped.

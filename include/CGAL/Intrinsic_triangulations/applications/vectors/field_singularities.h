@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_FIELD_SINGULARITIES_H
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/direction_field.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_triangulations/operators/connection_laplacian.h>

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_APPLICATIONS_VECTORS_LOGARITHMIC_MAP_H
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Point_frames.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
@@ -24,9 +23,9 @@ namespace internal {
 
 // What `to_frame` makes of the logarithm of each vertex, by its number.
 template <class Triangulation, class To_frame>
-std::vector<std::complex<double>>
-logarithms(const Point_frames<Triangulation>& frames,
-           const Polyhedral_distance<Triangulation>& distance, const To_frame& to_frame) {
+std::vector<std::complex<double>> logarithms(const Point_frames<Triangulation>& frames,
+                                             const Polyhedral_distance<Triangulation>& distance,
+                                             const To_frame& to_frame) {
   expect_tangent_planes(frames.triangulation());
   std::vector<std::complex<double>> result(frames.size(), unknown_vector);
   for (const auto v : vertices(frames.triangulation().mesh())) {
@@ -64,9 +63,9 @@ its direction.
 */
 template <internal::Connected_triangulation Triangulation,
           NamedParameters NP = parameters::Parameters<>>
-std::vector<std::complex<double>>
-logarithmic_map(const Triangulation& t, typename Triangulation::vertex_descriptor v,
-                const NP& np = parameters::default_values()) {
+std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
+                                                  typename Triangulation::vertex_descriptor v,
+                                                  const NP& np = parameters::default_values()) {
   const internal::Point_frames<Triangulation> frames(t);
   const std::uint32_t i = frames.number(v);
   if (frames.is_isolated(v))
@@ -85,9 +84,8 @@ logarithmic_map(const Triangulation& t, typename Triangulation::vertex_descripto
 */
 template <internal::Connected_triangulation Triangulation,
           NamedParameters NP = parameters::Parameters<>>
-std::vector<std::complex<double>>
-logarithmic_map(const Triangulation& t, const Surface_point& p,
-                const NP& np = parameters::default_values()) {
+std::vector<std::complex<double>> logarithmic_map(const Triangulation& t, const Surface_point& p,
+                                                  const NP& np = parameters::default_values()) {
   const internal::Point_frames<Triangulation> frames(t);
   const bool is_at_vertex = internal::corner_of(p) < 3;
   return internal::logarithms(

@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/applications/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/applications/vectors/exponential_map.h>
-#include <CGAL/Intrinsic_triangulations/applications/vectors/unit_vector.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
+#include <CGAL/Intrinsic_triangulations/tracing/common_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -102,18 +103,6 @@ double parameter_on_halfedge(const Coordinates& coordinates, std::uint32_t verte
   if (!coordinates.is_inserted(vertex)) return starts ? 0 : 1;
   const Surface_point& p = coordinates.location(vertex);
   return p.halfedge == halfedge ? p.weights[1] : p.weights[0];
-}
-
-/*!
-\brief describes a point of the input from another halfedge of the same face.
-\pre `base` and the halfedge of `p` have one face
-*/
-template <class Input>
-Surface_point seen_from(const Input& input, const Surface_point& p, std::uint32_t base) {
-  const std::array<double, 3>& w = p.weights;
-  if (p.halfedge == base) return p;
-  if (p.halfedge == input.next(base)) return {base, {w[2], w[0], w[1]}};
-  return {base, {w[1], w[2], w[0]}};
 }
 
 /// returns the vector from a point of the input to another one of the same face, in the frame of the first.

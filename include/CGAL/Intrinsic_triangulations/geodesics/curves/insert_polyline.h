@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/Line_inserter.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_point.h>
 #include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_traced_path.h>
+#include <CGAL/Intrinsic_triangulations/tracing/common_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
@@ -39,40 +40,6 @@ struct Inserted_polyline : Inserted_path<Triangulation> {
 };
 
 namespace internal {
-
-// All descriptions of a point, one per face that it is in.
-template <class Input>
-std::vector<Surface_point> descriptions(const Input& input, const Surface_point& p) {
-  std::vector<Surface_point> result{p};
-  const unsigned zeros = static_cast<unsigned>(std::count(p.weights.begin(), p.weights.end(), 0.0));
-  std::uint32_t h = p.halfedge;
-  for (unsigned k = 0; k < 3; ++k, h = input.next(h)) {
-    if (zeros == 1 && p.weights[(k + 2) % 3] == 0 && !input.is_border(h ^ 1U))
-      result.push_back({h ^ 1U, {p.weights[(k + 1) % 3], p.weights[k], 0}});
-    if (zeros != 2 || p.weights[k] == 0) continue;
-    std::uint32_t g = h; // about the vertex: counterclockwise, then from the border on
-    while (!input.is_border(g = next_around_source(input, g)) && g != h) result.push_back({g});
-    if (g == h) break;
-    for (g = h; !input.is_border(g ^ 1U);) result.push_back({g = input.next(g ^ 1U)});
-  }
-  return result;
-}
-
-// Two points as seen from one halfedge of a face that they are both in.
-template <class Input>
-std::pair<Surface_point, Surface_point> in_one_face(const Input& input, const Surface_point& p,
-                                                    const Surface_point& q, std::size_t i) {
-  const std::vector<Surface_point> of_q = descriptions(input, q);
-  for (const Surface_point& a : descriptions(input, p))
-    for (const Surface_point& b : of_q)
-      if (input.face(a.halfedge) == input.face(b.halfedge))
-        return {a, seen_from(input, b, a.halfedge)};
-  throw Invalid_input(
-      Element_kind::none, 0,
-      "points " + std::to_string(i) + " and " + std::to_string(i + 1) +
-          " of a polyline are in no common face of the input; add the points where it "
-          "crosses edges");
-}
 
 // A vector from a point of the input, where vertex v is, as a direction from that vertex.
 template <class Triangulation>
@@ -114,8 +81,15 @@ Inserted_polyline<Triangulation> insert_polyline(Triangulation& t,
                                                  const std::vector<Surface_point>& points) {
   const auto& input = t.correspondence().input();
   std::vector<std::pair<Surface_point, Surface_point>> segments;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    segments.push_back(internal::in_one_face(input, points[i], points[i + 1], i));
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto in_common = internal::in_one_face(input, points[i], points[i + 1]);
+    if (!in_common)
+      throw Invalid_input(Element_kind::none, 0,
+                          "points " + std::to_string(i) + " and " + std::to_string(i + 1) +
+                              " of a polyline are in no common face of the input; add the points "
+                              "where it crosses edges");
+    segments.push_back(*in_common);
+  }
   Inserted_polyline<Triangulation> result;
   for (const Surface_point& p : points) {
     const Vertex_at_point<Triangulation> v = insert_point(t, p);

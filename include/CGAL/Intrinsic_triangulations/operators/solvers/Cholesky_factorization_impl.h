@@ -48,22 +48,20 @@ inline void expect_rows(Eigen::Index size, Eigen::Index rows) {
                                 std::to_string(size) + ", not " + std::to_string(rows));
 }
 
-template <class Scalar>
-class Eigen_factor : public Cholesky_factor<Scalar> {
-  using Matrix = Eigen::SparseMatrix<Scalar>;
+// A factor that a solver makes, which calls `visit(row, pivot)` for each row, in the order of
+// elimination.
+template <class Solver>
+class Cholesky_factor_of : public Cholesky_factor<typename Solver::Scalar> {
+  using Scalar = typename Solver::Scalar;
 
 public:
   using Vectors = typename Cholesky_factor<Scalar>::Vectors;
 
-  explicit Eigen_factor(const Matrix& a) : solver_(a) {
-    const auto& place = solver_.permutationP().indices();
-    const auto pivots = solver_.vectorD();
-    std::vector<int> row(static_cast<std::size_t>(a.rows()));
-    for (int r = 0; r < a.rows(); ++r) row[static_cast<std::size_t>(place[r])] = r;
-    for (int k = 0; k < a.rows(); ++k) { // in the order of elimination, which ends at a zero
-      const int r = row[static_cast<std::size_t>(k)];
-      if (!is_definite(std::real(pivots[k]), std::real(a.coeff(r, r)))) throw Indefinite_matrix(r);
-    }
+  explicit Cholesky_factor_of(const Eigen::SparseMatrix<Scalar>& a) : solver_(a) {
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> diagonal = a.diagonal();
+    solver_.for_each_pivot([&](Eigen::Index row, double pivot) {
+      if (!is_definite(pivot, std::real(diagonal[row]))) throw Indefinite_matrix(row);
+    });
   }
 
   Vectors solve(const Vectors& b) const override {
@@ -72,7 +70,22 @@ public:
   }
 
 private:
-  Eigen::SimplicialLDLT<Matrix> solver_;
+  Solver solver_;
+};
+
+// Reads what Eigen's class hides.
+template <class Matrix>
+class Readable_cholesky : public Eigen::SimplicialLDLT<Matrix> {
+public:
+  using Scalar = typename Matrix::Scalar;
+  using Eigen::SimplicialLDLT<Matrix>::SimplicialLDLT;
+
+  template <class Visit>
+  void for_each_pivot(const Visit& visit) const {
+    const auto pivots = this->vectorD();
+    const auto order = this->permutationPinv().indices();
+    for (Eigen::Index k = 0; k < pivots.size(); ++k) visit(order[k], std::real(pivots[k]));
+  }
 };
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
@@ -90,16 +103,10 @@ public:
     this->factorize(a);
   }
 
-  // the row at which it stopped, or the size
-  Eigen::Index first_indefinite_row() const {
-    const auto& f = *this->m_cholmodFactor;
-    return f.minor < f.n ? row_at(f.minor) : static_cast<Eigen::Index>(f.n);
-  }
-
-  // calls visit(row, pivot) for each row
   template <class Visit>
   void for_each_pivot(const Visit& visit) const {
     const auto& f = *this->m_cholmodFactor;
+    if (f.minor < f.n) visit(row_at(f.minor), -HUGE_VAL); // where it stopped
     const auto *super = static_cast<const int*>(f.super), *pi = static_cast<const int*>(f.pi),
                *px = static_cast<const int*>(f.px);
     const auto* x = static_cast<const Scalar*>(f.x);
@@ -116,42 +123,18 @@ private:
     return static_cast<const int*>(this->m_cholmodFactor->Perm)[column];
   }
 };
-
-template <class Scalar>
-class Cholmod_factor : public Cholesky_factor<Scalar> {
-  using Matrix = Eigen::SparseMatrix<Scalar>;
-
-public:
-  using Vectors = typename Cholesky_factor<Scalar>::Vectors;
-
-  explicit Cholmod_factor(const Matrix& a) : solver_(a) {
-    if (const Eigen::Index r = solver_.first_indefinite_row(); r < a.rows())
-      throw Indefinite_matrix(r);
-    const auto diagonal = a.diagonal();
-    solver_.for_each_pivot([&](Eigen::Index r, double pivot) {
-      if (!is_definite(pivot, std::real(Scalar(diagonal.coeff(r))))) throw Indefinite_matrix(r);
-    });
-  }
-
-  Vectors solve(const Vectors& b) const override {
-    expect_rows(solver_.rows(), b.rows());
-    return solver_.solve(b);
-  }
-
-private:
-  Readable_cholmod<Matrix> solver_;
-};
 #endif
 
 template <class Scalar>
 std::shared_ptr<const Cholesky_factor<Scalar>>
 cholesky_factor_of(const Eigen::SparseMatrix<Scalar>& a) {
+  using Matrix = Eigen::SparseMatrix<Scalar>;
   expect_factorable(a);
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
   constexpr Eigen::Index large = 100000;
-  if (a.rows() >= large) return std::make_shared<Cholmod_factor<Scalar>>(a);
+  if (a.rows() >= large) return std::make_shared<Cholesky_factor_of<Readable_cholmod<Matrix>>>(a);
 #endif
-  return std::make_shared<Eigen_factor<Scalar>>(a);
+  return std::make_shared<Cholesky_factor_of<Readable_cholesky<Matrix>>>(a);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::shared_ptr<const Cholesky_factor<double>>

@@ -21,23 +21,18 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-inline bool has_finite_entries(const Eigen::SparseMatrix<double>& a) {
-  for (int c = 0; c < a.outerSize(); ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
-      if (!std::isfinite(i.value())) return false;
-  return true;
-}
-
-// The mean of a matrix and its transpose, if it is symmetric up to rounding, as a product of matrices is.
+// The mean of a matrix and its transpose, if it is symmetric up to rounding, as a product of
+// matrices is.
 inline Eigen::SparseMatrix<double> symmetrized(const Eigen::SparseMatrix<double>& a) {
   if (a.rows() != a.cols())
     throw std::invalid_argument("the matrix must be square, not " + std::to_string(a.rows()) +
                                 " x " + std::to_string(a.cols()));
-  if (!has_finite_entries(a)) throw std::invalid_argument("the matrix must be finite");
   const Eigen::SparseMatrix<double> transposed = a.transpose();
   if ((a - transposed).norm() > 0x1p-30 * a.norm())
     throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
-  return 0.5 * (a + transposed);
+  Eigen::SparseMatrix<double> mean = 0.5 * (a + transposed);
+  if (!mean.coeffs().allFinite()) throw std::invalid_argument("the matrix must be finite");
+  return mean;
 }
 
 inline std::vector<char> marked_rows(Eigen::Index size, std::span<const std::uint32_t> fixed) {
@@ -60,8 +55,8 @@ inline std::vector<std::uint32_t> least_rows(const std::vector<std::uint32_t>& c
   return rows;
 }
 
-// The diagonal beside which the free part is a Laplacian: what its rows sum to, with minus the entries of fixed ones. Where all sums of a
-// component are zero but for rounding, they are.
+// The diagonal beside which the free part is a Laplacian: what its rows sum to, with minus the
+// entries of fixed ones. Where all sums of a component are zero but for rounding, they are.
 struct Free_excess {
   Free_excess(const Eigen::SparseMatrix<double>& a, const std::vector<char>& is_fixed,
               const std::vector<std::uint32_t>& component)
@@ -119,7 +114,8 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
     factor_with_subtraction(free_part, found.excess);
 }
 
-// With negative weights, as at the border, neither way is free of subtraction; where one fails, the other may do.
+// With negative weights, as at the border, neither way is free of subtraction; where one fails, the
+// other may do.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
 Fixed_values_solver::factor_with_subtraction(const Eigen::SparseMatrix<double>& a,
                                              const Eigen::VectorXd& excess) {

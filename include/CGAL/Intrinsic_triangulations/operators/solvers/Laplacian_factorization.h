@@ -19,15 +19,20 @@ struct Laplacian_factor;
 } // namespace internal
 
 /*!
-\brief factors L + D with the Laplacian L of a weighted graph and a diagonal D that is not negative, without any subtraction.
+\brief factors L + D with the Laplacian L of a weighted graph and a diagonal D that is not negative,
+  without any subtraction.
 
-Off its diagonal L is minus the weights, and its rows sum to zero; the diagonal is not read, and D is given apart: rounding does not lose a D of 1e-15 beside
-weights of 1e15, as it does in their sum. Where no weight is negative, neither is any number that is met: the factor, and solutions for
-right sides that are not negative, have full relative accuracy entry by entry, whatever the condition of the matrix is (Grassmann, Taksar and
-Heyman 1985; Alfa, Xue and Ye 2002). The matrix is then definite if D is not zero in each component, and rounding cannot make it
-indefinite. Few negative weights, as at the border, are no harm.
+Off its diagonal L is minus the weights, and its rows sum to zero; the diagonal is not read, and D
+is given apart: rounding does not lose a D of 1e-15 beside weights of 1e15, as it does in their sum.
+Where no weight is negative, neither is any number that is met: the factor, and solutions for right
+sides that are not negative, have full relative accuracy entry by entry, whatever the condition of
+the matrix is (Grassmann, Taksar and Heyman 1985; Alfa, Xue and Ye 2002). The matrix is then
+definite if D is not zero in each component, and rounding cannot make it indefinite. Few negative
+weights, as at the border, are no harm.
 
-Rows are permuted by approximate minimum degree, and eliminated supernode by supernode. Copies share the factor. Different threads may solve at once. Large matrices are factored by two threads, where there are two processors; the result is the same with one.
+Rows are permuted by approximate minimum degree, and eliminated supernode by supernode. Copies share
+the factor. Different threads may solve at once. Large matrices are factored by two threads, where
+there are two processors; the result is the same with one.
 */
 class Laplacian_factorization {
 public:

@@ -34,7 +34,8 @@ inline void expect_laplacian(const Eigen::SparseMatrix<double>& a, const Eigen::
     throw std::invalid_argument("the matrix must be finite");
 }
 
-// Eliminates multiples of a Laplacian with diagonals. \return a factor per matrix \throws Indefinite_matrix
+// Eliminates multiples of a Laplacian with diagonals. \return a factor per matrix \throws
+// Indefinite_matrix
 template <int matrices>
 auto eliminate(const Eigen::SparseMatrix<double>& laplacian,
                const Eigen::Array<double, matrices, 1>& unit,
@@ -45,9 +46,9 @@ auto eliminate(const Eigen::SparseMatrix<double>& laplacian,
   for (auto& f : factors) f = std::make_shared<Laplacian_factor>(symbolic);
   Multifrontal_elimination<matrices> elimination(factors, laplacian, unit, diagonal);
   const bool has_thread = symbolic->has_halves && std::thread::hardware_concurrency() > 1;
-  auto second = std::async(has_thread ? std::launch::async | std::launch::deferred
-                                      : std::launch::deferred,
-                           [&] { return elimination.eliminate(Symbolic::second_half); });
+  auto second =
+      std::async(has_thread ? std::launch::async | std::launch::deferred : std::launch::deferred,
+                 [&] { return elimination.eliminate(Symbolic::second_half); });
   const int of_first = elimination.eliminate(Symbolic::first_half), of_second = second.get();
   for (const int row : {of_first, of_second})
     if (row >= 0) throw Indefinite_matrix(row);

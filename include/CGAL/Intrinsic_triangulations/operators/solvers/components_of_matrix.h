@@ -18,7 +18,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The least number of the set of each, if the pairs that `for_each_pair()` calls its argument with join sets.
+// The least number of the set of each, if the pairs that `for_each_pair()` calls its argument with
+// join sets.
 template <class For_each_pair>
 std::vector<std::uint32_t> joined_sets(std::size_t size, const For_each_pair& for_each_pair) {
   std::vector<std::uint32_t> parent(size);
@@ -54,8 +55,8 @@ std::vector<std::uint32_t> components_of_matrix(const Eigen::SparseMatrix<Scalar
 
 namespace internal {
 
-// Sums of the rows of a symmetric matrix, and what rounding may make of them where they are zero: of the entries on the diagonal, which were
-// summed, and of the sums.
+// Sums of the rows of a symmetric matrix, and what rounding may make of them where they are zero:
+// of the entries on the diagonal, which were summed, and of the sums.
 struct Row_sums {
   explicit Row_sums(const Eigen::SparseMatrix<double>& a)
       : sum(Eigen::VectorXd::Zero(a.rows())), bound(sum) {

@@ -13,7 +13,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Makes the rows and columns of a symmetric matrix that are fixed those of the identity: what is left solves for the free rows.
+// Makes the rows and columns of a symmetric matrix that are fixed those of the identity: what is
+// left solves for the free rows.
 template <class Scalar>
 Eigen::SparseMatrix<Scalar> with_fixed_rows(Eigen::SparseMatrix<Scalar> a,
                                             const std::vector<char>& is_fixed) {
@@ -27,7 +28,8 @@ Eigen::SparseMatrix<Scalar> with_fixed_rows(Eigen::SparseMatrix<Scalar> a,
   return a;
 }
 
-// What belongs to that matrix, of a Laplacian and a diagonal: the diagonal of free rows has the weights to fixed ones as well.
+// What belongs to that matrix, of a Laplacian and a diagonal: the diagonal of free rows has the
+// weights to fixed ones as well.
 inline Eigen::VectorXd diagonal_with_fixed_rows(const Eigen::SparseMatrix<double>& laplacian,
                                                 Eigen::VectorXd diagonal,
                                                 const std::vector<char>& is_fixed) {

@@ -27,12 +27,13 @@ auto sum_in_pairs(const Term& term, std::size_t m = 0) {
     return decltype(term(m))(sum_in_pairs<n / 2>(term, m) + sum_in_pairs<n / 2>(term, m + n / 2));
 }
 
-// The factor of a Laplacian and a diagonal: unit triangular, minus `value` below the diagonal, times the pivots, times its transpose.
+// The factor of a Laplacian and a diagonal: unit triangular, minus `value` below the diagonal,
+// times the pivots, times its transpose.
 struct Laplacian_factor {
   // leaves the numbers to be written
   explicit Laplacian_factor(std::shared_ptr<const Symbolic_factorization> s)
-      : symbolic(std::move(s)), value(std::make_unique_for_overwrite<double[]>(
-                                    row_number(symbolic->column_begin.back()))),
+      : symbolic(std::move(s)),
+        value(std::make_unique_for_overwrite<double[]>(row_number(symbolic->column_begin.back()))),
         pivot(symbolic->row.size()) {}
 
   // Solves for the columns of b from c on, as many as a pack holds, and writes those of x.
@@ -76,7 +77,8 @@ private:
       for (int i = k + 1; i < end; ++i) y[k] += column(k)[i - k - 1] * y[i];
   }
 
-  // Some columns of a supernode from j on at once: below it they have entries in the same rows, which are scattered.
+  // Some columns of a supernode from j on at once: below it they have entries in the same rows,
+  // which are scattered.
   template <int columns, class Pack>
   void add_below(int s, int j, Pack* y) const {
     if (std::all_of(y + j, y + j + columns, [](const Pack& p) { return (p == 0).all(); })) return;
@@ -85,7 +87,8 @@ private:
     std::array<Pack, columns> factor;
     std::copy_n(y + j, columns, factor.begin());
     for (std::ptrdiff_t i = 0; i < symbolic->rows_end(s) - rows; ++i) {
-      y[rows[i]] += sum_in_pairs<columns>([&](std::size_t m) { return Pack(below[m][i] * factor[m]); });
+      y[rows[i]] +=
+          sum_in_pairs<columns>([&](std::size_t m) { return Pack(below[m][i] * factor[m]); });
     }
   }
   template <int columns, class Pack>

@@ -22,10 +22,12 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*
-Eliminates the rows of Laplacians with diagonals, of one matrix or of several with entries in the same places, by fronts (Duff and Reid 1983): the weights
-between the columns of a supernode and all rows where these have entries. The Schur complement, which is left between the rows below, is added to the front of
-the parent. So all that is computed with is side by side. By Grassmann, Taksar and Heyman, the diagonal of a front has the sums of its rows in place of the
-diagonal of the matrix: a pivot is the sum of a column, and nothing is subtracted.
+Eliminates the rows of Laplacians with diagonals, of one matrix or of several with entries in the
+same places, by fronts (Duff and Reid 1983): the weights between the columns of a supernode and all
+rows where these have entries. The Schur complement, which is left between the rows below, is added
+to the front of the parent. So all that is computed with is side by side. By Grassmann, Taksar and
+Heyman, the diagonal of a front has the sums of its rows in place of the diagonal of the matrix: a
+pivot is the sum of a column, and nothing is subtracted.
 */
 template <int matrices>
 class Multifrontal_elimination {
@@ -39,7 +41,8 @@ public:
       : e_(*factors[0]->symbolic), factors_(factors), laplacian_(laplacian), unit_(unit),
         diagonal_(diagonal), waiting_(row_number(e_.supernodes())) {}
 
-  // Eliminates the supernodes of a part; those of the two halves may be eliminated at a time, before the others.
+  // Eliminates the supernodes of a part; those of the two halves may be eliminated at a time,
+  // before the others.
   // \return the row of a pivot that is not positive, up to rounding, or -1
   int eliminate(Symbolic_factorization::Part part) {
     if (part == Symbolic_factorization::after_both) add_halves();

@@ -22,17 +22,20 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The symbolic factorization of a symmetric matrix: a permutation of its rows, and where its factor has entries. It depends on the
-// pattern alone. The *place* of a row is its number in the permutation.
+// The symbolic factorization of a symmetric matrix: a permutation of its rows, and where its factor
+// has entries. It depends on the pattern alone. The *place* of a row is its number in the
+// permutation.
 struct Symbolic_factorization {
-  // Permutes by approximate minimum degree. \throws std::invalid_argument if the pattern is not symmetric
+  // Permutes by approximate minimum degree. \throws std::invalid_argument if the pattern is not
+  // symmetric
   explicit Symbolic_factorization(const Eigen::SparseMatrix<double>& a);
 
   // An entry of the matrix, below the diagonal once permuted.
   struct Entry {
     int place, number;
   };
-  // Independent subtrees are distributed to two halves, which two threads may eliminate; their common ancestors follow.
+  // Independent subtrees are distributed to two halves, which two threads may eliminate; their
+  // common ancestors follow.
   enum Part : unsigned char { first_half, second_half, after_both };
 
   int supernodes() const { return static_cast<int>(supernode_begin.size()) - 1; }
@@ -51,14 +54,14 @@ struct Symbolic_factorization {
     return height(s) > columns(s) ? supernode[row_number(*rows_below(s))] : -1;
   }
 
-  std::vector<int> row, place;             // the permutation, and its inverse
-  std::vector<int> entry_begin;            // of each column of the permuted matrix
-  std::vector<Entry> entry;                // in the order of the matrix
-  std::vector<int> column_begin;           // of each column of the factor, below the diagonal
-  std::vector<int> supernode;              // of each column
-  std::vector<int> supernode_begin;        // the first column of each
-  std::vector<int> rows_begin, rows;       // places of the entries of the first column of each
-  std::vector<Part> part;                  // of each supernode
+  std::vector<int> row, place;       // the permutation, and its inverse
+  std::vector<int> entry_begin;      // of each column of the permuted matrix
+  std::vector<Entry> entry;          // in the order of the matrix
+  std::vector<int> column_begin;     // of each column of the factor, below the diagonal
+  std::vector<int> supernode;        // of each column
+  std::vector<int> supernode_begin;  // the first column of each
+  std::vector<int> rows_begin, rows; // places of the entries of the first column of each
+  std::vector<Part> part;            // of each supernode
   bool has_halves = false;
 
 private:
@@ -74,7 +77,8 @@ private:
   std::vector<int> added_;           // rows of a new supernode
 };
 
-// Whether there is an entry (c, r) for each (r, c); rows are sorted, so that those of a column are met in their order.
+// Whether there is an entry (c, r) for each (r, c); rows are sorted, so that those of a column are
+// met in their order.
 inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
   const int *const begin = a.outerIndexPtr(), *const row = a.innerIndexPtr();
   std::vector<int> next(begin, begin + a.outerSize());
@@ -119,7 +123,8 @@ inline void Symbolic_factorization::find_entries(const Eigen::SparseMatrix<doubl
   }
 }
 
-// Calls `visit` with the rows below a column, of the matrix and of its children in the elimination tree, until that returns `false`.
+// Calls `visit` with the rows below a column, of the matrix and of its children in the elimination
+// tree, until that returns `false`.
 template <class Visit>
 bool Symbolic_factorization::for_each_row_below(int column, const Visit& visit) const {
   for (int i = entry_begin[row_number(column)]; i < entry_begin[row_number(column + 1)]; ++i)
