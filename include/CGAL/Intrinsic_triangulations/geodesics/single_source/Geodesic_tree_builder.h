@@ -233,12 +233,16 @@ private:
   double angle_between(std::uint32_t from, std::uint32_t to) const {
     double sum = 0;
     std::uint32_t h = from;
-    for (; h != to && !view_.is_border(h); h = next_around_source(view_, h))
+    while (h != to && !view_.is_border(h)) {
       sum += angle_at_source(view_, h);
+      h = next_around_source(view_, h);
+      if (h == from) break;
+    }
     if (h == to) return sum;
     for (h = from, sum = 0; h != to && !view_.is_border(h ^ 1U);) {
       h = view_.next(h ^ 1U);
       sum -= angle_at_source(view_, h);
+      if (h == from) break;
     }
     return sum;
   }

@@ -41,13 +41,17 @@ public:
   }
 
 private:
-  // of a vector in the frame of a corner
+  // Of a vector in the frame of a corner. Not meant for a corner in another fan of a vertex that is
+  // not manifold, but it ends there, too.
   double direction(std::uint32_t corner, Plane_vector<double> d) const {
     const Corner_table& table = field_.table;
     double angle = std::atan2(std::max(d.y, 0.0), d.x);
-    for (std::uint32_t c = table.first_corner[table.corners[corner].origin]; c != corner;
-         c = table.turn_left(c))
+    const std::uint32_t first = table.first_corner[table.corners[corner].origin];
+    for (std::uint32_t c = first; c != corner && c != Gluing::none;) {
       angle += std::atan2(table.corners[c].sine, table.corners[c].cosine);
+      c = table.turn_left(c);
+      if (c == first) break;
+    }
     return angle;
   }
 
