@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Complex_ball.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <boost/container/small_vector.hpp>
@@ -99,16 +101,7 @@ struct Unfolded_diamond {
 
   /// A point of the plane into which the triangles are unfolded, where point 0 is the origin and point 1 is (1, 0).
   template <class FT>
-  struct Position {
-    FT x; ///< first coordinate
-    FT y; ///< second coordinate
-    /// returns the vector between two points.
-    friend Position operator-(const Position& a, const Position& b) {
-      return {a.x - b.x, a.y - b.y};
-    }
-    /// returns the area that two vectors span.
-    friend FT cross(const Position& a, const Position& b) { return a.x * b.y - a.y * b.x; }
-  };
+  using Position = Plane_vector<FT>;
   /// The positions of all points.
   template <class FT>
   using Positions = boost::container::small_vector<Position<FT>, 16>;
@@ -154,7 +147,7 @@ struct Unfolded_diamond {
   static Diamond_values<FT> values_of(const std::array<Position<FT>, 4>& corners, const FT& unit) {
     const auto& [i, j, k, m] = corners;
     const FT twice = unit + unit;
-    const auto length = [&unit](const Position<FT>& e) { return unit * (e.x * e.x + e.y * e.y); };
+    const auto length = [&unit](const Position<FT>& e) { return unit * dot(e, e); };
     return {length(j - i),
             length(k - j),
             length(i - k),
@@ -169,7 +162,7 @@ struct Unfolded_diamond {
   FT squared_length(const Input_values& input) const {
     const Positions<FT> z = positions<FT>(input);
     const Position<FT> e = position(1, z) - position(0, z);
-    return input(triangles.front().face).first[0] * (e.x * e.x + e.y * e.y);
+    return input(triangles.front().face).first[0] * dot(e, e);
   }
 
 private:
@@ -177,10 +170,10 @@ private:
   template <class FT, class Face>
   static Position<FT> apex(const Triangle& t, const Positions<FT>& z, const Face& face) {
     const auto& [l, area] = face;
-    const FT p = l[t.entry] + l[(t.entry + 2) % 3] - l[(t.entry + 1) % 3];
-    const Position<FT> e = z[t.end()] - z[t.start()], &a = z[t.start()];
-    const FT r = FT(1) / (l[t.entry] + l[t.entry]);
-    return {a.x + (e.x * p - e.y * area) * r, a.y + (e.x * area + e.y * p) * r};
+    const Position<FT>& a = z[t.start()];
+    return a + FT(FT(1) / (l[t.entry] + l[t.entry])) *
+                   ((z[t.end()] - a) *
+                    scaled_corner(l[t.entry], l[(t.entry + 1) % 3], l[(t.entry + 2) % 3], area));
   }
 
   // Sides follow from each other along the tree, so that their errors relative to their lengths only add up; differences of
