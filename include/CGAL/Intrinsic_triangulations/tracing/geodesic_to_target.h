@@ -160,8 +160,7 @@ private:
                              Plane_vector<double> v{0, 0};
                              for (unsigned k = 0; k < 3; ++k) {
                                if (w[k] == 0) continue;
-                               const Plane_vector<double> c = walk.relative_corner(k);
-                               v = {v[0] + w[k] * c[0], v[1] + w[k] * c[1]};
+                               v = v + w[k] * walk.relative_corner(k);
                              }
                              v[0] += walk.travelled();
                              const double off = std::hypot(v[0] - length_, v[1]);
@@ -188,10 +187,7 @@ private:
     result.is_reached = clearance >= 0;
     result.is_certain = clearance > walk.position_error();
     result.end = walk.face().side[end_side_];
-    const Plane_vector<double>& d = walk.direction();
-    const double c = end_[0] / result.length, s = end_[1] / result.length;
-    result.direction =
-        walk.face().relative_to(end_side_, {c * d[0] - s * d[1], s * d[0] + c * d[1]});
+    result.direction = walk.face().relative_to(end_side_, end_ / result.length * walk.direction());
     if (strip_.empty()) along_side(walk, start, result);
     return result;
   }

@@ -31,29 +31,6 @@ concept CurveCoordinates = requires(const Coordinates& c, std::uint32_t i) {
   { c.location(i) } -> std::same_as<const Surface_point&>;
 };
 
-namespace internal {
-
-// Whether coordinates keep what crosses each edge, too, so that curves need not be followed.
-template <class Coordinates>
-bool are_crossings_known(const Coordinates& coordinates) {
-  if constexpr (requires { coordinates.knows_crossings(); })
-    return coordinates.knows_crossings();
-  else
-    return false;
-}
-
-// The input halfedge of the face that a halfedge enters after others, of those that are known.
-template <class Coordinates>
-std::uint32_t entered_by(const Coordinates& coordinates, std::uint32_t h,
-                         Normal_coordinate position) {
-  if constexpr (requires { coordinates.entered_by(h, position); })
-    return coordinates.entered_by(h, position);
-  else
-    return Gluing::none;
-}
-
-} // namespace internal
-
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_CURVECOORDINATES_H

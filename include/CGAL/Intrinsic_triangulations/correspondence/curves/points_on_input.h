@@ -56,11 +56,12 @@ std::size_t find_entered(const View& view, const Coordinates& coordinates, std::
                          Normal_coordinate from, Normal_coordinate to,
                          std::vector<std::uint32_t>& entered, std::vector<Curve_bundle>& stack) {
   if (from == to) return 0;
-  if (are_crossings_known(coordinates)) {
-    for (Normal_coordinate i = from; i < to; ++i)
-      entered[static_cast<std::size_t>(i)] = entered_by(coordinates, h, i);
-    return 0;
-  }
+  if constexpr (requires { coordinates.knows_crossings(); })
+    if (coordinates.knows_crossings()) {
+      for (Normal_coordinate i = from; i < to; ++i)
+        entered[static_cast<std::size_t>(i)] = coordinates.entered_by(h, i);
+      return 0;
+    }
   return follow_curves(view, coordinates, {h, from, to - from, from}, stack,
                        [&](Normal_coordinate i, const Curve_end& end) {
                          // the curve crosses from left to right; the way back starts along its opposite

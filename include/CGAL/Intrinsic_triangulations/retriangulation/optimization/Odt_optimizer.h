@@ -264,7 +264,7 @@ private:
     for (int halvings = 0; halvings < maximum_halvings; ++halvings) {
       if (!(std::hypot(p[0], p[1]) > least_step * space)) return std::nullopt;
       if (star_.clearance(p) >= space) return star_.locate(p);
-      p = {p[0] / 2, p[1] / 2};
+      p = p / 2;
     }
     return std::nullopt;
   }

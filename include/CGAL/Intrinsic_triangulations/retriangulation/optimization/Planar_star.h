@@ -73,9 +73,8 @@ public:
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < rim_.size(); ++k) {
       const Plane_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
-      const Plane_vector<double> side{b[0] - a[0], b[1] - a[1]};
-      const double length = std::hypot(side[0], side[1]);
-      least = std::min(least, cross(side, {p[0] - a[0], p[1] - a[1]}) / length);
+      const Plane_vector<double> side = b - a;
+      least = std::min(least, cross(side, p - a) / std::hypot(side.x, side.y));
     }
     return least;
   }

@@ -113,8 +113,7 @@ Located_circumcenter locate_circumcenter(const Complex& complex, std::uint32_t h
   if (w[0] >= 0 && w[1] >= 0 && w[2] >= 0) return internal::arrived({h, w}, face, is_segment);
   // from the barycenter, which is at a third of the sum of the vectors to the corners
   const double third = 1.0 / 3, x = w[1] - third, y = w[2] - third;
-  const Plane_vector<double> v{x * face.edge[0][0] - y * face.edge[2][0],
-                               x * face.edge[0][1] - y * face.edge[2][1]};
+  const Plane_vector<double> v = x * face.edge[0] - y * face.edge[2];
   const double length = std::hypot(v[0], v[1]);
   if (!(length > 0) || !std::isfinite(length)) return nowhere;
   Geodesic_walk<Complex> walk(complex, {h, {1 - 2 * third, third, third}}, v);
