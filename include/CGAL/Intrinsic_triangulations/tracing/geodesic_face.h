@@ -39,6 +39,17 @@ std::array<double, 3> squared_lengths_of_face(const Complex& complex, std::uint3
           complex.squared_length(ki / 2)};
 }
 
+/*!
+\brief returns where the third corner of the face of `h` is if the ends of `h` are at 0 and 1.
+\tparam Complex a model of `NumberedComplex`
+\pre `h` has a face, and a length
+*/
+template <class Complex>
+Plane_vector<double> apex_above_side(const Complex& complex, std::uint32_t h) {
+  const auto [ij, jk, ki] = squared_lengths_of_face(complex, h);
+  return apex(ij, jk, ki, complex.quadruple_area(complex.face(h)));
+}
+
 /// returns a functor from a halfedge to the values of its face, from it on, as doubles.
 template <class Complex>
 auto approximate_values(const Complex& complex) {

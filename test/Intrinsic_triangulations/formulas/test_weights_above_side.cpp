@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/weights_above_side.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 
 #include <gtest/gtest.h>
 
