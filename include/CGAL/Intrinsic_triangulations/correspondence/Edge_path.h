@@ -32,7 +32,7 @@ struct Mapped_point {
 
   /// takes a tangent vector from the frame where the point was given to that of `point.halfedge`.
   Plane_vector<double> transfer(const Plane_vector<double>& v) const {
-    return found * (conjugate(given) * v);
+    return found * in_frame(given, v);
   }
 };
 

@@ -43,12 +43,14 @@ struct Plane_vector {
     return a.x == b.x && a.y == b.y;
   }
 
-  /// returns the mirror image in the x-axis; `conjugate(a) * b` is `b` in the frame of `a`, times the length of `a`.
-  friend Plane_vector conjugate(const Plane_vector& a) { return {a.x, -a.y}; }
   /// returns the inner product.
   friend FT dot(const Plane_vector& a, const Plane_vector& b) { return a.x * b.x + a.y * b.y; }
   /// returns the area that two vectors span: positive if `b` is to the left of `a`.
   friend FT cross(const Plane_vector& a, const Plane_vector& b) { return a.x * b.y - a.y * b.x; }
+  /// returns `b` in the frame of `a`, times the length of `a`: along it, and to the left of it.
+  friend Plane_vector in_frame(const Plane_vector& a, const Plane_vector& b) {
+    return {dot(a, b), cross(a, b)};
+  }
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -95,7 +95,7 @@ inline std::array<double, 3> weights_in_triangle(const Plane_vector<double>& p,
                                                  const Plane_vector<double>& c) {
   const Plane_vector<double> side = b - a;
   const auto seen = [&](const Plane_vector<double>& q) {
-    return conjugate(side) * (q - a) / dot(side, side);
+    return in_frame(side, q - a) / dot(side, side);
   };
   return weights_above_side(seen(p), seen(c));
 }

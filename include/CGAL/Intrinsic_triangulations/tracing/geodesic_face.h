@@ -99,7 +99,7 @@ struct Geodesic_face {
 
   /// returns a direction relative to side `s`: along it, and to the left of it.
   Plane_vector<double> relative_to(unsigned s, const Plane_vector<double>& v) const {
-    return length[s] > 0 ? conjugate(edge[s]) * v / length[s] : v;
+    return length[s] > 0 ? in_frame(edge[s], v) / length[s] : v;
   }
 
   /// returns a direction that is given relative to side `s`.

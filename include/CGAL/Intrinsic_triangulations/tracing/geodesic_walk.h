@@ -107,7 +107,7 @@ public:
   /// returns how far a point of the face is along the line and to the left of it, seen from the
   /// entry, given the vector to it.
   Plane_vector<double> relative(const Plane_vector<double>& v) const {
-    return conjugate(direction_) * v;
+    return in_frame(direction_, v);
   }
   /// returns the same for a corner.
   Plane_vector<double> relative_corner(unsigned corner) const {

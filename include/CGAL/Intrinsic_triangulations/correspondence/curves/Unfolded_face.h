@@ -185,7 +185,7 @@ public:
                   side = approximate(position(face_.corner(1))) -
                          approximate(position(face_.corner(0)));
     return {{halfedge(t), weights_in_triangle(t, p)},
-            conjugate(side) * d / std::sqrt(dot(d, d) * dot(side, side)),
+            in_frame(side, d) / std::sqrt(dot(d, d) * dot(side, side)),
             {1, 0}};
   }
 
