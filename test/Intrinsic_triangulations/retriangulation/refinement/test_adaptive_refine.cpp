@@ -11,13 +11,12 @@
 #include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <gtest/gtest.h>
-
-#include <Eigen/SparseCholesky>
 
 #include <cmath>
 #include <cstddef>
@@ -170,17 +169,15 @@ meshes::Mesh flat_l_shape(std::uint32_t n) {
 /// Solves -div grad u = 1, u = 0 on the border.
 template <class T>
 Vector solve_torsion(T& t) {
-  Eigen::SparseMatrix<double> l = IT::cotangent_laplacian(t);
-  Vector load = IT::internal::areas_at_vertices(t) / 3;
+  const Eigen::SparseMatrix<double> l = IT::cotangent_laplacian(t);
+  std::vector<std::uint32_t> fixed;
   for (const auto h : halfedges(t.mesh()))
-    if (face(h, t.mesh()) == boost::graph_traits<typename T::Mesh>::null_face()) {
-      const auto v = static_cast<int>(t.input_vertex(source(h, t.mesh())));
-      IT::internal::fix_value(l, v);
-      load[v] = 0;
-    }
+    if (face(h, t.mesh()) == boost::graph_traits<typename T::Mesh>::null_face())
+      fixed.push_back(t.input_vertex(source(h, t.mesh())));
   for (int v = 0; v < l.rows(); ++v) // numbers of removed vertices
-    if (l.coeff(v, v) == 0) l.coeffRef(v, v) = 1;
-  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(l).solve(load);
+    if (l.coeff(v, v) == 0) fixed.push_back(static_cast<std::uint32_t>(v));
+  return IT::solve_with_fixed_values(l, Vector(IT::internal::areas_at_vertices(t) / 3), fixed,
+                                     Vector::Zero(static_cast<Eigen::Index>(fixed.size())));
 }
 
 /// Of the torsion of the L shape: the energy of the solution is the integral of u, by Galerkin
