@@ -9,17 +9,17 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Vertex_rows.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_values.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_values.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Session.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
@@ -131,10 +131,9 @@ public:
   \param input what it was built from
   \param coordinates how `map` lies on `input`, from which the correspondence is restored
   */
-  Intrinsic_triangulation(
-      Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
-      const Integer_coordinates& coordinates) 
-        requires internal::Restorable<Correspondence_, Intrinsic_triangulation>;
+  Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
+                          const Integer_coordinates& coordinates) requires
+      internal::Restorable<Correspondence_, Intrinsic_triangulation>;
 
   /// copies everything but the input, which is shared; elements keep their numbers.
   Intrinsic_triangulation(const Intrinsic_triangulation& other)
@@ -327,7 +326,8 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric
 template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
 Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(
     Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
-    const Integer_coordinates& coordinates) requires internal::Restorable<C, Intrinsic_triangulation>
+    const Integer_coordinates& coordinates) requires
+    internal::Restorable<C, Intrinsic_triangulation>
     : input_(std::move(input)),
       mesh_(mesh_from_gluing_map<Mesh>(std::move(map))),
       number_(mesh_),

@@ -3,7 +3,6 @@
 
 // What decides exactly, and values of the input; what knows where vertices are.
 
-#include <CGAL/Intrinsic_triangulations/correspondence/Sheets_impl.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/ladder.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>

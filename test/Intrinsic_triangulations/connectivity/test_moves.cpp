@@ -161,8 +161,10 @@ void expect_topology(const Complex<Mesh>& c, const gallery::Surface& s) {
   EXPECT_EQ(IT::boundary_loops(c.mesh).size(), s.expected.boundary_loops);
   EXPECT_EQ(IT::connected_components(c.mesh).count, s.expected.components);
   EXPECT_EQ(IT::genus(c.mesh).value_or(99), s.expected.genus);
-  EXPECT_EQ(IT::nonmanifold_vertices(c.mesh).size(), s.expected.nonmanifold_vertices);
-  EXPECT_EQ(IT::isolated_vertices(c.mesh).size(), s.expected.isolated_vertices);
+  const std::vector<std::uint32_t> u = IT::umbrellas(c.mesh);
+  EXPECT_EQ(std::count(u.begin(), u.end(), 0U), s.expected.isolated_vertices);
+  EXPECT_EQ(std::count_if(u.begin(), u.end(), [](std::uint32_t n) { return n > 1; }),
+            s.expected.nonmanifold_vertices);
 }
 
 // whether the third corner of the face of h is a vertex with three edges, none a loop, and no border
@@ -543,7 +545,6 @@ TEST(Gluing_map_with_removed_elements, is_read_and_copied_without_them) {
   const Complex<IT::Gluing_map> c = with_gaps();
   ASSERT_TRUE(c.mesh.has_garbage());
   EXPECT_EQ(IT::euler_characteristic(c.mesh), 2);
-  EXPECT_EQ(IT::degrees(c.mesh), (std::vector<std::uint32_t>{3, 3, 3, 3}));
   EXPECT_EQ(IT::umbrellas(c.mesh), (std::vector<std::uint32_t>{1, 1, 1, 1}));
   EXPECT_EQ(IT::incidence(c.mesh).number_of_edges, 6U);
   const Gluing g = IT::gluing_from_map(c.mesh);

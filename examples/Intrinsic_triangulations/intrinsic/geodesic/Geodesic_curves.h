@@ -153,8 +153,8 @@ private:
     std::vector<IT::Polyline> result;
     for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) {
       if (network_.is_point(c)) {
-        result.push_back({points_at(network_.start(c)), network_.is_loop(c),
-                          static_cast<std::int32_t>(c)});
+        result.push_back(
+            {points_at(network_.start(c)), network_.is_loop(c), static_cast<std::int32_t>(c)});
         continue;
       }
       const IT::Traced_curve curve = IT::trace_curve(t_, network_.halfedges(c));

@@ -29,10 +29,10 @@ class Compared_metric : public Metric {
 public:
   Compared_metric() = default;
   Compared_metric(const IT::Gluing_map& mesh, const IT::Input_metric& input)
-      : Metric(mesh, input), exact_(std::in_place, mesh, IT::Exact_euclidean_metric(mesh, input),
-                                    std::make_shared<const IT::Input_definition>(
-                                        IT::Input_definition::Parts{
-                                            mesh.number_of_vertices(), input, {}, {}, {}})) {}
+      : Metric(mesh, input),
+        exact_(std::in_place, mesh, IT::Exact_euclidean_metric(mesh, input),
+               std::make_shared<const IT::Input_definition>(
+                   IT::Input_definition::Parts{mesh.number_of_vertices(), input, {}, {}, {}})) {}
 
   bool is_locally_delaunay(const IT::Diamond& d) const {
     const bool answer = Metric::is_locally_delaunay(d);

@@ -227,8 +227,8 @@ inline Gluing_map::Edge Gluing_map::add_edge() {
   return {number_of_edges() - 1};
 }
 
-inline std::uint32_t
-Gluing_map::add(std::vector<std::uint32_t>& elements, std::vector<std::uint32_t>& free) {
+inline std::uint32_t Gluing_map::add(std::vector<std::uint32_t>& elements,
+                                     std::vector<std::uint32_t>& free) {
   if (free.empty()) {
     elements.push_back(Gluing::none);
     return static_cast<std::uint32_t>(elements.size()) - 1;

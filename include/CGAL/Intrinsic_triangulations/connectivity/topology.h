@@ -95,31 +95,6 @@ inline std::vector<std::uint32_t> border_of_loops(const Gluing_map& m) {
   return loops;
 }
 
-// the descriptors of the elements with given increasing numbers in the order of iteration
-template <class Range, class Descriptor>
-void select(const Range& range, const std::vector<std::uint32_t>& numbers,
-            std::vector<Descriptor>& selected) {
-  std::uint32_t i = 0;
-  auto wanted = numbers.begin();
-  for (const Descriptor d : range) {
-    if (wanted == numbers.end()) return;
-    if (i++ != *wanted) continue;
-    selected.push_back(d);
-    ++wanted;
-  }
-}
-
-template <class Mesh, class Condition>
-auto vertices_with(const Mesh& mesh, Condition condition) {
-  std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> selected;
-  const std::vector<std::uint32_t> umbrellas = umbrellas_of_vertices(*As_gluing_map(mesh));
-  std::vector<std::uint32_t> numbers;
-  for (std::uint32_t v = 0; v < umbrellas.size(); ++v)
-    if (condition(umbrellas[v])) numbers.push_back(v);
-  select(vertices(mesh), numbers, selected);
-  return selected;
-}
-
 } // namespace internal
 
 /*!
@@ -215,24 +190,6 @@ boundary_loops(const Mesh& mesh) {
 }
 
 /*!
-\brief counts the edges at each vertex, with multiplicity: a loop counts twice (§2.1 of the course).
-\tparam Mesh a model of `MutableDeltaComplex`
-*/
-template <class Mesh>
-std::vector<std::uint32_t> degrees(const Mesh& mesh) {
-  const internal::As_gluing_map read(mesh);
-  const Gluing_map& m = *read;
-  std::vector<std::uint32_t> degree(m.number_of_vertices(), 0);
-  for (std::uint32_t h = 0; h < m.number_of_halfedges(); h += 2) {
-    const Gluing_map::Halfedge inner =
-        m.face({h}).index != Gluing::none ? Gluing_map::Halfedge{h} : Gluing_map::Halfedge{h + 1};
-    ++degree[m.source(inner).index];
-    ++degree[m.target(inner).index];
-  }
-  return degree;
-}
-
-/*!
 \brief counts the umbrellas of each vertex: the components that the face corners at it form across
 edges. One at a manifold vertex, none at an isolated one, more at a nonmanifold one.
 \tparam Mesh a model of `MutableDeltaComplex`
@@ -240,38 +197,6 @@ edges. One at a manifold vertex, none at an isolated one, more at a nonmanifold 
 template <class Mesh>
 std::vector<std::uint32_t> umbrellas(const Mesh& mesh) {
   return internal::umbrellas_of_vertices(*internal::As_gluing_map(mesh));
-}
-
-/*!
-\brief counts all umbrellas: the vertices that remain after splitting nonmanifold ones and dropping
-isolated ones.
-\tparam Mesh a model of `MutableDeltaComplex`
-*/
-template <class Mesh>
-std::size_t number_of_umbrellas(const Mesh& mesh) {
-  std::size_t sum = 0;
-  for (const std::uint32_t count : umbrellas(mesh)) sum += count;
-  return sum;
-}
-
-/*!
-\brief lists the vertices without a face.
-\tparam Mesh a model of `MutableDeltaComplex`
-*/
-template <class Mesh>
-std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>
-isolated_vertices(const Mesh& mesh) {
-  return internal::vertices_with(mesh, [](std::uint32_t umbrellas) { return umbrellas == 0; });
-}
-
-/*!
-\brief lists the vertices with more than one umbrella.
-\tparam Mesh a model of `MutableDeltaComplex`
-*/
-template <class Mesh>
-std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>
-nonmanifold_vertices(const Mesh& mesh) {
-  return internal::vertices_with(mesh, [](std::uint32_t umbrellas) { return umbrellas > 1; });
 }
 
 /*!
@@ -289,8 +214,8 @@ std::optional<std::size_t> genus(const Mesh& mesh) {
   if (!is_orientable(m)) return std::nullopt;
   // all terms are nonnegative, and so is the sum: 2 g = (2 C + E) - (V + F + b)
   const std::size_t more = 2 * std::size_t{connected_components(m).count} + m.number_of_edges();
-  const std::size_t less =
-      number_of_umbrellas(m) + m.number_of_faces() + internal::border_of_loops(m).size();
+  std::size_t less = m.number_of_faces() + internal::border_of_loops(m).size();
+  for (const std::uint32_t count : umbrellas(m)) less += count;
   return (more - less) / 2;
 }
 

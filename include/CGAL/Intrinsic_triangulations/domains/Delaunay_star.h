@@ -110,8 +110,7 @@ private:
   std::uint32_t center_;
 };
 
-inline bool Delaunay_star::find(std::uint32_t center,
-                                                              std::vector<Neighbour>& neighbours) {
+inline bool Delaunay_star::find(std::uint32_t center, std::vector<Neighbour>& neighbours) {
   using P = Star_predicates;
   const P predicates(center);
   std::erase_if(neighbours, [](const Neighbour& a) { return a.at[0] == 0 && a.at[1] == 0; });

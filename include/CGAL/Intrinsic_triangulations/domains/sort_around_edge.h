@@ -58,8 +58,8 @@ private:
 // \return places in `apices`, in the new order
 // \pre coordinates are finite
 inline std::vector<std::uint32_t> sort_around_edge(const std::vector<std::array<double, 3>>& points,
-                                            std::uint32_t a, std::uint32_t b,
-                                            const std::vector<std::uint32_t>& apices) {
+                                                   std::uint32_t a, std::uint32_t b,
+                                                   const std::vector<std::uint32_t>& apices) {
   const auto point = [&points](std::uint32_t v) {
     return Half_planes::Point(points[v][0], points[v][1], points[v][2]);
   };

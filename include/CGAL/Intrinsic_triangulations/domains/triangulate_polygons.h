@@ -275,8 +275,8 @@ private:
 };
 
 // Triangulates the polygons of `soup` in place.
-inline void triangulate_polygons(const Polygons& polygons, Nonplanar_polygons kind, Triangle_soup& soup,
-                          const Polygon_failure& fail) {
+inline void triangulate_polygons(const Polygons& polygons, Nonplanar_polygons kind,
+                                 Triangle_soup& soup, const Polygon_failure& fail) {
   if (polygons.size() != 0) Soup_triangulator(polygons, kind, soup, fail).run();
 }
 

@@ -95,8 +95,7 @@ struct Input_names {
   }
 };
 
-inline Element_names
-Element_names::after(const Element_names& renumbered) const {
+inline Element_names Element_names::after(const Element_names& renumbered) const {
   if (is_identity() || renumbered.is_identity()) return is_identity() ? renumbered : *this;
   std::vector<std::uint32_t> users;
   users.reserve(renumbered.user_.size());

@@ -128,7 +128,8 @@ public:
   Input() = default;
 
   /// takes the parts of the surface. \param mesh the connectivity \param parts all else
-  Input(Gluing_map mesh, Parts parts) : Input_definition(std::move(parts)), mesh_(std::move(mesh)) {}
+  Input(Gluing_map mesh, Parts parts)
+      : Input_definition(std::move(parts)), mesh_(std::move(mesh)) {}
 
   /// takes the parts of the surface.
   /// \param mesh the connectivity \param metric what defines lengths and areas \param names the numbers in the user's mesh
@@ -145,7 +146,8 @@ public:
   \param values the metric of the surface
   */
   template <class Metric>
-  Input(Gluing_map mesh, Parts parts, const Metric& values) : Input(std::move(mesh), std::move(parts)) {
+  Input(Gluing_map mesh, Parts parts, const Metric& values)
+      : Input(std::move(mesh), std::move(parts)) {
     squared_length_.reserve(number_of_edges());
     quadruple_area_.reserve(number_of_faces());
     for (std::uint32_t e = 0; e < number_of_edges(); ++e)

@@ -35,6 +35,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -54,7 +55,8 @@ constexpr double pi = std::numbers::pi;
 std::ptrdiff_t characteristic(const Exact& t) {
   const auto edges_there = edges(t.mesh());
   const auto faces_there = faces(t.mesh());
-  return static_cast<std::ptrdiff_t>(IT::number_of_umbrellas(t.mesh())) -
+  const std::vector<std::uint32_t> umbrellas = IT::umbrellas(t.mesh());
+  return std::accumulate(umbrellas.begin(), umbrellas.end(), std::ptrdiff_t{0}) -
          std::distance(edges_there.begin(), edges_there.end()) +
          std::distance(faces_there.begin(), faces_there.end());
 }

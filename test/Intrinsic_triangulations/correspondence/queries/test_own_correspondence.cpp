@@ -122,7 +122,8 @@ TYPED_TEST(Own_correspondence, Opens_all_queries) {
     ASSERT_TRUE(q && are_equal(*q, *IT::locate_on_input(known, p)));
     const auto back = IT::locate_on_intrinsic(t, *q);
     ASSERT_TRUE(back && are_equal(*back, *IT::locate_on_intrinsic(known, *q)));
-    const auto v = IT::tangent_to_input(t, {p, {1, 0}}), w = IT::tangent_to_input(known, {p, {1, 0}});
+    const auto v = IT::tangent_to_input(t, {p, {1, 0}}),
+               w = IT::tangent_to_input(known, {p, {1, 0}});
     ASSERT_TRUE(v && v->vector == w->vector);
     const auto u = IT::tangent_to_intrinsic(t, *v), x = IT::tangent_to_intrinsic(known, *v);
     ASSERT_TRUE(u && u->vector == x->vector);
@@ -132,7 +133,8 @@ TYPED_TEST(Own_correspondence, Opens_all_queries) {
   for (const auto e : edges(t.mesh()))
     EXPECT_EQ(IT::trace_edge(t, e).points.size(), IT::trace_edge(known, e).points.size());
   for (std::uint32_t x = 0; x < t.input().number_of_halfedges(); ++x)
-    EXPECT_EQ(IT::trace_input_edge(t, x).points.size(), IT::trace_input_edge(known, x).points.size());
+    EXPECT_EQ(IT::trace_input_edge(t, x).points.size(),
+              IT::trace_input_edge(known, x).points.size());
   EXPECT_EQ(IT::common_subdivision(t).number_of_faces(),
             IT::common_subdivision(known).number_of_faces());
   const std::vector<char> all(t.input().number_of_edges(), 1);

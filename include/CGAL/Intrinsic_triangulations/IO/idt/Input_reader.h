@@ -47,8 +47,8 @@ public:
     read_edges();
     read_faces();
     Gluing_map& mesh = connectivity_.mesh;
-    Input_definition::Parts parts{mesh.number_of_vertices(), metric(scale_exponent), read_names(),
-                                  {}, report_};
+    Input_definition::Parts parts{
+        mesh.number_of_vertices(), metric(scale_exponent), read_names(), {}, report_};
     if (!has_surface()) return std::make_shared<const Input_definition>(std::move(parts));
     parts.planar_polygons = read_planar_polygons(parts.names);
     if (!parts.planar_polygons.empty())

@@ -111,8 +111,7 @@ public:
   std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
     return kept_.entered_by(h, position);
   }
-  /// notes down what crosses each edge, in one pass along the input edges, unless that is very much: for those who will ask
-  /// about all edges. It is a cache. \complexity linear in the number of crossings
+  /// notes down what crosses each edge, unless that is very much. \complexity linear in crossings
   template <class Triangulation>
   void keep_crossings(const Triangulation& t) const {
     kept_.keep_if_few(t, *this, std::size_t(1) << 25U); // four bytes each

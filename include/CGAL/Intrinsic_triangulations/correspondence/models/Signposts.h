@@ -7,8 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/locate_by_signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signpost_queries.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>

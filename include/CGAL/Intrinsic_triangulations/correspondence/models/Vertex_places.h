@@ -143,9 +143,10 @@ template <class Triangulation>
 void Vertex_places<Triangulation>::start(const Triangulation& t) const {
   Gluing_map mesh = flips_.undone(connectivity(t), t.input());
   own_.emplace();
-  own_->start(Started{is_defined_by_metric(t)
-                          ? std::shared_ptr<const Input>(t.shared_input(), t.input().surface())
-                          : std::make_shared<const Input>(mesh, t.input().metric(), t.input().names())});
+  own_->start(
+      Started{is_defined_by_metric(t)
+                  ? std::shared_ptr<const Input>(t.shared_input(), t.input().surface())
+                  : std::make_shared<const Input>(mesh, t.input().metric(), t.input().names())});
   const Mesh_adaptor<Gluing_map> numbers(mesh);
   for (std::size_t n = 0; n < flips_.size(); ++n) {
     const Flip move = flip_record(flips_[n], mesh, numbers);

@@ -111,7 +111,8 @@ std::optional<Tangent_vector> tangent_to_intrinsic(const Triangulation& t,
   const Intrinsic_view<Triangulation> view(t);
   const auto queries = internal::queries(t);
   return internal::take_tangent(
-      t.correspondence().input(), v, [&](const Surface_point& p) { return queries.on_intrinsic(p); },
+      t.correspondence().input(), v,
+      [&](const Surface_point& p) { return queries.on_intrinsic(p); },
       [&](std::uint32_t h, double turn) {
         const auto direction = queries.direction_on_intrinsic(h, turn);
         return direction ? std::optional(Walk(view, *direction)) : std::nullopt;
