@@ -97,6 +97,11 @@ public:
   template <class Figure>
   std::optional<double> weight(const Input_metric& input, const Figure& diamond, unsigned bits);
 
+  /// returns the same, in 106 bits, of many diamonds, each of which is two faces, joined along the
+  /// first side of each.
+  std::vector<std::optional<double>> weights(const Input_metric& input,
+                                             const Replayed_faces& faces);
+
 private:
   struct Memory;
   Memory& memory(); // made when it is first asked for

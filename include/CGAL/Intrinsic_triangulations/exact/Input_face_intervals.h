@@ -56,12 +56,7 @@ public:
     };
   }
 
-private:
-  static constexpr bool is_long = std::is_same_v<FT, Ball<Mpfr_number>>;
-
-  static constexpr std::size_t maximal_faces =
-      is_long ? thresholds::remembered_faces : std::size_t(1) << 31;
-
+  /// computes the values of a face.
   static Face face(const Input_metric& input, std::uint32_t f) {
     if constexpr (std::is_same_v<FT, Interval_nt<false>>)
       return {lengths(input, f), narrow_area(input, f)};
@@ -74,6 +69,12 @@ private:
               values.quadruple_area(f)};
     }
   }
+
+private:
+  static constexpr bool is_long = std::is_same_v<FT, Ball<Mpfr_number>>;
+
+  static constexpr std::size_t maximal_faces =
+      is_long ? thresholds::remembered_faces : std::size_t(1) << 31;
 
   // as good as so many bits can be, whatever a thin face loses
   static Face wide_face(const Input_metric& input, std::uint32_t f) {

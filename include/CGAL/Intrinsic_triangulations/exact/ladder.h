@@ -20,6 +20,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/proofs/prism.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/prism_in_field.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -93,6 +94,23 @@ Exact_ladder::squared_length(const Input_metric& input, const Unfolded_diamond& 
         return diamond.squared_length<Number>(numbers.of(input));
       },
       [](const auto& length) { return internal::intervals(length); });
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::optional<double>>
+Exact_ladder::weights(const Input_metric& input, const Replayed_faces& faces) {
+  using Number = Ball<Double_double>;
+  std::vector<std::optional<double>> result;
+  std::optional<Face_values<Number>> left;
+  internal::to_nearest([&] {
+    // each face of the input is asked for once, and many are: nothing is to be remembered
+    faces.for_each_face<Number>(
+        [&input](std::uint32_t f) { return Input_face_intervals<Number>::face(input, f); },
+        [&](const Face_values<Number>& f) {
+          if (left) result.push_back(nearest_double(cotangent_weight(diamond_values(*left, f))));
+          left = left ? std::nullopt : std::optional(f);
+        });
+  });
+  return result;
 }
 
 template <class Figure>

@@ -222,6 +222,7 @@ public:
   double cotangent_weight(const Diamond& d, const Exact& exact) const;
 
   using Enclosed_values::cotangent_weight;
+  using Enclosed_values::stored_weight;
 
 private:
   // in which values are computed, one after the other until they are narrow

@@ -13,9 +13,11 @@
 #include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -126,18 +128,27 @@ public:
   }
   /// returns half the sum of the cotangents of the angles opposite the edge of a diamond.
   double cotangent_weight(const Diamond& d) const {
-    if constexpr (by_input)
+    if constexpr (by_input) {
+      if (self().exact_values().asks_for_weights() && !metric().stored_weight(d)) find_weights();
       return metric().cotangent_weight(d, self().exact_values());
-    else
+    } else {
       return metric().cotangent_weight(d);
+    }
   }
-  /// makes what is stored of faces as accurate as it can be.
+  /// makes what is stored of faces as accurate as it can be; of all faces, once single ones have
+  /// taken as long as that would.
   void sharpen(std::span<const Indexed_face> faces) const {
-    if constexpr (by_input) metric().sharpen(faces, self().exact_values());
+    if constexpr (by_input) {
+      if (self().exact_values().asks_for_faces()) sharpen_all();
+      metric().sharpen(faces, self().exact_values());
+    }
   }
-  /// makes what is stored of the first side of a face as accurate as it can be.
+  /// makes what is stored of the first side of a face as accurate as it can be; see above.
   void sharpen_length(const Indexed_face& face) const {
-    if constexpr (by_input) metric().sharpen_length(face, self().exact_values());
+    if constexpr (by_input) {
+      if (self().exact_values().asks_for_faces()) sharpen_all();
+      metric().sharpen_length(face, self().exact_values());
+    }
   }
 
   /// returns the squared length of an edge as a double, in the units of the input; with exact traits to 1e-12 of it.
@@ -156,6 +167,31 @@ public:
   }
 
 private:
+  void sharpen_all() const {
+    std::vector<Indexed_face> wide;
+    for (const auto f : faces(self().mesh()))
+      if (const auto face = internal::indexed_face(self(), f); !metric().is_narrow(face))
+        wide.push_back(face);
+    const auto exact = self().exact_values();
+    exact.sharpen_all([&] { metric().sharpen(wide, exact); });
+  }
+
+  // of all edges whose weights are not told by what is stored
+  void find_weights() const {
+    const auto& mesh = self().mesh();
+    const auto null = boost::graph_traits<Mesh>::null_face();
+    std::vector<Diamond> diamonds;
+    for (const auto e : edges(mesh)) {
+      const auto h = halfedge(e, mesh);
+      if (face(h, mesh) == null || face(opposite(h, mesh), mesh) == null) continue;
+      const Diamond d = self().diamond(h);
+      if (!metric().stored_weight(d)) diamonds.push_back(d);
+    }
+    std::sort(diamonds.begin(), diamonds.end(),
+              [](const Diamond& a, const Diamond& b) { return a.ij < b.ij; });
+    self().exact_values().find_weights(diamonds);
+  }
+
   static constexpr bool by_input = internal::Defined_by_places<Metric>;
 
   const Triangulation& self() const { return static_cast<const Triangulation&>(*this); }

@@ -5,11 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXACT_VALUES_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
@@ -27,36 +25,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// Working memory of those who ask for exact values; a copy starts anew where it can.
-struct Exact_memory {
-  Exact_ladder ladder;
-  Diamond_unfolder unfolder;
-  std::optional<Flat_parts> flat_parts;
-  std::optional<bool> are_lengths_positive; // of the input; not known yet
-
-  // follows moves
-  void after(const Flip& move) {
-    if (flat_parts) flat_parts->flip(move.diamond.f, move.diamond.g);
-  }
-  void after(const Star_of_vertex& move) {
-    if (flat_parts)
-      for (const std::uint32_t f : move.faces) flat_parts->change(f);
-  }
-  void after(const Star_on_border& move) {
-    if (flat_parts)
-      for (const std::uint32_t f : {move.f, move.g}) flat_parts->change(f);
-  }
-};
-
-// Other metrics need none.
-struct No_exact_memory {
-  template <class Move>
-  void after(const Move&) {}
-};
 
 /*
 Knows the values of a triangulation exactly, by where its edges run on the input: finds the figure from which an `Exact_ladder`
@@ -91,12 +64,46 @@ public:
     });
   }
 
-  // intervals that contain the values of faces, computed in so many bits
+  // Intervals that contain the values of faces, computed in so many bits, or more: stored ones have
+  // gone through flips in 53.
   std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face> faces,
                                           unsigned bits) const {
-    return with_figure(faces, [&](const auto& figure) {
-      return memory_.ladder.enclosures(metric(), figure, bits);
-    });
+    if ((asks_for_faces() && !can_unfold_soon()) || !can_unfold(faces))
+      return memory_.ladder.enclosures(metric(), replayed(faces), std::max(bits, 106U));
+    std::vector<Face_values<FT>> result;
+    for (const Indexed_face& f : faces) // one by one: thousands of triangles may be under each
+      result.push_back(with_figure(std::span(&f, 1), [&](const auto& figure) {
+        return memory_.ladder.enclosures(metric(), figure, bits).front();
+      }));
+    return result;
+  }
+
+  // Whether values of all faces are to be found at once, or weights of all edges: when single ones
+  // have taken as long, or there is nothing to unfold yet.
+  bool asks_for_faces() const { return !memory_.are_sharp && asks_for_all(); }
+  bool asks_for_weights() const { return !memory_.are_weighed && asks_for_all(); }
+
+  // calls a function that makes all faces as narrow as they can be
+  template <class Function>
+  void sharpen_all(const Function& sharpen) const {
+    note_crossings();
+    sharpen();
+    memory_.are_sharp = true;
+    count_pass();
+  }
+  // finds weights of diamonds, in the order of their edges, if that takes less time than one by one
+  void find_weights(std::span<const Diamond> diamonds) const {
+    note_crossings();
+    memory_.are_weighed = true;
+    count_pass();
+    memory_.weights.clear();
+    std::vector<Indexed_face> faces;
+    for (const Diamond& d : diamonds)
+      for (const Indexed_face& f : faces_of(d)) faces.push_back(f);
+    if (places_.has_coordinates(t_) && can_unfold(faces)) return;
+    const auto all = memory_.ladder.weights(metric(), replayed(faces));
+    for (std::size_t i = 0; i < all.size(); ++i)
+      memory_.weights.emplace_back(diamonds[i].ij, all[i]);
   }
 
   // the same for the squared length of the first side of a face
@@ -114,6 +121,10 @@ public:
 
   // The double nearest to the cotangent weight of a diamond. \pre it is not zero
   double nonzero_weight(const Diamond& d, Predicate_statistics& statistics) const {
+    if (const auto known = known_weight(d)) {
+      ++statistics.sharpenings[106];
+      return *known;
+    }
     return with_figure(d, [&](const auto& figure) {
       std::optional<double> weight;
       for (unsigned bits = 106; !weight; bits = bits == 106 ? 256 : 2 * bits) {
@@ -128,19 +139,17 @@ public:
   template <class Function>
   auto with_figure(const Diamond& d, const Function& f) const {
     if (can_unfold(d)) return f(unfolded(d));
-    return f(Replayed_diamond(replayed({{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}})));
+    return f(Replayed_diamond(replayed(faces_of(d))));
   }
 
   // calls a function with the figure of faces
   template <class Function>
   auto with_figure(std::span<const Indexed_face> faces, const Function& f) const {
+    if (!can_unfold(faces)) return f(replayed(faces));
     Unfolded_faces unfolded;
-    for (const auto& [face, e] : faces) {
-      if (!can_unfold(e))
-        return f(replayed(std::vector<Indexed_face>(faces.begin(), faces.end())));
+    for (const auto& [face, e] : faces)
       unfolded.faces.push_back(
           memory_.unfolder.face(view_, coordinates(), halfedge(face, e[0], e[1])));
-    }
     return f(unfolded);
   }
 
@@ -156,27 +165,78 @@ public:
 
 private:
   const Input_metric& metric() const { return t_.input().metric(); }
+
+  bool asks_for_all() const {
+    if (const Flip_list* flips = places_.flips())
+      return !can_unfold_soon() || memory_.steps > flips->size() / 4;
+    // where vertices were inserted: as many steps as one pass along the input edges takes, and one
+    // over all triangles under faces
+    if (memory_.steps <= memory_.enough_steps) return false;
+    const Integer_coordinates& c = *places_.coordinates(t_);
+    memory_.enough_steps = c.number_of_edges();
+    for (std::uint32_t e = 0; e < c.number_of_edges(); ++e)
+      memory_.enough_steps += 8 * number_of_crossings(c, e);
+    return memory_.steps > memory_.enough_steps;
+  }
+  // whether there are coordinates, or it pays to make some, which follow moves
+  bool can_unfold_soon() const {
+    return places_.has_coordinates(t_) || memory_.passes > few_passes;
+  }
+  // of all edges, in one pass along the input edges; where flips are known, they are made again
+  void note_crossings() const {
+    memory_.unfolder.take_steps(); // else these would be counted against the notes
+    if (places_.flips() == nullptr) places_.coordinates(t_)->keep_crossings(t_);
+  }
+  void count_pass() const {
+    memory_.steps = memory_.enough_steps = 0;
+    ++memory_.passes;
+  }
+  static constexpr unsigned few_passes = 4; // without coordinates
+
+  std::optional<double> known_weight(const Diamond& d) const {
+    if (!memory_.are_weighed) return std::nullopt;
+    const auto& all = memory_.weights;
+    const auto i = std::lower_bound(all.begin(), all.end(), d.ij,
+                                    [](const auto& w, std::uint32_t e) { return w.first < e; });
+    return i != all.end() && i->first == d.ij ? i->second : std::nullopt;
+  }
+
+  static std::array<Indexed_face, 2> faces_of(const Diamond& d) {
+    return {{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}};
+  }
+
   // noting crossings down if following them has taken as long
   const Integer_coordinates& coordinates() const {
     const Integer_coordinates& c = *places_.coordinates(t_);
-    c.count_steps(t_, memory_.unfolder.take_steps());
+    const std::size_t steps = memory_.unfolder.take_steps();
+    memory_.steps += steps + 1;
+    if (steps > 0) c.count_steps(t_, steps);
     return c;
   }
 
-  Replayed_faces replayed(std::vector<Indexed_face> faces) const {
-    return {t_.input(), places_.connectivity(t_), *places_.flips(), std::move(faces)};
+  Replayed_faces replayed(std::span<const Indexed_face> faces) const {
+    return {t_.input(), places_.connectivity(t_), *places_.flips(), {faces.begin(), faces.end()}};
   }
 
-  // Whether the input triangles under edges can be unfolded, and are not many more than the flips.
-  template <std::size_t n>
-  bool can_unfold(const std::array<std::uint32_t, n>& edges) const {
+  // Whether the input triangles under edges, or faces, can be unfolded, and are not many more than
+  // the flips.
+  template <class Elements>
+  bool can_unfold(const Elements& elements) const {
     if (places_.flips() == nullptr) return true;
     const Integer_coordinates* c = places_.coordinates(t_);
     if (c == nullptr || !are_lengths_positive()) return false;
-    std::size_t crossings_of_all = 0;
-    for (const std::uint32_t e : edges)
-      crossings_of_all += static_cast<std::size_t>(crossings(c->normal_coordinate(e)));
-    return crossings_of_all <= 32 + 4 * places_.flips()->size();
+    const std::size_t most = 32 + 4 * places_.flips()->size();
+    std::size_t all = 0;
+    for (auto i = elements.begin(); i != elements.end() && all <= most; ++i)
+      all += number_of_crossings(*c, *i);
+    return all <= most;
+  }
+  static std::size_t number_of_crossings(const Integer_coordinates& c, std::uint32_t edge) {
+    return static_cast<std::size_t>(crossings(c.normal_coordinate(edge)));
+  }
+  static std::size_t number_of_crossings(const Integer_coordinates& c, const Indexed_face& f) {
+    return number_of_crossings(c, f.edges[0]) + number_of_crossings(c, f.edges[1]) +
+           number_of_crossings(c, f.edges[2]);
   }
 
   bool can_unfold(const Diamond& d) const {

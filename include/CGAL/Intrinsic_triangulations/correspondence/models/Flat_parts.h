@@ -6,13 +6,18 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -93,6 +98,42 @@ private:
   std::vector<std::uint32_t> part_of_input_; // of each face of the input
   std::vector<std::uint32_t> part_;          // of each intrinsic face
   std::size_t number_of_searches_ = 0;
+};
+
+// What is remembered for exact values, flat parts among it; a copy starts anew where it can.
+struct Exact_memory {
+  Exact_ladder ladder;
+  Diamond_unfolder unfolder;
+  std::optional<Flat_parts> flat_parts;
+  std::optional<bool> are_lengths_positive; // of the input; not known yet
+  std::size_t steps = 0;        // taken for single elements since all were asked for
+  std::size_t enough_steps = 0; // to ask for all, if there is no list of flips; or more
+  unsigned passes = 0;          // over all elements
+  bool are_sharp = false;       // all faces, since the last move
+  bool are_weighed = false;     // all edges, since the last move
+  std::vector<std::pair<std::uint32_t, std::optional<double>>> weights; // of edges, if so
+
+  // follows moves
+  void after(const Flip& move) {
+    are_sharp = are_weighed = false;
+    if (flat_parts) flat_parts->flip(move.diamond.f, move.diamond.g);
+  }
+  void after(const Star_of_vertex& move) {
+    are_sharp = are_weighed = false;
+    if (flat_parts)
+      for (const std::uint32_t f : move.faces) flat_parts->change(f);
+  }
+  void after(const Star_on_border& move) {
+    are_sharp = are_weighed = false;
+    if (flat_parts)
+      for (const std::uint32_t f : {move.f, move.g}) flat_parts->change(f);
+  }
+};
+
+// Other metrics need none.
+struct No_exact_memory {
+  template <class Move>
+  void after(const Move&) {}
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

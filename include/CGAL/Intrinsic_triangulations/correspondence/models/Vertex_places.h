@@ -66,6 +66,8 @@ public:
   // the flips since the input; null if there were other moves, or the triangulation was restored
   const Flip_list* flips() const { return are_all_flips_ ? &flips_ : nullptr; }
 
+  // whether the next function takes constant time
+  bool has_coordinates(const Triangulation& t) const { return own_ || is_shared(t); }
   // the coordinates; null if an edge crosses more input edges than they can count
   const Integer_coordinates* coordinates(const Triangulation& t) const {
     if (is_shared(t)) return integer_coordinates_of(t.correspondence());
@@ -141,7 +143,7 @@ private:
 
 template <class Triangulation>
 void Vertex_places<Triangulation>::start(const Triangulation& t) const {
-  Gluing_map mesh = flips_.undone(connectivity(t), t.input());
+  Gluing_map mesh = flips_.undone(connectivity(t), t.input(), [](auto&&...) {});
   own_.emplace();
   own_->start(
       Started{is_defined_by_metric(t)

@@ -47,10 +47,15 @@ public:
   \brief returns the connectivity before the flips.
   \param mesh that after the flips
   \param input the surface, which knows the sides of its faces
+  \param visit called with the number of each flip, the last one first, and the mesh after it
   \complexity linear in the number of flips and of elements
   */
-  Gluing_map undone(Gluing_map mesh, const Input_definition& input) const {
-    for (std::size_t n = size(); n-- > 0;) flip_edge_back((*this)[n], mesh);
+  template <class Visit>
+  Gluing_map undone(Gluing_map mesh, const Input_definition& input, const Visit& visit) const {
+    for (std::size_t n = size(); n-- > 0;) {
+      visit(n, std::as_const(mesh));
+      flip_edge_back((*this)[n], mesh);
+    }
     for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
       mesh.set_halfedge(Gluing_map::Face{f}, first_side(mesh, {f}, input));
     choose_halfedges_of_vertices(mesh);
