@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization.h>
 
 #include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_triangulations/operators/solvers/elimination/Symbolic_factorization.h>
 
 #include <Eigen/Dense>
 
