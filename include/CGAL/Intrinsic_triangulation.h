@@ -133,7 +133,15 @@ public:
   */
   Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
                           const Integer_coordinates& coordinates) requires
-      internal::Restorable<Correspondence_, Intrinsic_triangulation>;
+      internal::Restorable<Correspondence_, Intrinsic_triangulation>
+      : input_(std::move(input)),
+        mesh_(mesh_from_gluing_map<Mesh>(std::move(map))),
+        number_(mesh_),
+        metric_(std::move(metric)),
+        rows_(*this) {
+    correspondence_.restore(*this, coordinates);
+    places_.restore(*this, coordinates);
+  }
 
   /// copies everything but the input, which is shared; elements keep their numbers.
   Intrinsic_triangulation(const Intrinsic_triangulation& other)
@@ -321,20 +329,6 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric
       metric_(std::move(metric)), rows_(*this) {
   internal::expect_correspondence<Correspondence, Intrinsic_triangulation>();
   correspondence_.start(*this);
-}
-
-template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
-Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(
-    Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
-    const Integer_coordinates& coordinates) requires
-    internal::Restorable<C, Intrinsic_triangulation>
-    : input_(std::move(input)),
-      mesh_(mesh_from_gluing_map<Mesh>(std::move(map))),
-      number_(mesh_),
-      metric_(std::move(metric)),
-      rows_(*this) {
-  correspondence_.restore(*this, coordinates);
-  places_.restore(*this, coordinates);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

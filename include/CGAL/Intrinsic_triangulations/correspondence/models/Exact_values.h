@@ -173,6 +173,7 @@ private:
     // over all triangles under faces
     if (memory_.steps <= memory_.enough_steps) return false;
     const Integer_coordinates& c = *places_.coordinates(t_);
+    if (memory_.steps <= c.number_of_edges()) return false;
     memory_.enough_steps = c.number_of_edges();
     for (std::uint32_t e = 0; e < c.number_of_edges(); ++e)
       memory_.enough_steps += 8 * number_of_crossings(c, e);

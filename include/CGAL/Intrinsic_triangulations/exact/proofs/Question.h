@@ -34,6 +34,7 @@ struct Question {
   const Expression& expression; ///< the expression
 };
 
+/// deduces the types.
 template <class Figure, class Expression>
 Question(const Input_metric&, const Figure&, const Expression&) -> Question<Figure, Expression>;
 

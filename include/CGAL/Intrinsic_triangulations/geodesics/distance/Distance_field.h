@@ -82,9 +82,13 @@ struct Distance_field {
   }
   /// returns the sources in a face.
   std::span<const std::uint32_t> sources_in_face(std::uint32_t face) const {
-    const auto face_of = [this](std::uint32_t s) { return face_sources[s].side / 3; };
-    const auto range = std::ranges::equal_range(sources_by_face, face, {}, face_of);
-    return {range.begin(), range.end()};
+    // no equal_range() of ranges: clang 14 refuses that of g++'s library
+    const auto is_before = [this](std::uint32_t s, std::uint32_t f) {
+      return face_sources[s].side / 3 < f;
+    };
+    const auto begin =
+        std::lower_bound(sources_by_face.begin(), sources_by_face.end(), face, is_before);
+    return {begin, std::lower_bound(begin, sources_by_face.end(), face + 1, is_before)};
   }
   /// returns a point in the frame of a side in that of another side of the face.
   Plane_vector<double> turned_to(std::uint32_t side, Plane_vector<double> p, std::uint32_t from) const {
