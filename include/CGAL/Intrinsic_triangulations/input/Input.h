@@ -166,7 +166,7 @@ public:
     for (std::uint32_t f = 0; f < number_of_faces(); ++f) {
       std::uint32_t h = halfedge_of_face(f);
       for (const std::uint32_t name : metric().sides(f)) {
-        if (name != (metric().is_embedded() ? source(h) : h / 2)) return false;
+        if (name != metric().name(source(h), h / 2)) return false;
         h = next(h);
       }
     }

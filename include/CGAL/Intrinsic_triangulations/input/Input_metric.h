@@ -106,6 +106,10 @@ public:
   const std::vector<double>& squared_lengths() const { return squared_lengths_; }
   /// returns what names the sides of face `f`.
   const Sides& sides(std::uint32_t f) const { return sides_[f]; }
+  /// returns what names a side, see `Sides`: the vertex where it starts, or its edge.
+  std::uint32_t name(std::uint32_t source, std::uint32_t edge) const {
+    return is_embedded() ? source : edge;
+  }
   /// returns the number of the side of face `f` from which on its sides have given names; nothing if they have others.
   std::optional<unsigned> slot(std::uint32_t f, const Sides& names) const {
     const auto& [a, b, c] = sides_[f];

@@ -276,9 +276,7 @@ private:
   std::optional<Face_side> untouched_side(std::uint32_t f, std::uint32_t edge,
                                           std::uint32_t next) const {
     const std::uint32_t h = halfedge(f, edge, next), n = view_.next(h);
-    const auto name = [this](std::uint32_t x) {
-      return metric().is_embedded() ? view_.source(x) : x / 2;
-    };
+    const auto name = [this](std::uint32_t x) { return metric().name(view_.source(x), x / 2); };
     const std::optional<unsigned> slot = metric().slot(f, {name(h), name(n), name(view_.next(n))});
     return slot ? std::optional(Face_side{f, *slot}) : std::nullopt;
   }

@@ -69,7 +69,7 @@ private:
     if (input.surface() != nullptr) return {input.surface()->halfedge_of_face(f.index)};
     const Input_metric& metric = input.metric();
     const auto name = [&](Gluing_map::Halfedge h) {
-      return metric.is_embedded() ? mesh.source(h).index : h.index / 2;
+      return metric.name(mesh.source(h).index, h.index / 2);
     };
     for (const Gluing_map::Halfedge h : mesh.sides(f)) {
       const Gluing_map::Halfedge n = mesh.next(h);
