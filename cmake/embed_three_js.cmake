@@ -1,5 +1,5 @@
 # embed_three_js(TARGET): compiles three.js and its TrackballControls.js into TARGET, which then has the
-# functions that examples/Intrinsic_triangulations/intrinsic/three_js.h declares. Where the scripts are
+# functions that src/intrinsic/three_js.h declares. Where the scripts are
 # not found their text is empty, and the program says so when it needs them.
 
 set(INTRINSIC_TRIANGULATIONS_THREE_JS_DIR "" CACHE PATH

@@ -38,7 +38,7 @@ if(NOT INTRINSIC_TRIANGULATIONS_TEST_PROGRAM_PER_FILE) # else foreign ones only,
   target_link_libraries(shared_settings INTERFACE read_polygon_mesh_instance)
   target_precompile_headers(shared_precompiled PRIVATE
     "${PROJECT_SOURCE_DIR}/cmake/read_polygon_mesh_instance.h"
-    <CGAL/Intrinsic_triangulations.h>)
+    <CGAL/Intrinsic_geodesics.h>)
 endif()
 target_precompile_headers(shared_precompiled PRIVATE
   <CGAL/Exact_predicates_inexact_constructions_kernel.h>

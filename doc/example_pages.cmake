@@ -1,8 +1,7 @@
 # Writes examples.md, the table of examples as a page, and examples.h, which makes a page of each, beside the Doxyfile.
 
-set(example_dir "${PROJECT_SOURCE_DIR}/examples/Intrinsic_triangulations")
-file(GLOB examples CONFIGURE_DEPENDS "${example_dir}/*/*.cpp")
-list(FILTER examples EXCLUDE REGEX "/intrinsic/")
+set(example_dir "${PROJECT_SOURCE_DIR}/examples")
+file(GLOB_RECURSE examples CONFIGURE_DEPENDS "${example_dir}/*.cpp")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${example_dir}/README.md")
 file(READ "${example_dir}/README.md" table)
 string(REPLACE "# Examples" "# Examples {#page_examples}" table "${table}")

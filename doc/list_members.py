@@ -21,10 +21,11 @@ HEAD = """\
 
 The names that programs use, for readers without doxygen. `doc/list_members.py` makes this page from
 the comments in the headers, and a test checks that it is up to date. All names are in the namespace
-`CGAL::Intrinsic_triangulations`. `#include <CGAL/Intrinsic_triangulations.h>` has those marked with
-*. The links lead to the headers, which describe parameters, results and costs; the
+`CGAL::Intrinsic_triangulations`. Names marked with * are in the header of their package:
+`CGAL/Intrinsic_triangulations.h`, `CGAL/Intrinsic_geodesics.h` or `CGAL/Intrinsic_operators.h`. The links lead to the headers, which describe parameters, results and costs; the
 [user manual](Intrinsic_triangulations/user_manual.md) says what to use when.
 """
+PACKAGES = ("Intrinsic_triangulations", "Intrinsic_geodesics", "Intrinsic_operators")
 GROUP = re.compile(r'^  group\["([^"]+)"\]\s*= "(\w+)"$', re.MULTILINE)
 TOPIC = re.compile(r"\\defgroup (\w+) ([^\n]+)\n\\ingroup page_reference\n\\brief ([^\n]+)")
 INTERNAL = re.compile(r"^namespace internal \{$.*?^\} // namespace internal$", re.MULTILINE | re.DOTALL)
@@ -99,7 +100,9 @@ def included_by(path, known):
 
 def page():
     lines, found = [HEAD], members()
-    umbrella = included_by("Intrinsic_triangulations.h", set())
+    umbrella = set()
+    for package in PACKAGES:
+        included_by(f"{package}.h", umbrella)
     for topic, title, text in topics():
         lines += [f"## {title}", f'<a id="{topic}"></a>', "", text, "", "| name | header | |", "|---|---|---|"]
         for (name, header), says in sorted(found[topic].items(), key=lambda m: (m[0][0].lower(), m[0][1])):

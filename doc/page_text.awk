@@ -47,9 +47,12 @@ function reference(text, target,    label, name) {
   } else if (target ~ /^([a-z_]+\.md|\.\.\/members\.md)?#[a-z0-9_]+$/) {
     label = target
     sub(/^.*#/, "", label)
-  } else if (target == "../../include/CGAL/Intrinsic_triangulations/README.md")
-    label = "page_rooms"
-  else if (target == "../../examples/Intrinsic_triangulations/README.md")
+  } else if (match(target, /^\.\.\/\.\.\/include\/CGAL\/Intrinsic_[a-z]+\/README\.md$/)) {
+    label = target
+    sub(/^.*\/Intrinsic_/, "page_rooms_of_", label)
+    sub(/\/README\.md$/, "", label)
+  }
+  else if (target == "../../examples/README.md")
     label = "page_examples"
   else if (target == "../members.md")
     label = "page_reference"

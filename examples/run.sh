@@ -14,7 +14,7 @@ if (($# > 1)) || [[ "${1:-}" == -* ]]; then
   sed -n '5,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
-mesh=${1:-$root/examples/Intrinsic_triangulations/data/part.off}
+mesh=${1:-$root/examples/data/part.off}
 results=${RESULTS:-$root/results}
 build=$root/build/release
 
@@ -35,7 +35,7 @@ cmake --build "$build" --target intrinsic --parallel "$(nproc)"
 mkdir -p -- "$results"
 name=$(basename -- "$mesh")
 output=$results/${name%.*}
-intrinsic=$build/examples/intrinsic
+intrinsic=$build/bin/intrinsic
 
 "$intrinsic" delaunay "$mesh" -o "$output.ply" --view "$output.html" \
   --stats "$output.delaunay.json"

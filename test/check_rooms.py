@@ -3,10 +3,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks that the headers keep to their rooms.
 
-The rooms and their order are the headings of include/CGAL/Intrinsic_triangulations/README.md, lowest
-room first. Fails, and says where, if
+The packages are in the order of PACKAGES, the rooms of each in that of the headings of its README.md, lowest
+first. Fails, and says where, if
 
-- a header includes one of a higher room (so folders cannot form a cycle either),
+- a header includes one of a higher room or package (so folders cannot form a cycle either),
 - headers of one room include each other in a circle,
 - a header lies in no room, or a room has no headers,
 - a room has more than 15 headers, `*_impl.h` not counted, or a header more than 350 lines,
@@ -22,7 +22,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDER = "CGAL/Intrinsic_triangulations"
+PACKAGES = ["CGAL/Intrinsic_triangulations", "CGAL/Intrinsic_geodesics", "CGAL/Intrinsic_operators"] # lowest first
 MOST_HEADERS = 15
 MOST_LINES = 350
 
@@ -35,13 +35,13 @@ ALLOWED_LENGTHS = {}
 ALLOWED_SIZES = {}
 
 
-def read_rooms(readme):
-    """Returns the rooms in order: for each a folder (or None) and the headers beside the folder it names."""
+def read_rooms(include, package):
+    """Returns the rooms of a package in order: for each its folders and the headers beside the package that it names."""
     rooms = []
-    for line in readme.read_text().splitlines():
+    for line in (include / package / "README.md").read_text().splitlines():
         if line.startswith("## "):
             names = re.findall(r"`([^`]+)`", line)
-            folders = [name.rstrip("/") for name in names if name.endswith("/")]
+            folders = [f"{package}/{name}".rstrip("/") for name in names if name.endswith("/")]
             headers = [f"CGAL/{name}" for name in names if name.endswith(".h")]
             if folders or headers:
                 rooms.append((folders, headers))
@@ -52,7 +52,7 @@ def room_numbers(rooms):
     """Returns the place in the order of each folder, and of each header beside the folder."""
     places = {}
     for number, (folders, headers) in enumerate(rooms):
-        for name in [f"{FOLDER}/{folder}" for folder in folders] + headers:
+        for name in folders + headers:
             if name in places:
                 raise ValueError(f"{name} is named twice")
             places[name] = number
@@ -65,7 +65,7 @@ def place_of(header, places):
 
 
 def short(header):
-    return header.removeprefix(FOLDER + "/")
+    return header.removeprefix("CGAL/")
 
 
 def own_includes(text):
@@ -74,7 +74,7 @@ def own_includes(text):
     What it includes only with or only without the library is a part of it, whatever its room."""
     text = re.sub(r"^#ifn?def \w+_COMPILED\n#include .*\n#endif$", "", text, flags=re.MULTILINE)
     included = re.findall(r'^[ \t]*#[ \t]*include[ \t]*([<"][^>"]+[>"])', text, re.MULTILINE)
-    is_own = re.compile(r'"|<(CGAL/)?(Intrinsic|Integer_only)_triangulation')
+    is_own = re.compile(r'"|<(CGAL/)?(Intrinsic_|Integer_only_triangulation)')
     return [name for name in included if is_own.match(name)]
 
 
@@ -104,7 +104,7 @@ def expected_guard(header):
 def check_header(header, text, places, used):
     """Yields what is wrong with a header by itself."""
     if place_of(header, places) is None:
-        yield f"{header} lies in no room: name its folder in {FOLDER}/README.md"
+        yield f"{header} lies in no room: name its folder in the README.md of its package"
     guard = re.search(r"^#ifndef (\w+)\n#define (\w+)$", text, re.MULTILINE)
     if not guard or set(guard.groups()) != {expected_guard(header)}:
         yield f"{header} needs the include guard {expected_guard(header)}"
@@ -121,7 +121,7 @@ def check_rooms(headers, rooms, used):
                                 if not header.endswith("_impl.h"))
     for folders, beside in rooms:
         for folder in folders:
-            number = count[f"{FOLDER}/{folder}"]
+            number = count[folder]
             if number == 0:
                 yield f"{folder}/ is named in README.md and has no headers"
             if number > MOST_HEADERS:
@@ -167,7 +167,7 @@ def check_exceptions(used):
 
 def check(include):
     """Yields all that is wrong with the headers below the directory `include`."""
-    rooms = read_rooms(include / FOLDER / "README.md")
+    rooms = [room for package in PACKAGES for room in read_rooms(include, package)]
     places = room_numbers(rooms)
     headers = {path.relative_to(include).as_posix(): path.read_text()
                for path in sorted(include.rglob("*.h"))}

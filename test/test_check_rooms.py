@@ -20,8 +20,8 @@ def header(name, *included, lines=0, guard=None):
     return f"#ifndef {guard}\n#define {guard}\n{body}#endif\n"
 
 
-def path(name):
-    return f"{check_rooms.FOLDER}/{name}"
+def path(name, package=0):
+    return f"{check_rooms.PACKAGES[package]}/{name}"
 
 
 class Rooms(unittest.TestCase):
@@ -38,7 +38,8 @@ class Rooms(unittest.TestCase):
         texts.update(changes or {})
         with tempfile.TemporaryDirectory() as directory:
             root = pathlib.Path(directory)
-            for name, text in {path("README.md"): readme, **texts}.items():
+            readmes = {f"{package}/README.md": "" for package in check_rooms.PACKAGES}
+            for name, text in {**readmes, path("README.md"): readme, **texts}.items():
                 (root / name).parent.mkdir(parents=True, exist_ok=True)
                 (root / name).write_text(text)
             return list(check_rooms.check(root))
@@ -56,16 +57,22 @@ class Rooms(unittest.TestCase):
         self.assert_one_error("of a higher room", {name: header(name, path("high/inner/b.h"))})
         self.assert_one_error("of a higher room", {name: header(name, OWNER)})
 
+    def test_a_header_of_a_lower_package_must_not_include_one_of_a_higher(self):
+        low, high = path("low/c.h"), path("room/d.h", package=1)
+        rooms = {path("README.md", package=1): "## `room/`\n"}
+        self.assert_one_error("of a higher room", {**rooms, low: header(low, high), high: header(high)})
+        self.assertEqual(self.errors({**rooms, low: header(low), high: header(high, low)}), [])
+
     def test_an_exception_is_heeded_and_reported_once_it_is_not_needed(self):
         name = path("low/c.h")
-        pair = ("low/c.h", "high/inner/b.h")
+        pair = ("Intrinsic_triangulations/low/c.h", "Intrinsic_triangulations/high/inner/b.h")
         with unittest.mock.patch.object(check_rooms, "ALLOWED_INCLUDES", {pair: "reason"}):
             self.assertEqual(self.errors({name: header(name, path("high/inner/b.h"))}), [])
             self.assert_one_error("not needed any more")
 
     def test_headers_of_a_room_must_not_include_each_other_in_a_circle(self):
         one, two = path("low/c.h"), path("low/d.h")
-        self.assert_one_error("in a circle: low/c.h -> low/d.h -> low/c.h",
+        self.assert_one_error("in a circle: {0}c.h -> {0}d.h -> {0}c.h".format("Intrinsic_triangulations/low/"),
                               {one: header(one, two), two: header(two, one)})
 
     def test_every_header_lies_in_a_room_and_every_room_has_headers(self):

@@ -8,11 +8,11 @@
 
 #include "benchmark_support.h"
 
+#include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/operators/reaction_diffusion.h>
+#include <CGAL/Intrinsic_operators/operators/residual_indicators.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
-#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
-#include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 

@@ -9,9 +9,9 @@
 #include "benchmark_support.h"
 
 #include <CGAL/Corresponding_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/transfer.h>
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/operators/transfer.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 

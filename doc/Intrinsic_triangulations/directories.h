@@ -1,25 +1,22 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Read by doxygen only: what each directory of headers holds, from the highest to the lowest. The README in
-// CGAL/Intrinsic_triangulations has the rooms inside them.
+// Read by doxygen only: what each directory of headers holds, from the highest to the lowest. The README of
+// each package has the rooms inside them.
 
 /*!
 \dir CGAL/Intrinsic_triangulations
-\brief All headers of the package but those of triangulations: `CGAL/Intrinsic_triangulation.h`,
+\brief Triangulations: all headers but those of triangulations: `CGAL/Intrinsic_triangulation.h`,
 `CGAL/Corresponding_triangulation.h` and `CGAL/Integer_only_triangulation.h`; and `CGAL/Intrinsic_triangulations.h`, which
 includes what most programs need. \ref page_reference lists all names by topic.
 
 \dir CGAL/Intrinsic_triangulations/IO
 \brief Files in and out: meshes, intrinsic triangulations, common subdivisions, pages that show them.
 
-\dir CGAL/Intrinsic_triangulations/operators
-\brief Matrices of finite elements, solutions, estimates of their errors and their transfer. Needs Eigen.
+\dir CGAL/Intrinsic_operators
+\brief Matrices of finite elements, solvers, and what they solve: distances, vectors, maps to the plane, editing. Needs Eigen.
 
-\dir CGAL/Intrinsic_triangulations/applications
-\brief Distances, vectors, maps to the plane, editing: what is solved with operators. Needs Eigen.
-
-\dir CGAL/Intrinsic_triangulations/geodesics
+\dir CGAL/Intrinsic_geodesics
 \brief Curves along edges that flips make geodesic, geodesics between points, Bezier curves, exact distances.
 
 \dir CGAL/Intrinsic_triangulations/retriangulation

@@ -6,9 +6,9 @@
 
 /*!
 \file
-What most programs need of the package. To be included besides: operators, which need Eigen, from
-`CGAL/Intrinsic_triangulations/operators/`; the adaptors of OpenMesh and `CGAL::Polyhedron_3` from
-`CGAL/Intrinsic_triangulations/connectivity/`; files of intrinsic triangulations
+What most programs need of triangulations. To be included besides: `CGAL/Intrinsic_geodesics.h` for curves and exact
+distances; `CGAL/Intrinsic_operators.h`, which needs Eigen, for matrices, solvers and what they solve; the adaptors of
+OpenMesh and `CGAL::Polyhedron_3` from `CGAL/Intrinsic_triangulations/connectivity/`; files of intrinsic triangulations
 (`read_intrinsic_triangulation.h`, `write_intrinsic_triangulation.h`) and pages that show them
 (`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
 */
@@ -35,21 +35,10 @@ What most programs need of the package. To be included besides: operators, which
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/bezier/bezier_point.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/bezier/make_bezier_curve.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/curve_labels.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_polyline.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/curves/insert_traced_path.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/queries/insert_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/shortening/certify_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/shortening/is_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/shortening/shorten_curves.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/single_source/flip_to_geodesic_tree.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Interval_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Tolerant_traits.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/certify_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>

@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class GeodesicTriangulation GeodesicTriangulation.h <CGAL/Intrinsic_triangulations/geodesics/curves/GeodesicTriangulation.h>
+\class GeodesicTriangulation GeodesicTriangulation.h <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
 \cgalConcept
 
 The concept `GeodesicTriangulation` describes a triangulation in which curves along edges can be made geodesic: angles at a vertex are

@@ -17,7 +17,7 @@ import render
 from subdivision import read_ply
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-PART = os.path.join(HERE, "../../../examples/Intrinsic_triangulations/data/part.off")
+PART = os.path.join(HERE, "../../../examples/data/part.off")
 GREY = 0.88
 
 

@@ -8,7 +8,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
-                                "../../../examples/Intrinsic_triangulations/data"))
+                                "../../../examples/data"))
 sys.dont_write_bytecode = True
 with contextlib.redirect_stdout(io.StringIO()):
     import make_part as cad  # its functions mesh a part as CAD exporters do it

@@ -5,10 +5,10 @@
 // vertex as colours, and a geodesic.
 // Usage: html_page [MESH.off [OUT.html]]
 
+#include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
+#include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
-#include <CGAL/Intrinsic_triangulations/applications/distance/Heat_distance.h>
-#include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

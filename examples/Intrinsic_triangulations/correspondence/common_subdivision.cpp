@@ -4,10 +4,10 @@
 // Flips a mesh to Delaunay, inserts a vertex, and writes the common subdivision with the input, with a function on it:
 // three statements. Usage: common_subdivision [MESH.off [OUT.vtp]]
 
+#include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
-#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -3,8 +3,8 @@
 
 // Makes polygons planar that are not: a saddle of quadrilaterals, whose Laplacian is as symmetric as the saddle.
 
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations.h>
-#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -3,10 +3,10 @@
 
 // Builds a Laplacian on points of a sphere, without any face.
 
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
-#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
 
 #include <array>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 // Builds a Laplacian on faces that make no mesh: three meet at an edge, and a border faces an obtuse angle.
 
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations.h>
-#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 
 #include <array>
 #include <iostream>

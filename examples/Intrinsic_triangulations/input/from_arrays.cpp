@@ -3,8 +3,8 @@
 
 // Builds triangulations from matrices of points and of triples of vertices, and from triples and lengths.
 
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations.h>
-#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
 
 #include <Eigen/Core>
 

@@ -4,9 +4,9 @@
 // Computes the harmonic Green's function of a vertex, and heat after a short time, with vertices where the
 // estimated error asks for them.
 
+#include <CGAL/Intrinsic_operators/operators/reaction_diffusion.h>
+#include <CGAL/Intrinsic_operators/operators/residual_indicators.h>
 #include <CGAL/Intrinsic_triangulations.h>
-#include <CGAL/Intrinsic_triangulations/operators/reaction_diffusion.h>
-#include <CGAL/Intrinsic_triangulations/operators/residual_indicators.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

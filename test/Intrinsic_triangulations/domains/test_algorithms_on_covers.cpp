@@ -6,6 +6,16 @@
 #include "straight_segments.h"
 
 #include <CGAL/Integer_only_triangulation.h>
+#include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
+#include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
+#include <CGAL/Intrinsic_geodesics/queries/insert_geodesic.h>
+#include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
+#include <CGAL/Intrinsic_operators/operators/transfer.h>
+#include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
@@ -16,16 +26,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/distance/Polyhedral_distance.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/queries/Geodesic_finder.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/queries/add_geodesics.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/queries/insert_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/geodesics/shortening/certify_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver.h>
-#include <CGAL/Intrinsic_triangulations/operators/subdivision_matrices.h>
-#include <CGAL/Intrinsic_triangulations/operators/transfer.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How long do exact distances from one vertex to all take, and how much memory, compared with CGAL's
+// Surface_mesh_shortest_path? Usage: exact_distance [DIRECTORY [REPETITIONS [MODEL...]]] > distance.json
+
+#include "measure_models.h"
+
+#include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include <malloc.h>
+
+namespace {
+
+std::size_t bytes_now = 0, bytes_peak = 0;
+
+void* counted(void* p) {
+  if (p == nullptr) throw std::bad_alloc();
+  bytes_now += malloc_usable_size(p);
+  bytes_peak = std::max(bytes_peak, bytes_now);
+  return p;
+}
+
+} // namespace
+
+// All that both contenders allocate.
+void* operator new(std::size_t n) { return counted(std::malloc(n)); }
+void operator delete(void* p) noexcept {
+  if (p != nullptr) bytes_now -= malloc_usable_size(p);
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using namespace IT::benchmark;
+
+namespace {
+
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
+using Cgal_paths =
+    CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Surface_mesh>>;
+
+struct Distances {
+  double milliseconds = 0;
+  double peak_mib = 0; // of what was allocated meanwhile
+  std::vector<double> values;
+};
+
+class Memory {
+public:
+  Memory() { bytes_peak = bytes_now; }
+  double peak_mib() const { return static_cast<double>(bytes_peak - start_) / 1048576; }
+
+private:
+  std::size_t start_ = bytes_now;
+};
+
+Distances run_cgal(const Surface_mesh& mesh) {
+  const Stopwatch watch;
+  const Memory memory;
+  Cgal_paths paths(mesh);
+  paths.add_source_point(*vertices(mesh).begin());
+  paths.build_sequence_tree();
+  Distances result{watch.milliseconds(), memory.peak_mib(), {}};
+  for (const auto v : vertices(mesh))
+    result.values.push_back(paths.shortest_distance_to_source_points(v).first);
+  return result;
+}
+
+// Of a triangulation that is there, and with its making.
+Distances run_ours(const Surface_mesh& mesh, bool from_mesh) {
+  const Stopwatch all;
+  const Triangulation t(mesh);
+  auto from = *vertices(t.mesh()).begin();
+  for (const auto v : vertices(t.mesh()))
+    if (t.input_vertex(v) == 0) from = v;
+  const Stopwatch watch;
+  const Memory memory;
+  const IT::Polyhedral_distance distance(t, from);
+  const double time = from_mesh ? all.milliseconds() : watch.milliseconds();
+  return {time, memory.peak_mib(), distance.distances()};
+}
+
+// The greatest difference, relative, of ours to CGAL's: negative if ours is shorter.
+double greatest_difference(const std::vector<double>& ours, const std::vector<double>& cgal) {
+  double result = 0;
+  for (std::size_t v = 0; v < ours.size(); ++v)
+    if (cgal[v] > 0 && std::abs(ours[v] / cgal[v] - 1) > std::abs(result))
+      result = ours[v] / cgal[v] - 1;
+  return result;
+}
+
+nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
+  std::vector<double> cgal_times, our_times, times_from_mesh;
+  Distances cgal, ours;
+  for (std::size_t i = 0; i < repetitions; ++i) {
+    cgal = run_cgal(mesh);
+    ours = run_ours(mesh, false);
+    cgal_times.push_back(cgal.milliseconds);
+    our_times.push_back(ours.milliseconds);
+    times_from_mesh.push_back(run_ours(mesh, true).milliseconds);
+  }
+  return {{"faces", num_faces(mesh)},
+          {"milliseconds",
+           {{"cgal", median(cgal_times)},
+            {"ours", median(our_times)},
+            {"ours_from_mesh", median(times_from_mesh)}}},
+          {"peak_mib", {{"cgal", cgal.peak_mib}, {"ours", ours.peak_mib}}},
+          {"times_faster", median(cgal_times) / median(times_from_mesh)},
+          {"times_less_memory", cgal.peak_mib / ours.peak_mib},
+          {"greatest_relative_difference", greatest_difference(ours.values, cgal.values)}};
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return measure_models(argc, argv, "exact_distance", 3,
+                        {"armadillo", "camel", "refined_elephant", "bunny00", "blade", "man",
+                         "fandisk_large", "cylinder_locally_refined", "diplodocus",
+                         "ChineseDragon-10kv"},
+                        measure);
+}

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_H
+#define CGAL_INTRINSIC_GEODESICS_H
+
+/*!
+\file
+Geodesic curves, paths, loops, networks and trees, Bezier curves, exact distances and shortest paths; and what they are on,
+`CGAL/Intrinsic_triangulations.h`.
+*/
+
+#include <CGAL/Intrinsic_geodesics/bezier/bezier_point.h>
+#include <CGAL/Intrinsic_geodesics/bezier/make_bezier_curve.h>
+#include <CGAL/Intrinsic_geodesics/curves/curve_labels.h>
+#include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
+#include <CGAL/Intrinsic_geodesics/curves/insert_traced_path.h>
+#include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
+#include <CGAL/Intrinsic_geodesics/queries/insert_geodesic.h>
+#include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
+#include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
+#include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
+#include <CGAL/Intrinsic_geodesics/single_source/flip_to_geodesic_tree.h>
+#include <CGAL/Intrinsic_triangulations.h>
+
+#endif // CGAL_INTRINSIC_GEODESICS_H

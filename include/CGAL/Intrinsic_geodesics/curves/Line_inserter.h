@@ -1,0 +1,345 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_CURVES_LINE_INSERTER_H
+#define CGAL_INTRINSIC_GEODESICS_CURVES_LINE_INSERTER_H
+
+#include <CGAL/Intrinsic_geodesics/curves/Growing_paths.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Every edge that a line crosses is split.
+template <class Triangulation>
+struct Split_crossed_edges {
+  using Halfedges = std::vector<typename Triangulation::halfedge_descriptor>;
+  static constexpr bool may_split = true;
+
+  bool may_flip(std::uint32_t) const { return false; }
+  Halfedges edges_along(const Halfedges& crossed) const { return crossed; } // there are none
+};
+
+// Makes straight lines paths of edges. A line starts at a vertex. Edges that it crosses are flipped
+// away or split: the vertex that splits an edge is joined to the vertex before by an edge. There
+// the line goes on at the angle that it makes with the edge, over what has become of the
+// triangulation: it may come across edges again, and across lines that were inserted before. Edges
+// of these are always split.
+// \tparam Crossed says which edges may be flipped, by `may_flip(e)`, whether others may be split,
+//   and makes a line that crosses edges a path of edges, by `edges_along(crossed)`: halfedges in
+//   order, each from its end on the right of the line to that on the left
+template <class Triangulation, class Crossed = Split_crossed_edges<Triangulation>>
+class Line_inserter {
+  using View = Accurate_view<Triangulation>;
+  using Walk = Geodesic_walk<View>;
+  using Split = typename Growing_paths<Triangulation>::Split;
+  using Session = typename Triangulation::Session;
+  using Weights = std::array<double, 3>;
+  using Halfedges = std::vector<typename Triangulation::halfedge_descriptor>;
+
+public:
+  explicit Line_inserter(Triangulation& t, Crossed crossed = {})
+      : t_(t), view_(t), crossed_edges_(std::move(crossed)) {}
+
+  // The paths so far.
+  const Growing_paths<Triangulation>& paths() const { return paths_; }
+  Growing_paths<Triangulation>& paths() { return paths_; }
+
+  // Inserts a vertex where a line starts, unless there is one; `d` becomes the direction of the line there.
+  Move_status start(const Surface_point& p, const Plane_vector<double>& direction,
+                    Corner_direction& d) {
+    const Geodesic_face face(view_, p.halfedge);
+    unsigned k = 0; // a weight that is zero becomes the last
+    while (k < 2 && p.weights[(k + 2) % 3] != 0) ++k;
+    const Surface_point q{face.side[k],
+                          {p.weights[k], p.weights[(k + 1) % 3], p.weights[(k + 2) % 3]}};
+    const Plane_vector<double> v = face.relative_to(k, direction);
+    if (q.weights[2] != 0) return start_in_face(q, v, d);
+    if (q.weights[0] != 0 && q.weights[1] != 0) return start_on_edge(q, v, d);
+    d = at_corner(Walk(view_, p, direction)); // a line that is blocked has no length
+    return Move_status::done;
+  }
+
+  // Makes a line of a length, in units of the triangulation, a path. It ends at vertex `target`, if one is given, which must be near
+  // its end. `not_traceable`, too, if it crosses an edge that may not be split.
+  Move_status go(Corner_direction d, double length, std::uint32_t target = Gluing::none) {
+    const double total = length;
+    const bool has_target = target != Gluing::none;
+    for (faces_ = 0; faces_ < maximum_faces; ++faces_) {
+      if (!has_target && length <= 0x1p-40 * total) return Move_status::done;
+      if (!turn(view_, d, rounding)) return Move_status::border;
+      Walk walk(view_, d);
+      const typename Walk::Exit e = cross_flippable(walk, target, length, nearness * total);
+      if (is_at_target_) return Move_status::done;
+      const bool on_border = view_.is_border(walk.halfedge(e) ^ 1U);
+      if (length <= e.distance + (on_border ? rounding * total : tolerance(walk, e)))
+        return has_target ? reach_beyond(walk, target, length, nearness * total)
+                          : finish(walk.point(e, std::min(length, e.distance)));
+      length -= e.distance;
+      const Move_status s = pass(walk, e, has_target, d);
+      if (s == Move_status::border && !has_target && length <= rounding * total)
+        return Move_status::done;
+      if (s != Move_status::done) return s;
+    }
+    return Move_status::not_traceable;
+  }
+
+private:
+  static constexpr std::size_t maximum_faces = std::size_t{1} << 22U;
+  // Angles, and parts of a line, that are taken for rounding at its ends.
+  static constexpr double rounding = 0x1p-26;
+  // The part of a line by which it may miss the vertex where it is to end.
+  static constexpr double nearness = 0x1p-16;
+
+  // the halfedge before h in its face
+  std::uint32_t last(std::uint32_t h) const { return view_.next(view_.next(h)); }
+
+  // The distance from edges and vertices that is taken for none, near a side of a length: more than the error with which
+  // points of the input are located, which grows along a line. Beside a vertex that is missed by less, edges are so short that
+  // directions are lost.
+  static double tolerance(double length) { return 0x1p-31 * length; }
+  static double tolerance(const Walk& walk, const typename Walk::Exit& e) {
+    return tolerance(walk.face().length[e.side]);
+  }
+
+  // The direction of a walk at the vertex where it starts.
+  static Corner_direction at_corner(const Walk& walk) {
+    return {walk.face().side[0], std::atan2(walk.direction()[1], walk.direction()[0])};
+  }
+
+  // A direction from the vertex of a split by its angle from the direction of the edge, in (-pi, pi]: told from the longer
+  // part, which rounding has turned less.
+  static Corner_direction from_split(const Split& s, double parameter, double angle) {
+    if (parameter < 0.5) return {s.to_target, angle};
+    return {s.to_source, angle > 0 ? angle - std::numbers::pi : angle + std::numbers::pi};
+  }
+
+  // ---- the start
+
+  Move_status start_on_edge(const Surface_point& p, const Plane_vector<double>& v,
+                            Corner_direction& d) {
+    const Split s = paths_.split(t_, p.halfedge, p.weights[1]);
+    d = from_split(s, p.weights[1], std::atan2(v[1], v[0]));
+    return s.status;
+  }
+
+  Move_status start_in_face(const Surface_point& p, const Plane_vector<double>& v,
+                            Corner_direction& d) {
+    const Geodesic_face face(view_, p.halfedge);
+    std::array<Plane_vector<double>, 3> corner;
+    for (unsigned k = 0; k < 3; ++k) corner[k] = face.to_corner(p.weights, k);
+    const auto length = [](const Plane_vector<double>& c) { return dot(c, c); };
+    const auto k = static_cast<unsigned>(
+        std::max_element(corner.begin(), corner.end(),
+                         [&](const auto& a, const auto& b) { return length(a) < length(b); }) -
+        corner.begin());
+    const Move_status status =
+        Session(t_).insert_vertex(t_.numbers().halfedge_at(p.halfedge), p.weights).status;
+    if (status == Move_status::done)
+      d = {last(face.side[k]), std::atan2(cross(corner[k], v), dot(corner[k], v))};
+    return status;
+  }
+
+  // ---- on the way
+
+  // Crosses edges that may be flipped, up to one that may not, a vertex, or the end of the line.
+  // Returns the way out of the last face.
+  typename Walk::Exit cross_flippable(Walk& walk, std::uint32_t target, double& length,
+                                      double distance) {
+    crossed_.clear();
+    for (;; ++faces_) {
+      const typename Walk::Exit e = walk.exit();
+      is_at_target_ = target != Gluing::none && reaches(walk, target, length, distance);
+      const std::uint32_t h = walk.halfedge(e);
+      if (is_at_target_ || faces_ == maximum_faces || length <= e.distance ||
+          is_at_vertex(walk, e) || view_.is_border(h ^ 1U) || !may_flip(h / 2))
+        return e;
+      length -= e.distance;
+      crossed_.push_back(h);
+      walk.cross(e);
+    }
+  }
+  bool may_flip(std::uint32_t e) const { return crossed_edges_.may_flip(e) && !paths_.has_edge(e); }
+  static bool is_at_vertex(const Walk& walk, const typename Walk::Exit& e) {
+    const double length = walk.face().length[e.side];
+    return length * std::min(e.source_weight, e.target_weight) <= tolerance(length);
+  }
+
+  // Goes to the exit of the face; `d` becomes the direction there. A line that runs along the border may pass vertices on it.
+  Move_status pass(Walk& walk, const typename Walk::Exit& e, bool may_follow_border,
+                   Corner_direction& d) {
+    const std::uint32_t h = walk.halfedge(e);
+    if (is_at_vertex(walk, e)) {
+      const unsigned corner = e.target_weight <= e.source_weight ? e.side : (e.side + 1) % 3;
+      Walk beyond = walk; // before edges are flipped
+      const bool is_inside = beyond.pass_vertex(corner);
+      append_line_to(walk, corner);
+      if (is_inside) d = at_corner(beyond);
+      const bool goes_on =
+          is_inside || (may_follow_border && is_straight_at(paths_.last() ^ 1U, d));
+      return goes_on ? Move_status::done : Move_status::border;
+    }
+    if (view_.is_border(h ^ 1U)) return Move_status::border;
+    if (!Crossed::may_split) return Move_status::not_traceable;
+    walk.cross(e); // into the frame of the other halfedge, whose direction is the opposite one
+    const double angle = std::atan2(walk.direction()[1], walk.direction()[0]) - std::numbers::pi;
+    const Split s = paths_.split(t_, h, e.target_weight);
+    if (s.status != Move_status::done) return s.status;
+    if (crossed_.empty())
+      append(s.to_apex ^ 1U);
+    else
+      append_line();
+    d = from_split(s, e.target_weight, angle);
+    return Move_status::done;
+  }
+
+  void append(std::uint32_t h) { paths_.append(h); }
+  // A line that ends at the vertex opposite of the last edge that it crosses.
+  void append_line() {
+    Halfedges crossed;
+    for (const std::uint32_t h : crossed_) crossed.push_back(t_.numbers().halfedge_at(h));
+    for (const auto h : crossed_edges_.edges_along(crossed)) append_edge(t_.numbers().halfedge(h));
+  }
+  // An edge, or the way by vertices beside it which rounding has moved off it: so that lines which
+  // touch have these, all of them. Ends at vertex `target`, if that is one of them, and tells
+  // whether it is.
+  bool append_edge(std::uint32_t h, std::uint32_t target = Gluing::none) {
+    for (const std::uint32_t g : {h, h ^ 1U}) {
+      if (!crossed_edges_.may_flip(h / 2) || view_.is_border(g) || !is_at_apex(g)) continue;
+      return append_edge(g == h ? last(g) ^ 1U : view_.next(g), target) ||
+             append_edge(g == h ? view_.next(g) ^ 1U : last(g), target);
+    }
+    append(h);
+    return view_.source(h ^ 1U) == target;
+  }
+  bool is_at_apex(std::uint32_t h) const {
+    const Geodesic_face face(view_, h);
+    const double l = face.length[0], x = -face.edge[2][0], distance = 0x1p-36 * l;
+    return -face.edge[2][1] <= distance && x > distance && l - x > distance;
+  }
+  // A line that ends at a corner of the face where it is.
+  void append_line_to(const Walk& walk, unsigned corner) {
+    const auto& side = walk.face().side;
+    if (crossed_.empty()) return (void)append_edge(corner == 1 ? side[0] : side[2] ^ 1U);
+    if (corner != 2) { // an end of edges that are then not crossed
+      const bool is_left = corner == 0;
+      std::uint32_t h = Gluing::none;
+      do {
+        h = crossed_.back();
+        crossed_.pop_back();
+      } while (!crossed_.empty() && shares_end(crossed_.back(), h, is_left));
+      if (crossed_.empty()) return (void)append_edge(is_left ? view_.next(h) ^ 1U : last(h));
+    }
+    append_line();
+  }
+  // whether two edges that are crossed one after the other have one end on the left, or on the
+  // right
+  bool shares_end(std::uint32_t g, std::uint32_t h, bool is_left) const {
+    return (is_left ? last(g ^ 1U) : view_.next(g ^ 1U)) == h;
+  }
+
+  // Whether a line that has come along halfedge `back` may go on straight at a vertex of the border.
+  bool is_straight_at(std::uint32_t back, Corner_direction& d) const {
+    for (const double angle : {std::numbers::pi, -std::numbers::pi}) {
+      d = {back, angle};
+      if (turn(view_, d, rounding)) return true;
+    }
+    return false;
+  }
+
+  // ---- the end
+
+  // Whether a line ends near a vertex of the face, up to a distance; it is led there then.
+  bool reaches(const Walk& walk, std::uint32_t target, double length, double distance) {
+    for (unsigned k = crossed_.empty() ? 1 : 0; k < 3; ++k) {
+      if (view_.source(walk.face().side[k]) != target) continue;
+      const Plane_vector<double> corner = walk.relative_corner(k);
+      if (!(std::hypot(corner[0] - length, corner[1]) <= distance)) continue;
+      append_line_to(walk, k);
+      return true;
+    }
+    return false;
+  }
+
+  // The same if the line ends within rounding of a side, and the vertex is beyond.
+  Move_status reach_beyond(const Walk& walk, std::uint32_t target, double length, double distance) {
+    const auto& side = walk.face().side;
+    for (unsigned k = 0; k < 3; ++k) {
+      if (!(distance_from_side(walk, k, length) <= distance)) continue;
+      if (!crossed_.empty() && k != 0 && !view_.is_border(side[k] ^ 1U) && may_flip(side[k] / 2) &&
+          view_.source(last(side[k] ^ 1U)) == target) {
+        crossed_.push_back(side[k]);
+        append_line();
+        return Move_status::done;
+      }
+      if (crossed_.empty() && k != 1 && append_edge(k == 0 ? side[0] : side[2] ^ 1U, target))
+        return Move_status::done;
+    }
+    return Move_status::not_traceable;
+  }
+  // of the end of a line
+  static double distance_from_side(const Walk& walk, unsigned k, double length) {
+    const Plane_vector<double> a = walk.relative_corner(k), b = walk.relative_corner((k + 1) % 3);
+    return std::abs((b[0] - a[0]) * a[1] - (b[1] - a[1]) * (a[0] - length)) / walk.face().length[k];
+  }
+
+  // Ends in the face of a corner where the line comes from.
+  Move_status finish(const Surface_point& end) {
+    const Geodesic_face face(view_, end.halfedge);
+    const Weights w = without_rounding(face, end.weights);
+    const auto& side = face.side;
+    if (w[1] == 0 && w[2] == 0) return Move_status::done;
+    if (w[0] == 0 && (w[1] == 0 || w[2] == 0)) {
+      append(w[2] == 0 ? side[0] : side[2] ^ 1U);
+      return Move_status::done;
+    }
+    if (w[0] != 0 && w[1] != 0 && w[2] != 0) {
+      const Move_status status =
+          Session(t_).insert_vertex(t_.numbers().halfedge_at(side[0]), w).status;
+      if (status == Move_status::done) append(last(side[0]) ^ 1U);
+      return status;
+    }
+    const unsigned k = w[0] == 0 ? 1 : w[2] == 0 ? 0 : 2; // the side
+    const Split s = paths_.split(t_, side[k], w[(k + 1) % 3]);
+    if (s.status == Move_status::done)
+      append((k == 0 ? s.to_source : k == 1 ? s.to_apex : s.to_target) ^ 1U);
+    return s.status;
+  }
+
+  Weights without_rounding(const Geodesic_face& face, Weights w) const {
+    const double twice_area = view_.quadruple_area(view_.face(face.side[0])) / 2;
+    double sum = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const double side = face.length[(k + 1) % 3]; // opposite of the corner
+      if (w[k] * twice_area <= side * tolerance(side)) w[k] = 0;
+      sum += w[k];
+    }
+    for (double& x : w) x /= sum;
+    return w;
+  }
+
+  Triangulation& t_;
+  View view_;
+  Crossed crossed_edges_;
+  Growing_paths<Triangulation> paths_;
+  std::vector<std::uint32_t> crossed_; // by the line since the last vertex
+  bool is_at_target_ = false;
+  std::size_t faces_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_GEODESICS_CURVES_LINE_INSERTER_H

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_CURVES_INSERT_POINT_H
+#define CGAL_INTRINSIC_GEODESICS_CURVES_INSERT_POINT_H
+
+#include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a vertex at a point of the input.
+\tparam Triangulation the type of the triangulation
+*/
+template <class Triangulation>
+struct Vertex_at_point {
+  /// `done`, or why no vertex could be inserted.
+  Move_status status = Move_status::done;
+  /// The vertex.
+  typename Triangulation::vertex_descriptor vertex{};
+  /// Whether it was inserted.
+  bool is_new = false;
+};
+
+namespace internal {
+
+// A vertex or an edge within rounding of a point that was located has the point: as a part of the
+// height above the edge, or of the longest side.
+template <class Complex>
+std::array<double, 3> without_rounding(const Complex& complex, const Surface_point& p) {
+  const Geodesic_face face(complex, p.halfedge);
+  const double longest = *std::max_element(face.length.begin(), face.length.end());
+  std::array<double, 3> weights = p.weights;
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double base = 2 * face.length[(k + 1) % 3]; // times the height it is the quadruple area
+    const double distance = weights[k] * complex.quadruple_area(complex.face(p.halfedge));
+    if (weights[k] < 0x1p-38 || distance < 0x1p-44 * longest * base) weights[k] = 0;
+    sum += weights[k];
+  }
+  for (double& w : weights) w = w == sum ? 1 : w / sum;
+  return weights;
+}
+
+// Finds the vertex at a point of the input, or inserts one by a function of a halfedge and weights.
+template <class Triangulation, class Insert>
+Vertex_at_point<Triangulation> insert_point_by(Triangulation& t, const Surface_point& p,
+                                               const Insert& insert) {
+  const std::optional<Surface_point> q = locate_on_intrinsic(t, p);
+  if (!q) return {Move_status::not_traceable};
+  const std::array<double, 3> weights = without_rounding(Intrinsic_view<Triangulation>(t), *q);
+  typename Triangulation::halfedge_descriptor h = t.numbers().halfedge_at(q->halfedge);
+  for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
+    if (weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};
+  auto inserted = insert(h, weights);
+  // a point that is rounded off its edge may be beyond a vertex close by
+  for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
+    if (inserted.status != Move_status::done && weights[(k + 2) % 3] == 0)
+      inserted = insert(opposite(h, t.mesh()), {1 - weights[k], weights[k], 0});
+  if (inserted.status != Move_status::done) inserted = insert(h, q->weights);
+  return {inserted.status, inserted.vertex, inserted.status == Move_status::done};
+}
+
+} // namespace internal
+
+/*!
+\brief finds the vertex of the intrinsic triangulation at a point of the input, and inserts one if there is none.
+
+A vertex or an edge at the point up to rounding has it. With exact traits the new vertex is where
+`Intrinsic_triangulation::insert_vertex()` rounds the point.
+\tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
+\param t the triangulation
+\param p the point, on the input
+\complexity that of `locate_on_intrinsic()` and of an insertion
+*/
+template <RefinableTriangulation Triangulation>
+Vertex_at_point<Triangulation> insert_point(Triangulation& t, const Surface_point& p) {
+  return internal::insert_point_by(t, p, [&](auto h, const std::array<double, 3>& weights) {
+    return t.insert_vertex(h, weights);
+  });
+}
+
+/*!
+\brief finds the vertices at a point of the user's faces, and inserts those that are missing: on a
+cover, one on each sheet.
+
+The first is that of `insert_point()`; a point at a vertex of the user has this one only. The others
+are exactly at the same point, and have the same row in matrices, if the correspondence knows places
+on the input (see `Intrinsic_triangulation::places()`).
+\tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
+\param t the triangulation
+\param p the point on one of the sheets
+\complexity that of `insert_point()` for each; on a cover, linear in the size of the input
+*/
+template <RefinableTriangulation Triangulation>
+std::vector<Vertex_at_point<Triangulation>> insert_point_on_sheets(Triangulation& t,
+                                                                   const Surface_point& p) {
+  std::vector<Vertex_at_point<Triangulation>> result{insert_point(t, p)};
+  const Vertex_at_point<Triangulation> first = result.front();
+  if (t.input().names().sheets == 1 || first.status != Move_status::done ||
+      !t.is_inserted(first.vertex))
+    return result;
+  Surface_point place = p;
+  if constexpr (internal::Knows_places<Triangulation>)
+    if (t.places() != nullptr) place = t.places()->location(t.index(first.vertex));
+  const internal::Sheets sheets(t.input());
+  if (!sheets.is_cover()) return result;
+  for (const Surface_point& other : sheets.others(place))
+    result.push_back(
+        internal::insert_point_by(t, other, [&](auto h, const std::array<double, 3>& weights) {
+          return typename Triangulation::Session(t).insert_copy(h, weights, other);
+        }));
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_GEODESICS_CURVES_INSERT_POINT_H

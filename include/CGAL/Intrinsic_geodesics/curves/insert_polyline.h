@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_CURVES_INSERT_POLYLINE_H
+#define CGAL_INTRINSIC_GEODESICS_CURVES_INSERT_POLYLINE_H
+
+#include <CGAL/Intrinsic_geodesics/curves/Line_inserter.h>
+#include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
+#include <CGAL/Intrinsic_geodesics/curves/insert_traced_path.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/tracing/common_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a polyline whose points are vertices and whose segments are paths of edges.
+\tparam Triangulation the type of the triangulation
+*/
+template <class Triangulation>
+struct Inserted_polyline : Inserted_path<Triangulation> {
+  /// The vertex at each point that was given.
+  std::vector<typename Triangulation::vertex_descriptor> vertices;
+};
+
+namespace internal {
+
+// A vector from a point of the input, where vertex v is, as a direction from that vertex.
+template <class Triangulation>
+std::optional<Corner_direction> direction_at_vertex(const Triangulation& t, std::uint32_t v,
+                                                    const Tangent_vector& vector) {
+  const std::optional<Tangent_vector> here = tangent_to_intrinsic(t, vector);
+  if (!here) return std::nullopt;
+  const Accurate_view<Triangulation> view(t);
+  const Geodesic_face face(view, here->point.halfedge);
+  const auto& w = here->point.weights;
+  std::optional<unsigned> k;
+  for (unsigned i = 0; i < 3; ++i)
+    if (view.source(face.side[i]) == v && (!k || w[i] > w[*k])) k = i;
+  if (!k) return std::nullopt; // rounding, in a face that is tiny
+  const Plane_vector<double> d = face.relative_to(*k, here->vector);
+  double angle = std::atan2(d[1], d[0]); // from the side of the corner that is nearer
+  const double full = 2 * std::numbers::pi, corner = angle_at_source(view, face.side[*k]);
+  if (angle < 0 && angle + full - corner < -angle) angle += full;
+  return Corner_direction{face.side[*k], angle};
+}
+
+} // namespace internal
+
+/*!
+\brief makes a polyline on the input a path of edges of the triangulation.
+
+Vertices are inserted at its points, unless there are some, then each segment is inserted as by `insert_traced_path()`. A polyline
+may pass a point again, if that is given in the same way, and cross itself.
+\tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
+\param t the triangulation
+\param points points of the input; `surface_point()` finds those of the user's mesh. Each is in a face with the next one: where the
+polyline crosses an edge, there is a point
+\return the path, and the vertices at the points. If a vertex is refused, those inserted before stay
+\throws Invalid_input if two consecutive points have no common face; nothing has been inserted then
+\complexity see `insert_point()` and `insert_traced_path()`
+*/
+template <RefinableTriangulation Triangulation>
+Inserted_polyline<Triangulation> insert_polyline(Triangulation& t,
+                                                 const std::vector<Surface_point>& points) {
+  const auto& input = t.correspondence().input();
+  std::vector<std::pair<Surface_point, Surface_point>> segments;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto in_common = internal::in_one_face(input, points[i], points[i + 1]);
+    if (!in_common)
+      throw Invalid_input(Element_kind::none, 0,
+                          "points " + std::to_string(i) + " and " + std::to_string(i + 1) +
+                              " of a polyline are in no common face of the input; add the points "
+                              "where it crosses edges");
+    segments.push_back(*in_common);
+  }
+  Inserted_polyline<Triangulation> result;
+  for (const Surface_point& p : points) {
+    const Vertex_at_point<Triangulation> v = insert_point(t, p);
+    result.status = v.status;
+    if (v.status != Move_status::done) return result;
+    result.vertices.push_back(v.vertex);
+  }
+  internal::Line_inserter<Triangulation> inserter(t);
+  for (std::size_t i = 0; i < segments.size() && result.status == Move_status::done; ++i) {
+    if (result.vertices[i] == result.vertices[i + 1]) continue;
+    const auto& [p, q] = segments[i];
+    const Plane_vector<double> vector = vector_between(input, p, q);
+    const auto d = internal::direction_at_vertex(t, t.index(result.vertices[i]), {p, vector});
+    result.status =
+        d ? inserter.go(*d, std::hypot(vector[0], vector[1]), t.index(result.vertices[i + 1]))
+          : Move_status::not_traceable;
+  }
+  result.halfedges = inserter.paths().halfedges(t);
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_GEODESICS_CURVES_INSERT_POLYLINE_H

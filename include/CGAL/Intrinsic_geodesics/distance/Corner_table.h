@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_DISTANCE_CORNER_TABLE_H
+#define CGAL_INTRINSIC_GEODESICS_DISTANCE_CORNER_TABLE_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/*!
+\brief is a corner of a face and the side that starts there, counterclockwise.
+
+The angle is kept as a unit vector: unfolding across a side turns about a corner by it. What is computed of a long and
+thin face so has errors of rounding relative to its longest side, whichever sides are crossed.
+*/
+struct Face_corner {
+  double length = 0; ///< length of the side
+  double cosine = 1; ///< of the angle at the corner
+  double sine = 0;   ///< of the angle at the corner
+  std::uint32_t opposite =
+      Gluing::none; ///< the same edge as a side of a face, `Gluing::none` on the border
+  std::uint32_t origin = Gluing::none; ///< the vertex
+};
+
+/*!
+\brief is a triangulation as one flat array: corner `3 f + k` is the source of side `k` of face `f`.
+
+Lengths are in scaled units, see `unit`. Vertices and faces have their numbers in the triangulation; those of removed ones are
+left empty.
+*/
+struct Corner_table {
+  std::vector<Face_corner> corners; ///< three per face
+  std::vector<std::uint32_t>
+      first_corner; ///< per vertex: the most clockwise corner of a fan, or none
+  /// Other fans of vertices that are not manifold: the vertex, and the most clockwise corner. In the order of vertices.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> other_fans;
+  /// On a cover, per vertex the next copy of the same vertex of the user, in a circle; else empty.
+  std::vector<std::uint32_t> next_copy;
+  double unit = 1; ///< what the length 1 is in the units of the input
+
+  /// returns the next corner of the face.
+  static std::uint32_t next(std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
+  /// returns the corner before it in the face.
+  static std::uint32_t previous(std::uint32_t c) { return c % 3 == 0 ? c + 2 : c - 1; }
+  /// returns the corner of the same vertex in the next face counterclockwise, or `Gluing::none`.
+  std::uint32_t turn_left(std::uint32_t c) const { return corners[previous(c)].opposite; }
+  /// returns the corner of the same vertex in the next face clockwise, or `Gluing::none`.
+  std::uint32_t turn_right(std::uint32_t c) const {
+    const std::uint32_t o = corners[c].opposite;
+    return o == Gluing::none ? o : next(o);
+  }
+
+  /// finds the fans of all vertices. \pre `corners` are there, and `first_corner` is long enough
+  void find_fans() {
+    std::vector<char> seen(corners.size(), 0);
+    for (std::uint32_t c = 0; c < corners.size(); ++c) {
+      if (seen[c] != 0 || corners[c].origin == Gluing::none) continue;
+      std::uint32_t first = c;
+      for (std::uint32_t r = turn_right(c); r != Gluing::none && r != c; r = turn_right(r))
+        first = r;
+      if (first != c && turn_right(first) == c) first = c; // all around
+      std::uint32_t g = first;
+      do seen[g] = 1;
+      while ((g = turn_left(g)) != Gluing::none && g != first);
+      const std::uint32_t v = corners[c].origin;
+      if (first_corner[v] == Gluing::none)
+        first_corner[v] = first;
+      else
+        other_fans.emplace_back(v, first);
+    }
+    std::sort(other_fans.begin(), other_fans.end());
+  }
+};
+
+// The cosine and the sine of the angle between sides of which squared lengths, that of the third, and the quadruple
+// area are known; of a zero-length side, a right angle.
+inline std::pair<double, double> corner_direction(double left, double right, double opposite,
+                                                  double quadruple_area) {
+  const double x = left + right - opposite, y = quadruple_area, norm = std::sqrt(x * x + y * y);
+  return norm > 0 ? std::pair(x / norm, y / norm) : std::pair(0.0, 1.0);
+}
+
+// Writes the corners of a face.
+template <NumberedTriangulation Triangulation>
+void write_corners(const Triangulation& t, typename Triangulation::face_descriptor f,
+                   const std::vector<std::uint32_t>& corner_of_halfedge, Corner_table& table) {
+  const Face_values<double> values = accurate_values(t, f);
+  const std::array<double, 3>& l = values.squared_lengths;
+  typename Triangulation::halfedge_descriptor h = halfedge(f, t.mesh());
+  for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh())) {
+    const auto [cosine, sine] =
+        corner_direction(l[k], l[(k + 2) % 3], l[(k + 1) % 3], values.quadruple_area);
+    table.corners[3 * std::size_t{t.index(f)} + k] = {
+        std::sqrt(l[k]), cosine, sine,
+        corner_of_halfedge[t.numbers().halfedge(opposite(h, t.mesh()))],
+        t.index(source(h, t.mesh()))};
+  }
+}
+
+// Links the copies of vertices on a cover, which have one row.
+template <NumberedTriangulation Triangulation>
+void link_copies(const Triangulation& t, Corner_table& table) {
+  if constexpr (requires { t.input().names().row_of_vertex; }) {
+    if (t.input().names().row_of_vertex.empty()) return;
+    table.next_copy.resize(table.first_corner.size());
+    std::unordered_map<std::uint32_t, std::uint32_t> first; // by row
+    for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh())) {
+      const std::uint32_t i = t.index(v);
+      table.next_copy[i] = i;
+      const auto [place, is_new] = first.emplace(t.input_vertex(v), i);
+      if (!is_new) std::swap(table.next_copy[i], table.next_copy[place->second]);
+    }
+  }
+}
+
+// The halfedge whose source a corner is, in its face.
+template <NumberedTriangulation Triangulation>
+std::uint32_t halfedge_of_corner(const Triangulation& t, std::uint32_t corner) {
+  typename Triangulation::halfedge_descriptor h =
+      halfedge(t.numbers().face_at(corner / 3), t.mesh());
+  for (std::uint32_t k = 0; k < corner % 3; ++k) h = next(h, t.mesh());
+  return t.numbers().halfedge(h);
+}
+
+// Reads a triangulation once: nothing else asks it for numbers.
+template <NumberedTriangulation Triangulation>
+Corner_table corner_table(const Triangulation& t) {
+  const typename Triangulation::Mesh& mesh = t.mesh();
+  std::vector<std::uint32_t> corner_of_halfedge(2 * std::size_t{t.numbers().edge_capacity(mesh)},
+                                                Gluing::none);
+  std::uint32_t vertex_bound = 0;
+  for (const typename Triangulation::vertex_descriptor v : vertices(mesh))
+    vertex_bound = std::max(vertex_bound, t.index(v) + 1);
+  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
+    typename Triangulation::halfedge_descriptor h = halfedge(f, mesh);
+    for (std::uint32_t k = 0; k < 3; ++k, h = next(h, mesh))
+      corner_of_halfedge[t.numbers().halfedge(h)] = 3 * t.index(f) + k;
+  }
+  Corner_table table;
+  table.unit = std::ldexp(1.0, -t.metric().scale_exponent());
+  table.corners.resize(3 * std::size_t{t.numbers().face_capacity(mesh)});
+  table.first_corner.assign(vertex_bound, Gluing::none);
+  for (const typename Triangulation::face_descriptor f : faces(mesh))
+    write_corners(t, f, corner_of_halfedge, table);
+  table.find_fans();
+  link_copies(t, table);
+  return table;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_GEODESICS_DISTANCE_CORNER_TABLE_H

@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_DISTANCE_POLYHEDRAL_DISTANCE_H
+#define CGAL_INTRINSIC_GEODESICS_DISTANCE_POLYHEDRAL_DISTANCE_H
+
+#include <CGAL/Intrinsic_geodesics/distance/Corner_table.h>
+#include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
+#include <CGAL/Intrinsic_geodesics/distance/Path_tracer.h>
+#include <CGAL/Intrinsic_geodesics/distance/Window_propagation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <ranges>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a shortest path over the faces of a triangulation.
+*/
+struct Shortest_path {
+  /// `done`; `stalled` if no source can be reached, or it was not looked for so far away; `inaccurate` or `cap` if rounding has
+  /// led astray: the end of the path is there, its beginning is missing.
+  Status status = Status::done;
+  /// The source, a point on each edge that is crossed, the vertices that it goes through, and the end. The
+  /// piece that begins at a point lies in the face of its halfedge. Where a path on a cover passes
+  /// from one copy of a vertex to another, there are both.
+  std::vector<Surface_point> points;
+  /// Its length, in the units of the input: the distance.
+  double length = 0;
+};
+
+/*!
+\brief observes the search for distances; the default visitor does nothing.
+*/
+struct Polyhedral_distance_visitor {
+  /*!
+  \brief is called now and then, about every 65536 windows.
+  \param windows number of windows so far
+  \param distance distances up to this one are known, in the units of the input
+  \return whether to go on
+  */
+  bool progress([[maybe_unused]] std::uint64_t windows, [[maybe_unused]] double distance) {
+    return true;
+  }
+};
+
+/*!
+\brief knows the distances of all points of a triangulated surface from sources, and the shortest paths.
+
+Distances are those on the surface, along shortest paths through faces and across edges: nothing is discretized, errors are those of
+rounding. The triangulation is read once, in doubles: only lengths and areas count, so that it need not lie in
+space. Any Delta-complex will do, with or without border; a shortest path may run along the border. The distances do
+not depend on the triangulation of a surface; the effort does.
+
+At a vertex that is not manifold, paths pass from any fan of faces to any other. On a cover the
+copies of a vertex are one point: paths start, end and pass from one side to the other there.
+
+The search is that of Chen and Han (1990), by distance and pruned as by Xin and Wang (2009): intervals of edges that a source
+sees, *windows*, spread over the faces, 32 bytes each.
+
+\tparam Triangulation a model of `NumberedTriangulation`
+*/
+template <NumberedTriangulation Triangulation>
+class Polyhedral_distance {
+public:
+  /// Vertex of the triangulation.
+  using vertex_descriptor = typename Triangulation::vertex_descriptor;
+
+  /*!
+  \brief finds the distances from sources.
+  \tparam Sources a vertex, a `Surface_point`, or a range of either
+  \tparam NP a chain of named parameters
+  \param t the triangulation; it must outlive this object unchanged
+  \param sources the sources
+  \param np optional named parameters:
+    - `maximum_distance(d)`: how far to look, in the units of the input. Default: as far as there are faces.
+    - `targets(p)`: a vertex, a `Surface_point`, or a range of either: the search stops once their distances are known. Default:
+      none, it goes everywhere.
+    - `maximum_number(n)`: cap on the number of windows, which ends the search on bodies so thin that there are too many: k times as long as
+      thick, they have up to about 100 k (it is reached from 10^5 on). Default: 500 per halfedge and 4 million.
+    - `visitor(v)`: see `Polyhedral_distance_visitor`
+  \pre points are in faces, and their weights are not negative
+  \complexity O(n^2 log n) for n faces that shortest paths cross once, as they do in space (Chen and Han; Xin and Wang); about
+    n^1.5 in practice. Memory: 32 bytes per window, 6 to
+    12 windows per halfedge as a rule, and 40 bytes per halfedge
+  */
+  template <class Sources, NamedParameters NP = parameters::Parameters<>>
+  Polyhedral_distance(const Triangulation& t, const Sources& sources,
+                      const NP& np = parameters::default_values())
+      : t_(&t), field_(internal::corner_table(t)) {
+    using namespace internal::tags;
+    internal::expect_names<maximum_distance, targets, maximum_number, visitor>(np);
+    internal::Window_propagation propagation(field_);
+    for_each_place(sources, [&](const auto& p) { propagation.add_source(p); });
+    internal::Propagation_limits limits;
+    limits.radius = internal::value_or<maximum_distance>(np, limits.radius) / field_.table.unit;
+    limits.windows = internal::value_or<maximum_number>(np, field_.default_cap());
+    for_each_place(internal::object_or<targets>(np, std::array<Surface_point, 0>()),
+                   [&](const auto& p) { limits.add_target(p); });
+    auto stored_visitor = internal::object_or<visitor>(np, Polyhedral_distance_visitor());
+    auto& observed = internal::unwrapped(stored_visitor);
+    status_ = propagation.run(limits, [&](std::uint64_t windows, double distance) {
+      return observed.progress(windows, distance * field_.table.unit);
+    });
+    number_of_windows_ = propagation.number_of_windows();
+  }
+
+  /// returns `done`, `cap` or `cancelled`; distances up to `reached_distance()` are known in any case.
+  Status status() const { return status_; }
+  /// returns how far was looked, in the units of the input; infinity if there is nothing beyond.
+  double reached_distance() const { return field_.radius * field_.table.unit; }
+  /// returns the number of windows that were looked through.
+  std::uint64_t number_of_windows() const { return number_of_windows_; }
+  /// returns the number of bytes held, but for those of constant number.
+  std::size_t bytes() const { return field_.bytes(); }
+
+  /// returns the distance of a vertex, in the units of the input; infinity if it cannot be reached, or
+  /// was not looked for so far away.
+  double distance(vertex_descriptor v) const {
+    return known(field_.vertices[t_->index(v)].distance);
+  }
+  /// returns the distance of a point. \complexity linear in the number of windows of its face
+  double distance(const Surface_point& p) const {
+    return known(field_.at(point_in_face(p)).distance);
+  }
+  /// returns the distances of all vertices, by their rows, see
+  /// `Intrinsic_triangulation::input_vertex()`.
+  std::vector<double> distances() const {
+    std::vector<double> result(t_->number_of_vertices(), std::numeric_limits<double>::infinity());
+    for (const vertex_descriptor v : vertices(t_->mesh())) {
+      double& least = result[t_->input_vertex(v)];
+      least = std::min(least, distance(v));
+    }
+    return result;
+  }
+
+  /// returns a shortest path to a vertex from the nearest source. \complexity linear in the number of its points
+  Shortest_path shortest_path(vertex_descriptor v) const {
+    return path_to(t_->index(v), distance(v));
+  }
+  /// returns a shortest path to a point from the nearest source. \complexity linear in the number of its points and of the
+  /// windows of its face
+  Shortest_path shortest_path(const Surface_point& p) const {
+    return path_to(point_in_face(p), distance(p));
+  }
+
+  /// returns the vector at the nearest source along the shortest path to a vertex, as long as the
+  /// path: at a source that is a vertex, in a face into
+  /// which it points. Its coordinates are not numbers where the distance is infinite, or rounding
+  /// has led the path astray. \complexity that of `shortest_path()`
+  Tangent_vector logarithm(vertex_descriptor v) const {
+    return departure_to(t_->index(v), distance(v));
+  }
+  /// returns the vector at the nearest source along the shortest path to a point; see above.
+  Tangent_vector logarithm(const Surface_point& p) const {
+    return departure_to(point_in_face(p), distance(p));
+  }
+
+private:
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+
+  double known(double scaled_distance) const {
+    return scaled_distance <= field_.radius ? scaled_distance * field_.table.unit
+                                            : std::numeric_limits<double>::infinity();
+  }
+
+  std::uint32_t side_of(std::uint32_t halfedge_number) const {
+    const typename Triangulation::Mesh& mesh = t_->mesh();
+    const Halfedge h = t_->numbers().halfedge_at(halfedge_number);
+    CGAL_precondition(face(h, mesh) !=
+                      boost::graph_traits<typename Triangulation::Mesh>::null_face());
+    std::uint32_t k = 0;
+    for (Halfedge g = halfedge(face(h, mesh), mesh); g != h; g = next(g, mesh)) ++k;
+    return 3 * t_->index(face(h, mesh)) + k;
+  }
+
+  internal::Point_in_face point_in_face(const Surface_point& p) const {
+    return field_.point(side_of(p.halfedge), p.weights);
+  }
+
+  // Calls a function with vertices by number and with points in faces.
+  template <class Places, class Function>
+  void for_each_place(const Places& places, const Function& f) const {
+    if constexpr (std::convertible_to<Places, vertex_descriptor>) {
+      f(t_->index(vertex_descriptor(places)));
+    } else if constexpr (std::same_as<Places, Surface_point>) {
+      for (std::uint32_t k = 0; k < 3; ++k) // a corner is a vertex
+        if (places.weights[(k + 1) % 3] == 0 && places.weights[(k + 2) % 3] == 0) {
+          const std::uint32_t side = side_of(places.halfedge);
+          return f(field_.table.corners[side - side % 3 + (side + k) % 3].origin);
+        }
+      f(point_in_face(places));
+    } else {
+      static_assert(std::ranges::range<const Places>,
+                    "sources and targets are vertices, objects Surface_point, or ranges of them");
+      for (const auto& p : places) for_each_place(p, f);
+    }
+  }
+
+  // To a vertex by number, or to a point in a face.
+  template <class Place>
+  Shortest_path path_to(const Place& place, double length) const {
+    if (!std::isfinite(length)) return {Status::stalled, {}, length};
+    internal::Path_tracer tracer(field_);
+    Shortest_path result{tracer.trace(place), {}, length};
+    for (const internal::Path_place& p : tracer.places())
+      result.points.push_back({internal::halfedge_of_corner(*t_, p.side), p.weights});
+    std::reverse(result.points.begin(), result.points.end());
+    return result;
+  }
+  template <class Place>
+  Tangent_vector departure_to(const Place& to, double length) const {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    internal::Path_tracer tracer(field_);
+    if (!std::isfinite(length) || tracer.trace(to) != Status::done || tracer.places().empty())
+      return {{Gluing::none, {unknown, unknown, unknown}}, {unknown, unknown}};
+    const internal::Path_place& place = tracer.places().back();
+    const Plane_vector<double> d = tracer.departure();
+    const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
+    return {{internal::halfedge_of_corner(*t_, place.side), place.weights}, scale * d};
+  }
+
+  const Triangulation* t_;
+  internal::Distance_field field_;
+  Status status_ = Status::done;
+  std::uint64_t number_of_windows_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_GEODESICS_DISTANCE_POLYHEDRAL_DISTANCE_H

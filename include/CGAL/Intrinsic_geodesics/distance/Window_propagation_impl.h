@@ -1,0 +1,318 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_DISTANCE_WINDOW_PROPAGATION_IMPL_H
+#define CGAL_INTRINSIC_GEODESICS_DISTANCE_WINDOW_PROPAGATION_IMPL_H
+
+#include <CGAL/Intrinsic_geodesics/distance/Window_propagation.h>
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Window_propagation::Window_propagation(Distance_field& field)
+    : field_(field), table_(field.table), split_(field.table.corners.size()),
+      is_final_(field.vertices.size(), 0) {}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_source(std::uint32_t v) {
+  reach(v, 0, {{0, 0}, Gluing::none, v, Arrival::Kind::at_source});
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_source(const Point_in_face& p) {
+  const auto source =
+      static_cast<std::uint32_t>(field_.vertices.size() + field_.face_sources.size());
+  const std::uint32_t face = p.side / 3;
+  field_.sources_by_face.insert(std::upper_bound(field_.sources_by_face.begin(),
+                                                 field_.sources_by_face.end(), face,
+                                                 [this](std::uint32_t f, std::uint32_t s) {
+                                                   return f < field_.face_sources[s].side / 3;
+                                                 }),
+                                static_cast<std::uint32_t>(field_.face_sources.size()));
+  field_.face_sources.push_back(p);
+  for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
+    const Plane_vector<double> q = field_.turned_to(side, p.point, p.side);
+    const Face_corner& c = table_.corners[side];
+    const Window_face f(table_, side);
+    reach(f.left.origin, planar_distance(q, f.apex), {q, side, source, Arrival::Kind::straight});
+    if (c.opposite == Gluing::none) continue;
+    Window w{0, c.length, {c.length - q.x, -q.y}, 0, 0, 0, c.opposite, source};
+    if (measure_window(w)) add_window(w);
+  }
+}
+
+// Takes note of a path to a vertex.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Window_propagation::reach(std::uint32_t v, double distance, const Arrival& arrival) {
+  Distance_and_arrival& known = field_.vertices[v];
+  if (!(distance < known.distance) || is_final_[v] != 0) return; // the latter by rounding
+  known = {distance, arrival};
+  if (distance <= radius_) queue_.push_vertex(distance, v);
+}
+
+// A vertex has its distance. Paths go on along edges: others are shorter unless the vertex is a source, but these bound
+// them early, and reach what windows miss by more than they are tolerant.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::finish(std::uint32_t v) {
+  is_final_[v] = 1;
+  const bool is_source = field_.vertices[v].arrival.kind == Arrival::Kind::at_source;
+  if (table_.first_corner[v] == Gluing::none) return;
+  if (!table_.next_copy.empty()) reach_copies(v);
+  open_fan(v, table_.first_corner[v], is_source);
+  auto other = std::lower_bound(table_.other_fans.begin(), table_.other_fans.end(),
+                                std::pair(v, std::uint32_t{0}));
+  for (; other != table_.other_fans.end() && other->first == v; ++other)
+    open_fan(v, other->second, is_source);
+}
+
+// On a cover, paths go on from any copy of a vertex. Where that gains no more than rounding makes,
+// they stay on their side.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::reach_copies(std::uint32_t v) {
+  constexpr double least = 1 - 1e-12;
+  const double distance = field_.vertices[v].distance;
+  for (std::uint32_t w = table_.next_copy[v]; w != v; w = table_.next_copy[w])
+    if (distance < field_.vertices[w].distance * least)
+      reach(w, distance, {{0, 0}, Gluing::none, v, Arrival::Kind::copied});
+}
+
+// The index in the fan of the face where the shortest path comes from, and the angle from the side of its corner to the
+// path. If the path comes from another fan, the index is the size of the fan.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE double
+Window_propagation::find_arrival(std::uint32_t v, std::size_t& index) const {
+  const Arrival& a = field_.vertices[v].arrival;
+  if (a.kind != Arrival::Kind::straight) return 0;
+  const auto found = std::find_if(fan_.begin(), fan_.end(),
+                                  [&](const Wedge& w) { return w.corner == a.corner(); });
+  index = static_cast<std::size_t>(found - fan_.begin());
+  if (found == fan_.end()) return 0;
+  const Window_face f(table_, a.side);
+  const double x = a.image.x - f.apex.x, y = a.image.y - f.apex.y;
+  const double angle = std::atan2(-f.apex.x * y + f.apex.y * x, -f.apex.x * x - f.apex.y * y);
+  return std::clamp(angle, 0.0, found->angle);
+}
+
+// Looks from a vertex into the faces of a fan, as far as shortest paths may go on there.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Window_propagation::open_fan(std::uint32_t v, std::uint32_t first, bool everywhere) {
+  fan_.clear();
+  std::uint32_t c = first;
+  const double distance = field_.vertices[v].distance;
+  do {
+    const Face_corner& corner = table_.corners[c];
+    const Face_corner& back = table_.corners[Corner_table::previous(c)];
+    fan_.push_back({c, std::atan2(corner.sine, corner.cosine)});
+    everywhere = everywhere || !(corner.length > 0 && back.length > 0);
+    reach(table_.corners[Corner_table::next(c)].origin, distance + corner.length,
+          {{back.length, 0}, Corner_table::previous(c), v, Arrival::Kind::straight});
+    reach(back.origin, distance + back.length, {{0, 0}, c, v, Arrival::Kind::straight});
+    c = table_.turn_left(c);
+  } while (c != Gluing::none && c != first);
+  std::size_t index = fan_.size();
+  const double angle = everywhere ? 0 : find_arrival(v, index);
+  if (index == fan_.size())
+    for (const Wedge& w : fan_) open_wedge(v, w, 0, w.angle);
+  else if (c == Gluing::none)
+    open_border_fan(v, index, angle);
+  else
+    open_closed_fan(v, index, angle);
+}
+
+// Paths go on where they leave half a turn at least on both sides.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Window_propagation::open_closed_fan(std::uint32_t v, std::size_t arrival, double angle) {
+  double total = 0;
+  for (const Wedge& w : fan_) total += w.angle;
+  if (total <= 2 * std::numbers::pi + window_angle_tolerance / 4) return;
+  const double from = std::numbers::pi - window_angle_tolerance;
+  const double to = total - from;
+  double turned = -angle;
+  for (std::size_t i = 0; i < fan_.size(); ++i) {
+    const Wedge& w = fan_[(arrival + i) % fan_.size()];
+    open_wedge(v, w, from - turned, to - turned);
+    turned += w.angle;
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Window_propagation::open_border_fan(std::uint32_t v, std::size_t arrival, double angle) {
+  const double half = std::numbers::pi + window_angle_tolerance / 4;
+  const double from = std::numbers::pi - window_angle_tolerance;
+  double left = -angle, right = angle;
+  for (std::size_t i = arrival; i < fan_.size(); ++i) left += fan_[i].angle;
+  for (std::size_t i = 0; i < arrival; ++i) right += fan_[i].angle;
+  if (left > half) {
+    double turned = -angle;
+    for (std::size_t i = arrival; i < fan_.size(); ++i) {
+      open_wedge(v, fan_[i], from - turned, fan_[i].angle);
+      turned += fan_[i].angle;
+    }
+  }
+  if (right > half) {
+    double turned = angle - fan_[arrival].angle; // to the right
+    for (std::size_t i = arrival + 1; i-- > 0;) {
+      open_wedge(v, fan_[i], 0, fan_[i].angle - (from - turned));
+      turned += fan_[i].angle;
+    }
+  }
+}
+
+// Looks from a vertex across a face, between two angles from the side of its corner.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Window_propagation::open_wedge(std::uint32_t v, const Wedge& wedge, double from, double to) {
+  if (!(from < wedge.angle) || !(to > 0)) return;
+  const std::uint32_t side = Corner_table::next(wedge.corner);
+  const Window_face f(table_, side); // v is its apex
+  if (f.base.opposite == Gluing::none) return;
+  const auto place = [&](double angle) { // on the side, of the ray at an angle
+    const double s = std::sin(angle);
+    return std::clamp(f.left.length * s / (f.base.cosine * s + f.base.sine * std::cos(angle)), 0.0,
+                      f.base.length);
+  };
+  const double length = f.base.length;
+  Window w{to >= wedge.angle ? 0 : length - place(to),
+           from <= 0 ? length : length - place(from),
+           {length - f.apex.x, -f.apex.y},
+           field_.vertices[v].distance,
+           0,
+           0,
+           f.base.opposite,
+           v};
+  if (measure_window(w)) add_window(w);
+}
+
+// Whether the paths through a window are longer than others, by way of the ends of its side.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Window_propagation::is_useless(const Window& w) const {
+  constexpr double least = 1 - window_distance_tolerance;
+  const Face_corner& side = table_.corners[w.side];
+  const double source = field_.vertices[side.origin].distance;
+  if (source + w.end < (w.offset + w.end_distance) * least) return true;
+  const double target = field_.vertices[table_.corners[Corner_table::next(w.side)].origin].distance;
+  return target + (side.length - w.begin) < (w.offset + w.begin_distance) * least;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_window(const Window& w) {
+  const double key = w.least_distance();
+  if (key <= radius_ && !is_useless(w)) queue_.push_window(key, w);
+}
+
+// A window shows the far corner. Decides to which sides it goes on. Where its line to the corner is the same as that of the
+// nearest, none of the two crosses paths of the other: it goes on to the sides where more of it is than rounding makes.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::show_apex(const Window& w,
+                                                                        const Window_face& face,
+                                                                        const Apex_view& apex,
+                                                                        bool& left, bool& right) {
+  Split& nearest = split_[w.side];
+  const double distance = w.offset + apex.distance;
+  const bool is_nearest = distance < nearest.distance;
+  reach(face.left.origin, distance, {w.image, w.side, w.source, Arrival::Kind::straight});
+  if (std::abs(apex.crossing - nearest.crossing) <= apex.tolerance) {
+    const bool is_thin = apex.is_near_begin && apex.is_near_end;
+    left = is_thin ? is_nearest : !apex.is_near_begin;
+    right = is_thin ? is_nearest : !apex.is_near_end;
+  } else if (!is_nearest) {
+    left = apex.crossing < nearest.crossing;
+    right = !left;
+  }
+  if (is_nearest) nearest = {distance, apex.crossing};
+}
+
+// What a window shows of the other sides of its face: bit 0 is set if there is something on the left, bit 1 on the right.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE unsigned
+Window_propagation::split(const Window& w, Window& left, Window& right) {
+  const Window_face face(table_, w.side);
+  const Apex_view apex(w, face);
+  bool goes_left = apex.is_not_before, goes_right = apex.is_not_after;
+  if (apex.is_seen()) show_apex(w, face, apex, goes_left, goes_right);
+  // the line from the apex to an end of the window crosses all paths to the side on the other hand
+  constexpr double least = 1 - window_distance_tolerance;
+  const double distance = field_.vertices[face.left.origin].distance;
+  if (distance < w.offset + std::max(w.begin_distance, w.end_distance)) {
+    goes_left = goes_left && distance + planar_distance(face.apex, {w.begin, 0}) >=
+                                 (w.offset + w.begin_distance) * least;
+    goes_right = goes_right && distance + planar_distance(face.apex, {w.end, 0}) >=
+                                   (w.offset + w.end_distance) * least;
+  }
+  unsigned result = 0;
+  if (goes_left && left_child(w, face, apex.is_not_after, left) && !is_useless(left)) result |= 1U;
+  if (goes_right && right_child(w, face, apex.is_not_before, right) && !is_useless(right))
+    result |= 2U;
+  return result;
+}
+
+// Parts a window by the ray through a source in its face, as a vertex there would do: what it shows is as empty of sources as
+// of vertices.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::part_at_sources(Window& w) {
+  for (const std::uint32_t s : field_.sources_in_face(w.side / 3)) {
+    const Point_in_face& source = field_.face_sources[s];
+    const Plane_vector<double> p = field_.turned_to(w.side, source.point, source.side);
+    const double cut = w.image.x - (p.x - w.image.x) * (w.image.y / (p.y - w.image.y));
+    if (!(cut > w.begin && cut < w.end)) continue;
+    Window right = w;
+    right.begin = w.end = cut;
+    right.begin_distance = w.end_distance = planar_distance(w.image, {cut, 0});
+    add_window(right);
+  }
+}
+
+// Looks through a window, and through what it shows as long as nothing is nearer.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::look_through(Window w) {
+  Window left, right;
+  while (!is_useless(w)) {
+    ++count_;
+    if (!field_.face_sources.empty()) part_at_sources(w);
+    field_.windows.add(w, table_.corners[w.side].length);
+    const unsigned shown = split(w, left, right);
+    if (shown == 0) return;
+    if (shown == 3) add_window(right);
+    w = shown == 2 ? right : left;
+    const double key = w.least_distance();
+    if (key > radius_) return;
+    if (key > queue_.least() || count_ >= most_windows_) {
+      queue_.push_window(key, w);
+      return;
+    }
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
+Window_propagation::knows_targets(const Propagation_limits& limits) const {
+  if (limits.vertices.empty() && limits.points.empty()) return false;
+  const double least = queue_.least();
+  return std::all_of(limits.vertices.begin(), limits.vertices.end(),
+                     [&](std::uint32_t v) { return field_.vertices[v].distance <= least; }) &&
+         std::all_of(limits.points.begin(), limits.points.end(),
+                     [&](const Point_in_face& p) { return field_.at(p).distance <= least; });
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Window_propagation::run(
+    const Propagation_limits& limits, const std::function<bool(std::uint64_t, double)>& progress) {
+  radius_ = limits.radius;
+  field_.radius = limits.radius;
+  most_windows_ =
+      std::min<std::uint64_t>(limits.windows, std::numeric_limits<std::uint32_t>::max() - 1);
+  Window w;
+  std::uint32_t v = 0;
+  for (std::uint64_t step = 1; !queue_.is_empty(); ++step) {
+    const bool is_known = step % 1024 == 0 && knows_targets(limits);
+    const bool is_cap = count_ >= most_windows_;
+    if (is_known || is_cap || (step % 65536 == 0 && !progress(count_, queue_.least()))) {
+      field_.radius = std::min(limits.radius, queue_.least());
+      return is_known ? Status::done : is_cap ? Status::cap : Status::cancelled;
+    }
+    if (!queue_.pop(v, w))
+      look_through(w);
+    else if (is_final_[v] == 0)
+      finish(v);
+  }
+  return Status::done;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_GEODESICS_DISTANCE_WINDOW_PROPAGATION_IMPL_H

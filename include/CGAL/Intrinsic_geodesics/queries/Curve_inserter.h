@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_QUERIES_CURVE_INSERTER_H
+#define CGAL_INTRINSIC_GEODESICS_QUERIES_CURVE_INSERTER_H
+
+#include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_geodesics/curves/Line_inserter.h>
+#include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
+#include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Flip_log.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Wedge_flipper.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Edges that a line crosses are flipped away: all, or those that are not constrained.
+template <class Triangulation, bool splits>
+class Flip_crossed_edges {
+  using Halfedges = std::vector<typename Triangulation::halfedge_descriptor>;
+
+public:
+  static constexpr bool may_split = splits;
+
+  Flip_crossed_edges(Triangulation& t, Flip_log<Triangulation>* log) : t_(&t), log_(log) {}
+
+  bool may_flip(std::uint32_t) const { return true; }
+  // A line that passes through a face twice becomes the chain of edges on its left.
+  Halfedges edges_along(const Halfedges& crossed) const {
+    typename Triangulation::Session session(*t_);
+    Wedge_flipper<Triangulation> flip(*t_, session, log_);
+    Shortening_result counts;
+    const bool may_flip_all = pass_faces_once(*t_, std::array{crossed});
+    return Segment_flipper<Triangulation>(*t_, session, flip)(
+        crossed, may_flip_all ? std::numeric_limits<std::uint64_t>::max() : 0, counts, [](auto) {});
+  }
+
+private:
+  Triangulation* t_;
+  Flip_log<Triangulation>* log_;
+};
+
+// Lays out a straight line over the input.
+class Laid_out_line {
+public:
+  Laid_out_line(const Input& input, const Traced_curve& curve) : input_(input), curve_(curve) {}
+
+  // The line from point `first` to point `last` of the curve, in the frame of its first face.
+  Plane_vector<double> vector(std::size_t first, std::size_t last) const {
+    Plane_vector<double> sum{0, 0}, x{1, 0}; // x: the x-axis of the frame
+    for (std::size_t i = first; i < last; ++i) {
+      if (i > first && !turn(i, x)) break;
+      const Plane_vector<double> v = piece(i);
+      sum = {sum[0] + x[0] * v[0] - x[1] * v[1], sum[1] + x[0] * v[1] + x[1] * v[0]};
+    }
+    return sum;
+  }
+  // Its length.
+  double length(std::size_t first, std::size_t last) const {
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const Plane_vector<double> v = piece(i);
+      sum += std::hypot(v[0], v[1]);
+    }
+    return sum;
+  }
+  // A point at an end of a piece of it.
+  Surface_point point(std::size_t i, std::size_t piece) const {
+    return seen_in_face(input_, curve_.points[i], curve_.faces[piece]);
+  }
+
+private:
+  Plane_vector<double> piece(std::size_t i) const {
+    return vector_between(input_, point(i, i), point(i + 1, i));
+  }
+
+  // From the frame of the face before point i to that of the face after it. False if they are not
+  // beside each other there.
+  bool turn(std::size_t i, Plane_vector<double>& x) const {
+    if (curve_.faces[i - 1] == curve_.faces[i]) return true;
+    const Surface_point p = point(i, i - 1);
+    std::uint32_t h = p.halfedge;
+    for (unsigned k = 0; k < 3; ++k, h = input_.next(h)) {
+      if (p.weights[(k + 2) % 3] != 0 || input_.is_border(h ^ 1U) ||
+          input_.face(h ^ 1U) != curve_.faces[i])
+        continue;
+      const Plane_vector<double> a = edge_in_frame(h, curve_.faces[i - 1]),
+                                 b = edge_in_frame(h ^ 1U, curve_.faces[i]);
+      // the turn from -b to a
+      const double c = -dot(a, b), s = cross(a, b), l = std::hypot(c, s);
+      x = {(x[0] * c - x[1] * s) / l, (x[0] * s + x[1] * c) / l};
+      return true;
+    }
+    return false;
+  }
+  Plane_vector<double> edge_in_frame(std::uint32_t h, std::uint32_t f) const {
+    const Geodesic_face face(input_, input_.halfedge_of_face(f));
+    return face.edge[face.side[0] == h ? 0 : face.side[1] == h ? 1 : 2];
+  }
+
+  const Input& input_;
+  const Traced_curve& curve_;
+};
+
+/*
+Makes geodesics over the input paths of edges of the triangulation. Edges that a geodesic crosses
+are flipped away; only where it crosses one that was
+inserted before, a vertex is inserted. Each geodesic may have been found alone: none is in the way
+of others.
+
+Where a vertex is near a geodesic by rounding, the path may lead to the wrong side of it:
+`shorten_curves()` mends it.
+\tparam splits whether edges of geodesics that were inserted before may be split; else `insert()`
+  returns `not_traceable`
+*/
+template <class Triangulation, bool splits = true>
+class Curve_inserter {
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+
+public:
+  // \param log remembers flips, if nothing is split
+  explicit Curve_inserter(Triangulation& t, Flip_log<Triangulation>* log = nullptr)
+      : t_(t), lines_(t, Flip_crossed_edges<Triangulation, splits>(t, log)) {}
+
+  // The halfedges of a path, which is one or several geodesics; paths are numbered from 0.
+  std::vector<Halfedge> path(std::size_t i = 0) const { return lines_.paths().halfedges(t_, i); }
+  void begin_path() { lines_.paths().begin(); }
+
+  // Inserts a geodesic from one vertex to another, at the end of the last path.
+  Move_status insert(const Traced_curve& curve, Vertex from, Vertex to) {
+    const Laid_out_line line(t_.correspondence().input(), curve);
+    const std::size_t n = curve.points.size();
+    if (n < 2) return from == to ? Move_status::done : Move_status::not_traceable;
+    for (std::size_t first = 0, last = 1; first + 1 < n; first = last++) {
+      while (last + 1 < n && corner_of(curve.points[last]) == 3) ++last;
+      // on a cover, a part may begin at another copy of the vertex where the one before ends
+      const Move_status s = insert(line, first, last, vertex_at(line.point(first, first), from),
+                                   vertex_at(line.point(last, last - 1), to));
+      if (s != Move_status::done) return s;
+    }
+    return Move_status::done;
+  }
+
+private:
+  // The vertex at a point, or another where there is none. The vertices of the input have the same
+  // numbers.
+  Vertex vertex_at(const Surface_point& p, Vertex other) const {
+    const unsigned corner = corner_of(p);
+    if (corner == 3) return other;
+    std::uint32_t h = p.halfedge;
+    for (unsigned k = 0; k < corner; ++k) h = t_.correspondence().input().next(h);
+    return t_.numbers().vertex_at(t_.correspondence().input().source(h));
+  }
+
+  // a straight part
+  Move_status insert(const Laid_out_line& line, std::size_t first, std::size_t last, Vertex from,
+                     Vertex to) {
+    const double length = line.length(first, last);
+    if (!(length > 0)) return from == to ? Move_status::done : Move_status::not_traceable;
+    const auto d = direction_at_vertex(t_, t_.index(from),
+                                       {line.point(first, first), line.vector(first, last)});
+    if (!d) return Move_status::not_traceable;
+    return go(*d, length, t_.index(to));
+  }
+  // The direction is corrected first: in a face that is thin, rounding turns it.
+  Move_status go(Corner_direction d, double length, std::uint32_t to) {
+    const Accurate_view<Triangulation> view(t_);
+    const Geodesic_to_target straight =
+        trace_to_target(view, Geodesic_walk<Accurate_view<Triangulation>>(view, d),
+                        Geodesic_target::at_vertex(to), length, strip_);
+    if (straight.end == Gluing::none) return lines_.go(d, length, to);
+    return lines_.go({d.halfedge, d.angle + std::atan(straight.slope)}, straight.length, to);
+  }
+
+  Triangulation& t_;
+  std::vector<Strip_side> strip_;
+  Line_inserter<Triangulation, Flip_crossed_edges<Triangulation, splits>> lines_;
+};
+
+// Adds a curve to a network. Where it crosses another or itself, the vertex is fixed, so that it
+// may.
+// \return the vertices
+template <class Triangulation>
+std::vector<typename Triangulation::vertex_descriptor>
+add_crossing_curve(Curve_network<Triangulation>& network,
+                   const std::vector<typename Triangulation::halfedge_descriptor>& way,
+                   bool is_loop) {
+  std::vector<typename Triangulation::vertex_descriptor> crossings;
+  for (;;) {
+    try {
+      is_loop ? network.add_loop(way) : network.add_path(way);
+      return crossings;
+    } catch (const Invalid_input& e) {
+      if (e.kind() != Element_kind::vertex) throw;
+      crossings.push_back(
+          network.triangulation().numbers().vertex_at(static_cast<std::uint32_t>(e.index())));
+      network.fix(crossings.back());
+    }
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_GEODESICS_QUERIES_CURVE_INSERTER_H

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_QUERIES_GEODESIC_FINDER_H
+#define CGAL_INTRINSIC_GEODESICS_QUERIES_GEODESIC_FINDER_H
+
+#include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
+#include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
+#include <CGAL/Intrinsic_geodesics/queries/Lone_curve_finder.h>
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a geodesic between points, over the input.
+*/
+struct Geodesic_path : Traced_curve {
+  /// Length of what it was made of, in the units of the input: of a shortest path, from the search
+  /// for it; or of one along edges.
+  double initial_length = 0;
+  /// What was done to make it geodesic.
+  Shortening_result shortening;
+};
+
+/*!
+\brief finds shortest paths between points, or other geodesics (§5.1 of the course, Algorithm 7),
+and leaves the triangulation as it was.
+
+By default a path is the shortest of all: a search for the exact distance, see
+`Polyhedral_distance`, tells which faces it passes through. With `shortest(false)` it is made of a
+shortest path along edges: a geodesic in the homotopy class of that path, locally shortest, and
+often longer than the shortest. That is faster, as it costs what it touches. In both cases a query
+flips edges, reads the path off, and takes the flips back. On a triangulation that is Delaunay paths
+are found faster.
+\tparam Triangulation a model of `GeodesicTriangulation` and of `CorrespondingTriangulation`
+*/
+template <class Triangulation>
+class Geodesic_finder {
+  static_assert(GeodesicTriangulation<Triangulation>,
+                "curves are on an intrinsic triangulation, not on a mesh: build one of the mesh, "
+                "such as Corresponding_triangulation");
+
+public:
+  /// Vertex of the triangulation.
+  using vertex_descriptor = typename Triangulation::vertex_descriptor;
+  /// Halfedge of the triangulation.
+  using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
+
+  /// prepares queries. \param t the triangulation, which must outlive the finder, and not change
+  /// between queries \complexity linear
+  explicit Geodesic_finder(Triangulation& t) : t_(t), finder_(t) {}
+
+  /*!
+  \brief finds a shortest path between two vertices.
+  \param from, to vertices of the triangulation; `vertex_on_intrinsic()` finds those of the user's
+  mesh. On a cover, the shortest path between any copies of them is found, and it may pass from one
+  copy of a vertex to another
+  \param np named parameters of `shorten_curves()`, and:
+    - `shortest(b)`: whether to look for the shortest path, or to start from one along edges.
+      Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the
+      way from a path along edges
+  \return its way over the input. The status is that of `shorten_curves()`, `stalled` if no path
+  leads from one to the other, `inaccurate` if it is geodesic but the search for the shortest one
+  gave up, or `not_traceable`
+  \throws Invalid_input if a vertex is isolated
+  \complexity that of the search, and of `shorten_curves()`
+  */
+  template <NamedParameters NP = parameters::Parameters<>>
+  Geodesic_path operator()(vertex_descriptor from, vertex_descriptor to,
+                           const NP& np = parameters::default_values()) {
+    return (*this)(std::vector<vertex_descriptor>{from, to}, np);
+  }
+
+  /*!
+  \brief finds shortest paths from each of several vertices to the next one, as one path; see above.
+  \param vertices the vertices, two at least; where the path passes one it may turn
+  \param np see above
+  */
+  template <NamedParameters NP = parameters::Parameters<>>
+  Geodesic_path operator()(const std::vector<vertex_descriptor>& vertices,
+                           const NP& np = parameters::default_values()) {
+    Geodesic_path result;
+    for (std::size_t i = 0; i + 1 < vertices.size() && result.status == Status::done; ++i) {
+      internal::Curve_side<Triangulation> side;
+      const Status s = finder_.find(vertices[i], vertices[i + 1], side, result.shortening, np);
+      if (side.way.points.empty() && s != Status::done) result = {};
+      internal::append(side.way, result);
+      result.initial_length += side.initial_length;
+      result.status = s == Status::done ? side.search : s;
+    }
+    return result;
+  }
+
+  /*!
+  \brief finds shortest paths from each of several points to the next one, as one path. Vertices are
+  inserted for them, and removed again.
+  \param points points of the input, two at least; `surface_point()` finds those of the user's
+  mesh. On a cover, they are on all sheets
+  \param np see above
+  \return see above; `stalled`, too, if a vertex cannot be inserted
+  */
+  template <NamedParameters NP = parameters::Parameters<>>
+  Geodesic_path operator()(const std::vector<Surface_point>& points,
+                           const NP& np = parameters::default_values()) requires
+      RefinableTriangulation<Triangulation> {
+    std::vector<vertex_descriptor> vertices, inserted;
+    Geodesic_path result;
+    for (const Surface_point& p : points) {
+      const auto copies = insert_point_on_sheets(t_, p);
+      vertices.push_back(copies.front().vertex);
+      for (const Vertex_at_point<Triangulation>& v : copies)
+        if (v.status != Move_status::done)
+          result.status = Status::stalled;
+        else if (v.is_new)
+          inserted.push_back(v.vertex);
+    }
+    if (result.status == Status::done) result = (*this)(vertices, np);
+    for (; !inserted.empty(); inserted.pop_back()) t_.remove_vertex(inserted.back());
+    return result;
+  }
+
+private:
+  Triangulation& t_;
+  internal::Lone_curve_finder<Triangulation> finder_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_GEODESICS_QUERIES_GEODESIC_FINDER_H

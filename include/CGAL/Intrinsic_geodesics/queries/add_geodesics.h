@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_QUERIES_ADD_GEODESICS_H
+#define CGAL_INTRINSIC_GEODESICS_QUERIES_ADD_GEODESICS_H
+
+#include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_geodesics/queries/Curve_inserter.h>
+#include <CGAL/Intrinsic_geodesics/queries/Lone_curve_finder.h>
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a curve that is asked for: shortest paths from each vertex to the next one.
+\tparam Triangulation the type of the triangulation
+*/
+template <class Triangulation>
+struct Curve_through_vertices {
+  /// The vertices, two at least; none follows itself. On a cover, a side is a shortest path between
+  /// any copies of its ends; where the next one starts from another copy, the curve cannot move.
+  std::vector<typename Triangulation::vertex_descriptor> vertices;
+  /// Whether it goes on from the last vertex to the first one.
+  bool is_loop = false;
+  /// Whether it stays at all of its vertices; else only at its ends.
+  bool stays_at_vertices = false;
+};
+
+/*!
+\brief tells what `add_geodesics()` did.
+\tparam Triangulation the type of the triangulation
+*/
+template <class Triangulation>
+struct Added_geodesics {
+  /// `done`; `stalled` if vertices are not connected, or a vertex cannot be inserted at a
+  /// crossing; or that of `shorten_curves()`. If it is
+  /// not `done` there are no curves.
+  Status status = Status::done;
+  /// The curve where it failed.
+  std::size_t failed = 0;
+  /// For each curve the shortest paths that it was made of.
+  std::vector<Traced_curve> initial;
+  /// Vertices where curves cross. They are fixed.
+  std::vector<typename Triangulation::vertex_descriptor> crossings;
+  /// What was done.
+  Shortening_result shortening;
+};
+
+namespace internal {
+
+// Finds curves one by one, and makes them edges.
+template <class Triangulation>
+class Geodesics_adder {
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Curve = Curve_through_vertices<Triangulation>;
+  using Sides = std::vector<Curve_side<Triangulation>>;
+
+public:
+  explicit Geodesics_adder(Curve_network<Triangulation>& network)
+      : t_(network.triangulation()), network_(network), finder_(t_), inserter_(t_) {}
+
+  Added_geodesics<Triangulation> run(const std::vector<Curve>& curves) {
+    for (const Curve& c : curves) {
+      if (!find(c)) return fail();
+      ++result_.failed;
+    }
+    result_.failed = 0;
+    for (const Sides& sides : found_) {
+      if (result_.failed > 0) inserter_.begin_path();
+      for (const Curve_side<Triangulation>& s : sides)
+        if (inserter_.insert(s.way, s.from, s.to) != Move_status::done) return fail();
+      ++result_.failed;
+    }
+    for (std::size_t i = 0; i < curves.size(); ++i) add(curves[i], i);
+    const Shortening_result r = shorten_curves(network_);
+    result_.shortening += r;
+    result_.status = r.status;
+    return result_;
+  }
+
+private:
+  Added_geodesics<Triangulation> fail() {
+    if (result_.status == Status::done) result_.status = Status::stalled;
+    return result_;
+  }
+
+  bool find(const Curve& c) {
+    Sides sides;
+    Traced_curve initial;
+    const std::size_t n = c.vertices.size();
+    for (std::size_t i = 0; i + (c.is_loop ? 0 : 1) < n; ++i) {
+      Curve_side<Triangulation> side;
+      result_.status = finder_.find(i == 0 ? c.vertices[0] : sides.back().to,
+                                    c.vertices[(i + 1) % n], side, result_.shortening);
+      if (result_.status != Status::done) return false;
+      append(side.way, initial);
+      sides.push_back(std::move(side));
+    }
+    result_.initial.push_back(std::move(initial));
+    if (!c.stays_at_vertices && (c.is_loop || n > 2)) straighten(c, sides);
+    found_.push_back(std::move(sides));
+    return true;
+  }
+
+  // One side after the other: two geodesics that meet cross less often than all sides. If they
+  // do, the sides stay as they are for
+  // now: they are shortened with their crossings fixed.
+  void straighten(const Curve& c, Sides& sides) {
+    Sides joined{sides.front()};
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      joined.push_back(sides[i]);
+      const bool is_loop = c.is_loop && i + 1 == sides.size();
+      Curve_side<Triangulation> both;
+      if (finder_.join(joined, is_loop, both, result_.shortening) != Status::done) return;
+      joined = {std::move(both)};
+    }
+    sides = std::move(joined);
+  }
+
+  void add(const Curve& c, std::size_t i) {
+    if (c.stays_at_vertices)
+      for (const Curve_side<Triangulation>& s : found_[i])
+        for (const Vertex v : {s.from, s.to}) network_.fix(v);
+    auto way = inserter_.path(i);
+    if (way.empty()) way = there_and_back(found_[i].front().from);
+    const auto crossings = add_crossing_curve(network_, way, c.is_loop);
+    result_.crossings.insert(result_.crossings.end(), crossings.begin(), crossings.end());
+  }
+
+  // a way that has contracted to a vertex
+  std::vector<Halfedge> there_and_back(Vertex v) const {
+    Halfedge out = opposite(halfedge(v, t_.mesh()), t_.mesh());
+    for_each_outgoing(v, t_.mesh(), [&](Halfedge h) {
+      if (!network_.is_fixed(target(h, t_.mesh()))) out = h;
+    });
+    return {out, opposite(out, t_.mesh())};
+  }
+
+  Triangulation& t_;
+  Curve_network<Triangulation>& network_;
+  Lone_curve_finder<Triangulation> finder_;
+  Curve_inserter<Triangulation> inserter_;
+  std::vector<Sides> found_;
+  Added_geodesics<Triangulation> result_;
+};
+
+} // namespace internal
+
+/*!
+\brief finds geodesics through vertices, each alone on the surface, and makes all of them curves
+  of a network.
+
+The *sides* of a curve are shortest paths from each of its vertices to the next. Where a curve
+stays at its vertices, these are all; else
+it is what they are shortened to, as if there were no other curve: the vertices between its ends
+only say how it leads around
+handles, holes and peaks. No curve is in the way of another. Where two cross, or one crosses
+itself, a vertex is inserted and fixed.
+
+In contrast, `shorten_curves()` alone, with paths along edges, never lets a curve pass another.
+\tparam Triangulation a model of `GeodesicTriangulation`, of `RefinableTriangulation` and of
+  `CorrespondingTriangulation`
+\param network the curves; there are none yet. Vertices that it has fixed stay fixed
+\param curves what is asked for; they are numbered in this order
+\return what was done
+\complexity that of shortest paths, see `Geodesic_finder`, and of `shorten_curves()`
+*/
+template <GeodesicTriangulation Triangulation>
+  requires RefinableTriangulation<Triangulation> Added_geodesics<Triangulation>
+  add_geodesics(Curve_network<Triangulation>& network,
+                const std::vector<Curve_through_vertices<Triangulation>>& curves) {
+    return internal::Geodesics_adder<Triangulation>(network).run(curves);
+  }
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_GEODESICS_QUERIES_ADD_GEODESICS_H

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_SHORTENING_IS_GEODESIC_H
+#define CGAL_INTRINSIC_GEODESICS_SHORTENING_IS_GEODESIC_H
+
+#include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_geodesics/shortening/Joint_side.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief tells what is on one side of a joint.
+*/
+struct Joint_side_report {
+  /// Its angle, compared with pi; `LARGER` on the border, beyond which there is none.
+  Comparison_result angle = LARGER;
+  /// Whether the joint could move there: neither the border nor a curve is in between.
+  bool is_flexible = false;
+};
+
+/*!
+\brief tells how a curve passes a vertex.
+*/
+struct Joint_report {
+  std::uint32_t curve;     ///< the curve
+  std::uint32_t position;  ///< number of its halfedge to the vertex
+  bool is_fixed;           ///< whether the vertex is fixed
+  Joint_side_report left;  ///< what is on its left
+  Joint_side_report right; ///< what is on its right
+
+  /// tells whether the curve cannot be made shorter there.
+  bool is_geodesic() const {
+    const auto is_straight = [](const Joint_side_report& s) {
+      return s.angle != SMALLER || !s.is_flexible;
+    };
+    return is_fixed || (is_straight(left) && is_straight(right));
+  }
+  /// tells whether the curve is straight there: at least pi on both sides.
+  bool is_straight() const { return left.angle != SMALLER && right.angle != SMALLER; }
+};
+
+/*!
+\brief tells for each joint of curves what the traits of a triangulation say of it.
+*/
+struct Geodesic_report {
+  /// Faces whose area is not positive, and edges that are not straight, among those of the certificate; see `certify_geodesic()`.
+  std::size_t invalid_elements = 0;
+  /// The joints of all curves, in order.
+  std::vector<Joint_report> joints;
+
+  /// tells whether all curves are geodesic: as short as they get without crossing each other or passing what is fixed.
+  bool is_geodesic() const {
+    return invalid_elements == 0 &&
+           std::all_of(joints.begin(), joints.end(),
+                       [](const Joint_report& j) { return j.is_geodesic(); });
+  }
+};
+
+namespace internal {
+
+// The joints of a network, their angles compared by a functor of two halfedges.
+template <class Triangulation>
+class Network_joints {
+  using Side = Joint_side<Triangulation>;
+
+public:
+  explicit Network_joints(const Curve_network<Triangulation>& network)
+      : network_(network), t_(network.triangulation()) {}
+
+  template <class Compare>
+  std::vector<Joint_report> reports(const Compare& compare) const {
+    std::vector<Joint_report> result;
+    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) {
+      std::uint32_t position = 0;
+      network_.for_each_segment(c, [&](std::uint32_t s) {
+        if (network_.segments_[s].next != Curve_segments::none)
+          result.push_back({c, position,
+                            network_.is_fixed(target(network_.halfedge_of(s), t_.mesh())),
+                            report(s, true, compare), report(s, false, compare)});
+        ++position;
+      });
+    }
+    return result;
+  }
+
+private:
+  template <class Compare>
+  Joint_side_report report(std::uint32_t s, bool is_left, const Compare& compare) const {
+    const Side side(t_, network_.segments_, s, is_left);
+    Joint_side_report r;
+    Wedge free, all;
+    r.is_flexible = side.find_free_wedge(t_, network_.segments_, free);
+    if (side.is_turn(t_, network_.segments_))
+      r.angle = SMALLER;
+    else if (internal::find_wedge(t_, side.in, side.out, all))
+      r.angle = compare(side.in, side.out);
+    return r;
+  }
+
+  const Curve_network<Triangulation>& network_;
+  const Triangulation& t_;
+};
+
+} // namespace internal
+
+/*!
+\brief compares the angles on both sides of every joint of curves with pi, by the traits of their triangulation.
+
+With exact traits the answers are proven.
+\tparam Triangulation a model of `GeodesicTriangulation`
+\complexity linear in the number of joints and the degrees of their vertices, as a rule
+*/
+template <GeodesicTriangulation Triangulation>
+Geodesic_report is_geodesic(const Curve_network<Triangulation>& network) {
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  const typename Triangulation::Const_session session(network.triangulation());
+  return {0, internal::Network_joints<Triangulation>(network).reports(
+                 [&](Halfedge h, Halfedge g) { return session.compare_angle_to_pi(h, g); })};
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_GEODESICS_SHORTENING_IS_GEODESIC_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_SHORTENING_SHORTEN_CURVES_H
+#define CGAL_INTRINSIC_GEODESICS_SHORTENING_SHORTEN_CURVES_H
+
+#include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_geodesics/shortening/Curve_shortener.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Flip_log.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief observes shortening; the default visitor does nothing.
+*/
+struct Shortening_visitor {
+  /*!
+  \brief is called now and then, about every 1024 joints.
+  \return whether to go on
+  */
+  bool progress(const Shortening_result&) { return true; }
+};
+
+namespace internal {
+
+template <class Triangulation>
+std::uint64_t default_cap(const Triangulation& t) {
+  return Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
+                                         : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())};
+}
+
+template <class Triangulation, class NamedParameters>
+std::uint64_t maximum_flips(const Triangulation& t, const NamedParameters& np) {
+  return value_or<tags::maximum_number>(np, default_cap(t));
+}
+
+// \tparam More names that a function has beside those of `shorten_curves()`
+template <class... More, class NamedParameters>
+constexpr void expect_shortening_names(const NamedParameters& np) {
+  expect_names<tags::relative_length, tags::minimum_joint_angle, tags::maximum_number,
+               tags::visitor, More...>(np);
+}
+
+template <class Triangulation, class NamedParameters>
+Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
+                                    const NamedParameters& np) {
+  const Triangulation& t = network.triangulation();
+  Shortening_limits limits;
+  const double part = value_or<tags::relative_length>(np, 0.);
+  if (!(part >= 0 && part <= 1)) throw std::invalid_argument("relative_length must be in [0, 1]");
+  const double angle = value_or<tags::minimum_joint_angle>(np, 180.);
+  if (!(angle >= 0 && angle <= 180))
+    throw std::invalid_argument("minimum_joint_angle must be in [0, 180] degrees");
+  if (part > 0) limits.length = std::ldexp(part * network.length(), t.metric().scale_exponent());
+  const double radians = angle * std::numbers::pi / 180;
+  if (angle < 180) limits.rank = Angle_sum::rank(std::cos(radians), std::sin(radians));
+  // with inexact numbers, rounding may make curves go round without a flip
+  limits.shortenings = default_cap(t);
+  limits.flips = maximum_flips(t, np);
+  return limits;
+}
+
+template <class Triangulation, class NamedParameters>
+Shortening_result shorten_curves(Curve_network<Triangulation>& network,
+                                 Flip_log<Triangulation>* log, const NamedParameters& np) {
+  auto stored_visitor = object_or<tags::visitor>(np, Shortening_visitor());
+  auto& observed = unwrapped(stored_visitor);
+  const Shortening_limits limits = shortening_limits(network, np);
+  typename Triangulation::Session session(network.triangulation());
+  return Curve_shortener<Triangulation>(network, session, log)
+      .run(limits, [&](const Shortening_result& r) { return observed.progress(r); });
+}
+
+} // namespace internal
+
+/*!
+\brief makes the curves of a network geodesic by flips (FlipOut, §5.1 and §5.2 of the course, Algorithms 6 and 7).
+
+Edges of the triangulation are flipped so that shorter curves are among them. Curves stay isotopic to what they were among
+curves that do not cross: one that would have to pass the end of another, a fixed vertex of another, or the border, goes round it. In the
+end each free joint has an angle of at least pi on both sides, except on sides where a curve or the border is; an angle of exactly
+pi is straight. A loop that can be shrunk to a vertex ends there: `Curve_network::is_point()`.
+
+With exact traits it ends by proof, loops of one edge included: the length of all curves decreases in every step, and there are
+finitely many geodesic edges below a length. With inexact ones a joint where nothing is gained counts as straight, whatever rounding
+makes of its angles, and caps on the numbers of flips and of shortenings make it end.
+
+\tparam Triangulation a model of `GeodesicTriangulation`
+\tparam NP a chain of named parameters
+\param network the curves
+\param np optional named parameters:
+  - `relative_length(x)`: stops when the length of all curves is at most this part of what it was; the angles
+    so far are those of a flow that shortens curves (Fig. 37 of the course). Default: 0.
+  - `minimum_joint_angle(x)`: stops when all joints that can be straightened have at least this
+    angle, in degrees. Default: 180.
+  - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100 per edge and a million.
+  - `visitor(v)`: see `Shortening_visitor`
+\return status and counts; lengths are told by the network. `done`, `stopped`, `cancelled`, `cap`; `stalled` if there are faces without
+area and nothing is gained any more: their angles of zero may not be opened by flips. `Mollification::automatic` leaves no such face
+\throws std::invalid_argument if a parameter makes no sense
+\complexity linear in the number of flips, times the logarithm of the number of joints; no bound on the number of flips is known
+*/
+template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+Shortening_result shorten_curves(Curve_network<Triangulation>& network,
+                                 const NP& np = parameters::default_values()) {
+  internal::expect_shortening_names(np);
+  return internal::shorten_curves(network, static_cast<Flip_log<Triangulation>*>(nullptr), np);
+}
+
+/*!
+\brief makes the curves of a network geodesic by flips that can be taken back; see the overload without log.
+\param network the curves; they must be cleared before `log.undo()`
+\param log remembers the flips
+\param np see the overload without log
+*/
+template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+Shortening_result shorten_curves(Curve_network<Triangulation>& network,
+                                 Flip_log<Triangulation>& log,
+                                 const NP& np = parameters::default_values()) {
+  internal::expect_shortening_names(np);
+  return internal::shorten_curves(network, &log, np);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_GEODESICS_SHORTENING_SHORTEN_CURVES_H

@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_SINGLE_SOURCE_GEODESIC_TREE_BUILDER_H
+#define CGAL_INTRINSIC_GEODESICS_SINGLE_SOURCE_GEODESIC_TREE_BUILDER_H
+
+#include <CGAL/Intrinsic_geodesics/distance/Corner_table.h>
+#include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
+#include <CGAL/Intrinsic_geodesics/distance/Window_propagation.h>
+#include <CGAL/Intrinsic_geodesics/single_source/Geodesic_tree.h>
+#include <CGAL/Intrinsic_geodesics/single_source/Last_piece_finder.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Wedge_flipper.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+
+#include <CGAL/enum.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Makes shortest paths from a source edges, the nearest vertex first.
+//
+// Windows tell the last straight piece of each path. It begins at a vertex of the tree, at an angle
+// from the edge of the tree there, and is flipped into place. Shortest paths do not cross, so that
+// no edge of the tree is in its way.
+//
+// Windows are doubles. So the traits decide whether each path is a geodesic where it leaves the
+// tree. If it is not, edges are flipped out of the wedge there, as in `shorten_curves()`, and the
+// shortest way to the vertex is taken that there is then. No other edge of the tree is in that
+// wedge: the wedge of that edge would be smaller still. Hence edges of the tree are never flipped;
+// with doubles, a wedge that seems to have one is left alone.
+//
+// A piece that rounding has lost is not made an edge: the vertex is then joined by edges that are
+// there, and straightened. It waits if none leads to the tree yet. Every flip shortens a way to it,
+// and there are finitely many geodesic edges below a length.
+template <class Triangulation>
+class Geodesic_tree_builder {
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Session = typename Triangulation::Session;
+  using Tree = Geodesic_tree<Triangulation>;
+  using Branch = typename Tree::Branch;
+  using View = Intrinsic_view<Triangulation>;
+  static constexpr std::uint32_t none = Gluing::none;
+  static constexpr unsigned most_futile = 100; // ways to a vertex that are not shorter
+
+public:
+  Geodesic_tree_builder(const Triangulation& t, Session& session)
+      : t_(t), view_(t), session_(session), flip_wedge_(t, session, nullptr),
+        flip_to_segment_(t, session, flip_wedge_), branches_(t.numbers().vertex_capacity(t.mesh())),
+        references_(branches_.size()) {}
+
+  // `go_on(result)` is called now and then
+  template <class Go_on>
+  void run(Vertex source, std::uint64_t cap, const Go_on& go_on) {
+    cap_ = cap;
+    Distance_field field(corner_table(t_));
+    field.table.next_copy.clear(); // edges do not lead from one copy of a vertex to another
+    Window_propagation windows(field);
+    const std::uint32_t root = t_.index(source);
+    windows.add_source(root);
+    Propagation_limits limits;
+    limits.windows = field.default_cap();
+    const Status s = session_.suspended([&] {
+      return windows.run(limits, [&](std::uint64_t, double) { return go_on(result_); });
+    });
+    if (s == Status::cancelled) result_.status = s;
+    branches_[root].length = 0;
+    if (const std::uint32_t corner = field.table.first_corner[root]; corner != none)
+      references_[root].halfedge = halfedge_of_corner(t_, corner);
+    join_all(source, field, go_on);
+    if (result_.status == Status::done && lacks_way()) result_.status = Status::stalled;
+  }
+
+  Tree tree() const {
+    std::vector<Branch> branches = branches_;
+    for (Branch& b : branches) b.length = std::ldexp(b.length, -t_.metric().scale_exponent());
+    return Tree(t_, std::move(branches), result_);
+  }
+
+private:
+  // a halfedge from a vertex, and its direction as of a `Last_piece`
+  struct Reference {
+    std::uint32_t halfedge = none;
+    double direction = 0;
+  };
+
+  Halfedge halfedge_at(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
+  bool has_way(std::uint32_t v) const { return std::isfinite(branches_[v].length); }
+  bool is_in_tree(std::uint32_t h) const {
+    return branches_[view_.target(h)].halfedge == h ||
+           branches_[view_.source(h)].halfedge == (h ^ 1U);
+  }
+
+  // Vertices without a way wait until others have one.
+  template <class Go_on>
+  void join_all(Vertex source, const Distance_field& field, const Go_on& go_on) {
+    const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
+    std::vector<std::uint32_t> waiting;
+    for (const Vertex v : vertices(t_.mesh()))
+      if (v != source && halfedge(v, t_.mesh()) != null) waiting.push_back(t_.index(v));
+    std::ranges::stable_sort(waiting, {}, [&](auto v) { return field.vertices[v].distance; });
+    Last_piece_finder find(field);
+    for (unsigned idle = 0; idle < most_futile && !waiting.empty();) {
+      const std::size_t before = waiting.size();
+      const std::uint64_t flips = result_.flips;
+      std::erase_if(waiting, [&](std::uint32_t v) { return goes_on(go_on) && join(v, find(v)); });
+      if (waiting.size() < before) continue;
+      if (flips == result_.flips || result_.status != Status::done) return;
+      ++idle;
+    }
+  }
+  template <class Go_on>
+  bool goes_on(const Go_on& go_on) {
+    if (result_.status == Status::done && (steps_++ & 0x3ffU) == 0 &&
+        !session_.suspended([&] { return go_on(result_); }))
+      result_.status = Status::cancelled;
+    return result_.status == Status::done;
+  }
+
+  // Makes a way to a vertex, and tells whether there is one.
+  bool join(std::uint32_t v, const Last_piece& piece) {
+    const std::uint32_t segment = insert(v, piece);
+    double last = HUGE_VAL;
+    for (unsigned futile = 0; futile < most_futile && result_.status == Status::done;) {
+      const std::vector<Branch> ways = ways_to(v);
+      const std::uint64_t flips = result_.flips;
+      for (const Branch& way : ways) {
+        // with inexact traits, where no flip helps it is straight up to rounding
+        if (is_straight(way.halfedge) ||
+            (!Triangulation::Metric::is_exact && flips == result_.flips)) {
+          branches_[v] = way;
+          note_directions(v, piece, segment);
+          return true;
+        }
+        if (flips != result_.flips) break;
+      }
+      if (flips == result_.flips) return false;
+      if (!(ways.front().length < last)) ++futile;
+      last = ways.front().length;
+    }
+    return false;
+  }
+
+  // Makes the last piece of a path an edge, or the chain beside it where rounding prevents that.
+  // Returns the halfedge to the vertex, none if it is lost.
+  std::uint32_t insert(std::uint32_t v, const Last_piece& piece) {
+    if (piece.from == none) return none;
+    const Reference& r = references_[piece.from];
+    if (r.halfedge == none || view_.source(r.halfedge) != piece.from) return none;
+    const Geodesic_to_target line = session_.suspended([&] {
+      const Geodesic_walk<View> walk(view_, {r.halfedge, piece.departure - r.direction});
+      return trace_to_target(view_, walk, Geodesic_target::at_vertex(v), piece.length, strip_);
+    });
+    if (!line.is_reached) return none;
+    if (strip_.empty()) return line.along;
+    std::vector<Halfedge> crossed;
+    for (const Strip_side& s : strip_) {
+      if (is_in_tree(s.halfedge)) return none;
+      crossed.push_back(halfedge_at(s.halfedge));
+    }
+    if (!pass_faces_once(t_, std::array{crossed})) return none;
+    const auto way = flip_to_segment_(crossed, cap_ - result_.flips, result_, [](Halfedge) {});
+    if (result_.flips >= cap_) result_.status = Status::cap;
+    return t_.numbers().halfedge(way.back());
+  }
+
+  // those by an edge from the tree, the shortest first
+  std::vector<Branch> ways_to(std::uint32_t v) const {
+    std::vector<Branch> result;
+    for_each_outgoing(t_.numbers().vertex_at(v), t_.mesh(), [&](Halfedge g) {
+      const std::uint32_t h = t_.numbers().halfedge(g) ^ 1U, u = view_.source(h);
+      if (has_way(u))
+        result.push_back(
+            {branches_[u].length + std::sqrt(t_.metric().approximate_squared_length(h / 2)), h});
+    });
+    std::ranges::sort(result, {}, &Branch::length);
+    return result;
+  }
+
+  // whether the path goes on straight from the tree along h; if not, edges are flipped
+  bool is_straight(std::uint32_t h) {
+    const auto& mesh = t_.mesh();
+    const std::uint32_t last = branches_[view_.source(h)].halfedge;
+    if (last == none) return true;
+    const Halfedge in = halfedge_at(last), out = halfedge_at(h);
+    for (const bool is_left : {true, false}) {
+      const Halfedge from = is_left ? in : opposite(out, mesh);
+      const Halfedge to = is_left ? out : opposite(in, mesh);
+      Wedge wedge;
+      if (!find_wedge(t_, from, to, wedge,
+                      [&](Halfedge g) { return !is_in_tree(t_.numbers().halfedge(g)); }))
+        continue;
+      ++result_.wedge_checks;
+      const Comparison_result c = compare_to_pi(session_, from, to, wedge);
+      if (c == EQUAL) ++result_.exact_ties;
+      if (c != SMALLER) continue;
+      ++result_.shortenings;
+      if (!flip_wedge_(opposite(in, mesh), out, is_left, cap_ - result_.flips, result_,
+                       [](Halfedge) {}))
+        result_.status = Status::cap;
+      return false;
+    }
+    return true;
+  }
+
+  // The edge of the tree to a vertex is that of the last piece, or beside it. An edge of the tree
+  // stays, unlike the first reference at the source.
+  void note_directions(std::uint32_t v, const Last_piece& piece, std::uint32_t segment) {
+    if (segment == none || view_.target(segment) != v) return;
+    const std::uint32_t h = branches_[v].halfedge;
+    references_[v] = {h ^ 1U, piece.arrival + angle_between(segment ^ 1U, h ^ 1U)};
+    if (h == segment && view_.source(h) == piece.from && branches_[piece.from].halfedge == none)
+      references_[piece.from] = {h, piece.departure};
+  }
+  // from one halfedge of a vertex to another, negative if that is to be reached clockwise only
+  double angle_between(std::uint32_t from, std::uint32_t to) const {
+    double sum = 0;
+    std::uint32_t h = from;
+    while (h != to && !view_.is_border(h)) {
+      sum += angle_at_source(view_, h);
+      h = next_around_source(view_, h);
+      if (h == from) break;
+    }
+    if (h == to) return sum;
+    for (h = from, sum = 0; h != to && !view_.is_border(h ^ 1U);) {
+      h = view_.next(h ^ 1U);
+      sum -= angle_at_source(view_, h);
+      if (h == from) break;
+    }
+    return sum;
+  }
+
+  // whether a vertex next to the tree is not in it, as all ways to it seem to be bent
+  bool lacks_way() const {
+    return std::ranges::any_of(halfedges(t_.mesh()), [&](Halfedge h) {
+      return has_way(t_.index(source(h, t_.mesh()))) && !has_way(t_.index(target(h, t_.mesh())));
+    });
+  }
+
+  const Triangulation& t_;
+  View view_;
+  Session& session_;
+  Wedge_flipper<Triangulation> flip_wedge_;
+  Segment_flipper<Triangulation> flip_to_segment_;
+  std::vector<Branch> branches_; // per vertex, in scaled units
+  std::vector<Reference> references_;
+  std::vector<Strip_side> strip_;
+  Shortening_result result_;
+  std::uint64_t cap_ = 0, steps_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_GEODESICS_SINGLE_SOURCE_GEODESIC_TREE_BUILDER_H

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_DISTANCE_H
+#define CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_DISTANCE_H
+
+#include <CGAL/Intrinsic_operators/distance/Chord_bound.h>
+#include <CGAL/Intrinsic_operators/distance/Heat_solver.h>
+#include <CGAL/Intrinsic_operators/distance/distance_sources.h>
+#include <CGAL/Intrinsic_operators/operators/Face_table.h>
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief observes distances by heat; the default visitor does nothing.
+*/
+struct Heat_distance_visitor {
+  /*!
+  \brief is called after each step that takes long, but the last one.
+  \param step what was done
+  \return whether to go on
+  */
+  bool progress([[maybe_unused]] Heat_step step) { return true; }
+};
+
+/*!
+\brief approximates geodesic distances from vertices, points and curves by the flow of heat (§4.10.2 of the course; Crane,
+Weischedel, Wardetzky, Geodesics in heat, 2013).
+
+Heat flows for a short time, its gradient tells the directions of shortest paths, and the distance is the function
+that has these directions as its gradient, by least squares:
+
+    (M + time L) u = sources,     X = -grad u / |grad u|,     L d = div X
+
+The matrices are those of the triangulation, and are factored when this object is made, both at once, or when they are first asked
+for: afterwards distances from other sources take the time of two solutions. Errors are in the order of the
+length of edges; they are large where edges are not Delaunay: call `flip_to_delaunay()` before, and for more accuracy
+`delaunay_refine()`. Weights that are not negative give matrices of which the factors are so too, off their diagonals:
+heat is computed without any subtraction, to full relative accuracy, where it is above 2^-800 of the greatest. Below, as far as 10^-1000 and less, it
+is found from its values at that limit, which takes differences there, once for each 2^-800.
+
+**What is certain.** Distances of sources are zero, at corners of faces that contain a source the distances
+within the face. No distance is negative. No distance is less than the *chord*, the distance in space, if the vertex and the sources
+have places there: if they are vertices of the user's mesh, or inserted with exact arithmetic or integer coordinates. (From a source inside
+an edge or a face, the bound is less by as much as the nearest corner of the face is away.) Values are finite, but
+infinity where there is no source: on other components and at isolated vertices.
+
+Sources are fixed at zero, not shifted there: of many sources, none is at a distance from another. Up to twenty are
+fixed by Lagrange multipliers, with the same factorization; for more, the matrix is factored without their rows, once
+until sources change.
+
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, with any mesh, arithmetic and
+  correspondence; of a cover, copies of a vertex share a row
+*/
+template <NumberedTriangulation Triangulation>
+  requires MeasuredTriangulation<Triangulation>
+class Heat_distance {
+public:
+  /*!
+  \brief assembles the matrices and factors that of the heat flow.
+  \tparam NP a chain of named parameters
+  \param t the triangulation; it must outlive this object unchanged
+  \param np optional named parameters:
+    - `time_factor(x)`: the time is x times the square of the mean length of the edges. Default: 1. More is smoother.
+    - `border_condition(c)`: how heat behaves at the border. `Heat_border::average` takes the mean of both
+      conditions, as the authors recommend, at the price of a factorization more; `Heat_border::insulated` has no flux. Default: `average`.
+      Without border they are the same.
+    - `visitor(v)`: see `Heat_distance_visitor`. After it has stopped this constructor, there are no distances. It is kept for later calls: what
+      `std::ref(v)` refers to must outlive this object.
+  \throws Invalid_input if a face has no area
+  \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas
+    of the surface: then heat is even up to rounding
+  \throws std::runtime_error if rounding has left no positive definite matrix (the message names a row)
+  \complexity that of a sparse factorization: about n^1.5 for n vertices
+  */
+  template <NamedParameters NP = parameters::Parameters<>>
+  explicit Heat_distance(const Triangulation& t, const NP& np = parameters::default_values())
+      : t_(&t), positions_(internal::positions_of_rows(t)),
+        solver_(cotangent_laplacian(t), internal::face_table(t), options(np),
+                t.input().names().sheets, progress(np)) {}
+
+  /*!
+  \brief computes the distances of all vertices from sources.
+  \tparam Sources one of these, or a range of them, or a range of ranges: vertices and halfedges of `t.mesh()` (edges are curves); points
+    of the triangulation as `Surface_point` or `Face_location<Mesh>`; `Polyline_source`
+  \param sources the sources; from the user's mesh, `vertex_on_intrinsic()` and `locate_on_intrinsic()` lead there
+  \return a distance per row of `t.input_vertex()`, in the units of the input; infinity where there is no source. Nothing, an empty vector, if the
+    visitor has stopped it
+  \throws std::invalid_argument if a point is beyond the border, or consecutive points of a polyline are not in one face
+  \throws std::runtime_error if rounding has left no positive definite matrix
+  \complexity that of solutions with a factored matrix, about n log n; with more than twenty pinned vertices also a factorization, if they
+    are not those of the last call. Not to be called from two threads at once
+  */
+  template <class Sources>
+  Eigen::VectorXd distances(const Sources& sources) {
+    if (is_stopped_) return {};
+    const internal::Source_places places =
+        internal::Source_reader<Triangulation>(*t_, solver_.table()).read(sources);
+    return solver_.distances(
+        places, internal::Chord_bound(internal::source_balls(solver_.table(), places, positions_)),
+        positions_);
+  }
+
+  /// returns `cancelled` if the visitor has stopped what was done last, else `done`.
+  Status status() const { return solver_.is_cancelled() ? Status::cancelled : Status::done; }
+
+  /// returns the time of the heat flow, in units of area of the input.
+  double time() const { return solver_.time(); }
+
+private:
+  template <class NP>
+  static internal::Heat_options options(const NP& np) {
+    using namespace internal::tags;
+    internal::expect_names<time_factor, border_condition, visitor>(np);
+    internal::Heat_options o;
+    o.time_factor = internal::value_or<time_factor>(np, o.time_factor);
+    o.border = internal::value_or<border_condition>(np, o.border);
+    return o;
+  }
+
+  template <class NP>
+  static internal::Heat_progress progress(const NP& np) {
+    return [v = internal::object_or<internal::tags::visitor>(np, Heat_distance_visitor())](
+               Heat_step step) mutable { return internal::unwrapped(v).progress(step); };
+  }
+
+  const Triangulation* t_;
+  std::vector<std::array<double, 3>> positions_;
+  internal::Heat_solver solver_;
+  bool is_stopped_ = solver_.is_cancelled(); // before it was made
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_DISTANCE_H

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_SOLVER_H
+#define CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_SOLVER_H
+
+#include <CGAL/Intrinsic_operators/distance/Chord_bound.h>
+#include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.h>
+#include <CGAL/Intrinsic_operators/distance/distance_sources.h>
+#include <CGAL/Intrinsic_operators/operators/Face_table.h>
+#include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// How heat behaves at the border, for `Heat_distance`.
+enum class Heat_border {
+  insulated, ///< no flux: the gradient runs along the border (Neumann)
+  average    ///< the mean of that and of a border that is kept cold (Dirichlet)
+};
+
+/// What `Heat_distance` has done.
+enum class Heat_step {
+  heat_factored, ///< a matrix of the heat flow was factored; there are two with a border that is cold
+  heat_found     ///< heat has spread from the sources
+};
+
+namespace internal {
+
+// Is told of each step; tells whether to go on.
+using Heat_progress = std::function<bool(Heat_step)>;
+
+// What `Heat_distance` may be asked for.
+struct Heat_options {
+  double time_factor = 1;
+  Heat_border border = Heat_border::average;
+};
+
+// The heat method on a table of faces, in scaled units.
+class Heat_solver {
+public:
+  Heat_solver(const Eigen::SparseMatrix<double>& laplacian, Face_table table,
+              const Heat_options& options, std::uint32_t sheets, Heat_progress progress);
+
+  const Face_table& table() const { return table_; }
+  double time() const { return table_.unscaled(table_.unscaled(time_)); }
+
+  // whether the last step was one not to go on after
+  bool is_cancelled() const { return is_cancelled_; }
+
+  // \return by rows, in the units of the input; nothing if it was cancelled
+  Eigen::VectorXd distances(const Source_places& sources, const Chord_bound& chord,
+                            const std::vector<std::array<double, 3>>& positions);
+
+private:
+  void make_cold_border(const Eigen::VectorXd& masses);
+
+  Heat<double> heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const;
+
+  // Curves count by their length in mean edges, points once.
+  Eigen::VectorXd initial_heat(const Source_places& sources) const;
+
+  // of the field of unit vectors along which heat decreases
+  Eigen::VectorXd divergence(const Heat<double>& heat) const;
+
+  // the unit vector against the gradient of a function, zero if that is constant
+  static std::complex<double> descent(const std::array<std::complex<double>, 3>& corners,
+                                      const std::array<double, 3>& u);
+
+  Face_table table_;
+  double mean_edge_;
+  double time_;
+  std::vector<std::uint32_t> component_;
+  Pinned_laplacian poisson_;
+  std::optional<Diffusion<double>> insulated_, cold_;
+  std::vector<char> is_on_border_; // of rows
+  std::uint32_t sheets_;
+  Heat_progress progress_;
+  bool is_cancelled_ = false;
+};
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_operators/distance/Heat_solver_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_SOLVER_H

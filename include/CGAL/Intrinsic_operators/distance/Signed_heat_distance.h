@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_DISTANCE_SIGNED_HEAT_DISTANCE_H
+#define CGAL_INTRINSIC_OPERATORS_DISTANCE_SIGNED_HEAT_DISTANCE_H
+
+#include <CGAL/Intrinsic_operators/distance/Signed_heat_solver.h>
+#include <CGAL/Intrinsic_operators/distance/distance_sources.h>
+#include <CGAL/Intrinsic_operators/operators/Face_table.h>
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+
+#include <Eigen/Core>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief approximates signed geodesic distances from curves, by the flow of their normals (Feng and Crane, A heat method for generalized
+signed distance, 2024).
+
+The normals of the curve diffuse for a short time as tangent vectors, by the connection Laplacian of Crouzeix and
+Raviart; the distance is the function that has their directions as its gradient, by least squares:
+
+    (M + time L) X = normals,     Y = X / |X|,     L d = div Y
+
+Curves may be loops, several of them, or open: those that are no borders of regions, by gaps or errors in them, still have sides, and
+the distance passes through the gaps smoothly. **Signs**: left of a curve, distances are negative, as inside of a loop that
+runs counterclockwise; right of it they are positive. They are zero at vertices of the curve, bit by bit; in a face that a straight piece of a curve
+goes through, d is the distance from its line.
+
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, of a surface that has sides: no cover
+*/
+template <NumberedTriangulation Triangulation>
+  requires MeasuredTriangulation<Triangulation>
+class Signed_heat_distance {
+public:
+  /*!
+  \brief assembles the matrices, and factors that of the flow of vectors, with a row per edge.
+  \tparam NP a chain of named parameters
+  \param t the triangulation; it must outlive this object unchanged
+  \param np optional named parameters:
+    - `time_factor(x)`: the time is x times the mean of the squares of half the lengths of the
+      edges, since the vectors are at their midpoints. Default: 1. More bridges wider gaps.
+  \throws Invalid_input if a face has no area, or `t` is that of a cover, on which left and right are one row
+  \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas
+    of the surface: then heat is even up to rounding
+  \throws std::runtime_error if rounding has left no positive definite matrix (the message names a row)
+  \complexity that of a sparse factorization with three times as many rows as there are vertices
+  */
+  template <NamedParameters NP = parameters::Parameters<>>
+  explicit Signed_heat_distance(const Triangulation& t, const NP& np = parameters::default_values())
+      : t_(&t), solver_(internal::face_table(with_sides(t)), cotangent_laplacian(t),
+                        internal::value_or<internal::tags::time_factor>(np, 1.0)) {
+    internal::expect_names<internal::tags::time_factor>(np);
+  }
+
+  /*!
+  \brief computes the signed distances of all vertices from curves.
+  \tparam Curves a halfedge of `t.mesh()`, in the direction of the curve; a `Polyline_source`; or a range of these, or a range of ranges
+  \param curves the curves
+  \return a distance per row of `t.input_vertex()`, in the units of the input; infinity where there is no curve: on other
+    components and at isolated vertices
+  \throws std::invalid_argument if there are vertices or points among the curves, or consecutive points of a polyline are not in one face
+  \throws std::runtime_error if rounding has left no positive definite matrix
+  \complexity that of a solution, and of a factorization of the Laplacian without the rows of the curve, if it is not that of
+    the last call. Not to be called from two threads at once
+  */
+  template <class Curves>
+  Eigen::VectorXd distances(const Curves& curves) {
+    return solver_.distances(
+        internal::Source_reader<Triangulation>(*t_, solver_.table()).read(curves));
+  }
+
+  /// returns the time of the flow, in units of area of the input.
+  double time() const { return solver_.time(); }
+
+private:
+  static const Triangulation& with_sides(const Triangulation& t) {
+    if (t.input().names().sheets > 1)
+      throw Invalid_input(
+          Element_kind::none, 0,
+          "signed distances need a surface with sides; this one is a cover, on which both are one");
+    return t;
+  }
+
+  const Triangulation* t_;
+  internal::Signed_heat_solver solver_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_DISTANCE_SIGNED_HEAT_DISTANCE_H

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_DISTANCE_DISTANCE_SOURCES_H
+#define CGAL_INTRINSIC_OPERATORS_DISTANCE_DISTANCE_SOURCES_H
+
+#include <CGAL/Intrinsic_operators/operators/Face_table.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/tracing/common_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a curve through faces of an intrinsic triangulation, as a source of distances.
+
+Two consecutive points are in one face, and the curve is straight between them: what `Polyhedral_distance::shortest_path()` returns.
+*/
+struct Polyline_source {
+  /// The points, on the intrinsic triangulation.
+  std::vector<Surface_point> points;
+};
+
+namespace internal {
+
+// A straight piece of a source in a face of a table: barycentric coordinates of its ends there, which are equal for a point.
+struct Source_segment {
+  std::uint32_t face;
+  std::array<double, 3> from, to;
+};
+
+// A side of a face of a table, in the direction of the curve. Its own face lies left of it if `is_left`, else right.
+struct Source_side {
+  std::uint32_t face;
+  std::uint32_t side;
+  bool is_left;
+};
+
+// Where sources are, in the numbers of a table.
+struct Source_places {
+  std::vector<int> rows; // of vertices
+  std::vector<Source_segment> segments;
+  std::vector<Source_side> sides;
+};
+
+// Reads sources in all their forms.
+template <NumberedTriangulation Triangulation>
+class Source_reader {
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Face = typename Triangulation::face_descriptor;
+  using Mesh = typename Triangulation::Mesh;
+
+public:
+  Source_reader(const Triangulation& t, const Face_table& table) : t_(t), table_(table) {}
+
+  template <class Sources>
+  Source_places read(const Sources& sources) {
+    add(sources);
+    return std::move(places_);
+  }
+
+private:
+  template <class Source>
+  void add(const Source& source) {
+    if constexpr (std::convertible_to<Source, Vertex>)
+      places_.rows.push_back(static_cast<int>(t_.input_vertex(source)));
+    else if constexpr (std::convertible_to<Source, Halfedge>)
+      add_side(source);
+    else if constexpr (std::same_as<Source, Surface_point>)
+      add_segment(source, source);
+    else if constexpr (std::same_as<Source, Face_location<Mesh>>)
+      add(surface_point(t_, source));
+    else if constexpr (std::same_as<Source, Polyline_source>)
+      add_polyline(source.points);
+    else {
+      static_assert(
+          std::ranges::range<const Source>,
+          "sources are vertices and halfedges of t.mesh(), objects Surface_point, Face_location or "
+          "Polyline_source, or ranges of them; a vertex of the user's mesh is "
+          "vertex_on_intrinsic(t, "
+          "v, mesh), a place on it locate_on_intrinsic(t, place, mesh)");
+      for (const auto& s : source) add(s);
+    }
+  }
+
+  bool is_border(Halfedge h) const {
+    return face(h, t_.mesh()) == boost::graph_traits<Mesh>::null_face();
+  }
+
+  void add_side(Halfedge h) {
+    const Halfedge in_face = is_border(h) ? opposite(h, t_.mesh()) : h;
+    const std::uint32_t f = table_.slot[t_.index(face(in_face, t_.mesh()))];
+    const std::uint32_t number = t_.numbers().halfedge(in_face);
+    std::uint32_t side = 0;
+    while (table_.faces[f].halfedges[side] != number) ++side;
+    places_.sides.push_back({f, side, in_face == h});
+  }
+
+  void add_polyline(const std::vector<Surface_point>& points) {
+    if (points.size() == 1) add(points[0]);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const auto in_common =
+          in_one_face(Intrinsic_view<Triangulation>(t_), points[i - 1], points[i]);
+      if (!in_common)
+        throw std::invalid_argument("points " + std::to_string(i - 1) + " and " +
+                                    std::to_string(i) + " of a polyline are not in one face");
+      // a point that is repeated is no source of its own
+      const auto& [from, to] = *in_common;
+      if (from.weights != to.weights || points.size() == 2) add_segment(from, to);
+    }
+  }
+
+  void add_segment(const Surface_point& p, const Surface_point& q) {
+    const auto& mesh = t_.mesh();
+    const Halfedge h = t_.numbers().halfedge_at(p.halfedge);
+    if (is_border(h))
+      throw std::invalid_argument("a source is not in a face, but beyond the border");
+    const std::uint32_t f = table_.slot[t_.index(face(h, mesh))];
+    std::size_t k = 0;
+    while (table_.faces[f].halfedges[k] != p.halfedge) ++k;
+    Source_segment s{f, {}, {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      s.from[(k + i) % 3] = p.weights[i];
+      s.to[(k + i) % 3] = q.weights[i];
+    }
+    for (std::size_t c = 0; c < 3; ++c) // a corner is a vertex
+      if (s.from == s.to && s.from[c] == 1) {
+        places_.rows.push_back(table_.faces[f].rows[c]);
+        return;
+      }
+    places_.segments.push_back(s);
+  }
+
+  const Triangulation& t_;
+  const Face_table& table_;
+  Source_places places_;
+};
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_DISTANCE_DISTANCE_SOURCES_H

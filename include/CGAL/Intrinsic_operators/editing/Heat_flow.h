@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_EDITING_HEAT_FLOW_H
+#define CGAL_INTRINSIC_OPERATORS_EDITING_HEAT_FLOW_H
+
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief smooths functions by letting heat flow for a time, one step of the implicit Euler method:
+
+    (M + t L) x = M x_0
+
+with the cotangent Laplacian L and the lumped mass M. It is stable for any time. On a Delaunay triangulation without obtuse angles at the border, or of a cover, the maximum principle holds: no value leaves the
+range of those before; sums weighed by mass are kept.
+
+The coordinates of the vertices in space are functions too: what smooths them is implicit fairing (Desbrun, Meyer, Schröder and Barr 1999), a step of mean curvature
+flow. For the next step of that flow build the triangulation of the new points; to go on with the same operator is conformalized flow with
+the metric of the beginning, which does not pinch (Kazhdan, Solomon and Ben-Chen 2012).
+
+Rows are those of vertices, `t.input_vertex(v)`. Isolated ones keep their values.
+*/
+class Heat_flow {
+public:
+  /*!
+  \brief factors the operator.
+  \tparam Triangulation a model of `MeasuredTriangulation`
+  \param t the triangulation, of which nothing is kept
+  \param time how long, in units of area; about the square of the radius in which values are averaged
+  \throws std::invalid_argument if the time is negative or not finite
+  \throws Invalid_input if a face has no area
+  \complexity that of a sparse factorization
+  */
+  template <MeasuredTriangulation Triangulation>
+  Heat_flow(const Triangulation& t, double time)
+      : mass_(lumped_mass_matrix(t).diagonal()),
+        solver_(checked(time) * cotangent_laplacian(t), positive(mass_)) {}
+
+  /*!
+  \brief lets the heat flow.
+  \param values a row per vertex, a column per function
+  \return the values after it
+  \throws std::invalid_argument if there is not a row per vertex
+  \complexity linear in the entries of the factor, for each column
+  */
+  Eigen::MatrixXd step(const Eigen::MatrixXd& values) const {
+    if (values.rows() != mass_.size())
+      throw std::invalid_argument("there must be a row per vertex");
+    return solver_.solve(Eigen::MatrixXd(mass_.asDiagonal() * values));
+  }
+
+private:
+  static double checked(double time) {
+    if (!(time >= 0) || !std::isfinite(time))
+      throw std::invalid_argument("the time must be finite and not negative");
+    return time;
+  }
+
+  static const Eigen::VectorXd& positive(Eigen::VectorXd& mass) {
+    for (double& m : mass)
+      if (!(m > 0)) m = 1; // any: nothing flows to or from isolated vertices
+    return mass;
+  }
+
+  Eigen::VectorXd mass_;
+  Laplacian_factorization solver_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_EDITING_HEAT_FLOW_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_EDITING_INTERPOLATE_HARMONICALLY_H
+#define CGAL_INTRINSIC_OPERATORS_EDITING_INTERPOLATE_HARMONICALLY_H
+
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/components_of_matrix.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief interpolates values at some vertices by the harmonic function: that with the least Dirichlet energy, the integral of |grad x|^2.
+
+Of a Delaunay triangulation no value lies beyond those given (maximum principle), as all weights of inner edges are nonnegative; on the border where they face
+an obtuse angle, too, once the triangulation is of a cover or refined. What rounding adds is taken away.
+\tparam Triangulation a model of `MeasuredTriangulation`
+\param t the triangulation
+\param rows vertices with values, by their rows
+\param values a value per row
+\return a value per vertex, at `t.input_vertex(v)`
+\throws std::invalid_argument if sizes do not fit, a value is not finite, a row has two values, or a component has none (the message names a row of it)
+\throws Invalid_input if a face has no area
+\complexity that of a sparse factorization
+*/
+template <MeasuredTriangulation Triangulation>
+Eigen::VectorXd interpolate_harmonically(const Triangulation& t,
+                                         std::span<const std::uint32_t> rows,
+                                         const Eigen::VectorXd& values) {
+  if (values.size() != static_cast<Eigen::Index>(rows.size()))
+    throw std::invalid_argument("there must be a value per row that has one");
+  const Eigen::SparseMatrix<double> l = cotangent_laplacian(t);
+  Eigen::VectorXd x = Fixed_values_solver(l, rows).solve(Eigen::VectorXd::Zero(l.rows()), values);
+  if (rows.size() > 0 && internal::has_no_positive_entry_off_diagonal(l))
+    x = x.cwiseMax(values.minCoeff()).cwiseMin(values.maxCoeff());
+  return x;
+}
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(interpolate_harmonically)
+/// \endcond
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_EDITING_INTERPOLATE_HARMONICALLY_H

@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_OPERATORS_CONNECTION_GRAPH_H
+#define CGAL_INTRINSIC_OPERATORS_OPERATORS_CONNECTION_GRAPH_H
+
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_operators/solvers/components_of_matrix.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Where a vector is not known.
+inline constexpr std::complex<double> unknown_vector{std::numeric_limits<double>::quiet_NaN(),
+                                                     std::numeric_limits<double>::quiet_NaN()};
+
+inline bool is_known(const std::complex<double>& z) {
+  return std::isfinite(z.real()) && std::isfinite(z.imag());
+}
+
+// A vector of length 1, or zero.
+inline std::complex<double> unit_vector(const std::complex<double>& z) {
+  const double larger = std::max(std::abs(z.real()), std::abs(z.imag()));
+  if (!(larger > 0) || !std::isfinite(larger)) return 0;
+  const std::complex<double> scaled = z / larger; // whose square does not underflow
+  return scaled / std::abs(scaled);
+}
+
+// What matrices on tangent vectors are assembled from.
+template <class Triangulation>
+concept Connected_triangulation =
+    MeasuredTriangulation<Triangulation> && NumberedTriangulation<Triangulation>;
+
+// Refuses the surface of a cloud of points: vectors on the sheets at a point have nothing in
+// common.
+template <class Triangulation>
+void expect_tangent_planes(const Triangulation& t) {
+  const std::uint32_t sheets = t.input().names().sheets;
+  if (sheets > 2)
+    throw std::invalid_argument("this surface, of a cloud of points, has " +
+                                std::to_string(sheets) +
+                                " sheets at a point and no tangent plane that is the point's own; "
+                                "for vectors use Point_cloud_vectors");
+}
+
+// What border vertices do to angles.
+enum class Border_angles {
+  half_circle, // they are scaled to half a circle (§2.4)
+  as_they_are  // nothing, up to three quarters of a circle: flat surfaces have flat connections
+};
+
+// The angles of halfedges about their sources, counterclockwise from the first, scaled: at inner vertices to a whole circle.
+class Halfedge_angles {
+public:
+  template <class Triangulation>
+  Halfedge_angles(const Triangulation& t, Border_angles border)
+      : border_(border), angle_(2 * std::size_t{t.numbers().edge_capacity(t.mesh())}, -1),
+        scale_(angle_.size(), 1) {
+    const Intrinsic_view<Triangulation> view(t);
+    const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
+    for (const auto v : vertices(t.mesh()))
+      if (halfedge(v, t.mesh()) != null) measure(view, view.outgoing_halfedge(t.index(v)));
+    // other fans of vertices that are not manifold
+    for (const bool starts_on_border : {true, false})
+      for (const auto f : faces(t.mesh()))
+        for (const std::uint32_t h : sides_of_face(view, view.halfedge_of_face(t.index(f))))
+          if (angle_[h] < 0 && (!starts_on_border || view.is_border(h ^ 1U))) measure(view, h);
+  }
+
+  // the angle of a halfedge from the first one at its source
+  double operator[](std::uint32_t h) const { return angle_[h]; }
+  // what angles on the surface are multiplied by in the fan of a halfedge
+  double scale(std::uint32_t h) const { return scale_[h]; }
+
+private:
+  template <class View>
+  void measure(const View& view, std::uint32_t first) {
+    double sum = 0;
+    std::uint32_t h = first;
+    do {
+      angle_[h] = sum;
+      if (view.is_border(h)) break;
+      sum += angle_at_source(view, h);
+      h = next_around_source(view, h);
+    } while (h != first);
+    const double s = sum > 0 ? scale_of(view.is_border(h), sum) : 1;
+    h = first;
+    do {
+      angle_[h] *= s;
+      scale_[h] = s;
+      if (view.is_border(h)) break;
+      h = next_around_source(view, h);
+    } while (h != first);
+  }
+
+  double scale_of(bool is_on_border, double sum) const {
+    constexpr double pi = std::numbers::pi;
+    if (!is_on_border) return 2 * pi / sum;
+    return border_ == Border_angles::half_circle ? pi / sum : std::min(1., 1.5 * pi / sum);
+  }
+
+  Border_angles border_;
+  std::vector<double> angle_; // per halfedge
+  std::vector<double> scale_; // per halfedge
+};
+
+// An edge between neighbourhoods of vertices, with the directions in which it leaves them.
+struct Connection_edge {
+  int source, target;
+  double weight; // the cotangent weight, at least zero
+  double length; // in scaled units
+  double source_angle, target_angle;
+
+  // what a vector at the source is multiplied by to be parallel to it at the target
+  double turn() const { return target_angle + std::numbers::pi - source_angle; }
+};
+
+// All that solvers for tangent vectors need of a triangulation, a number for each copy of a vertex: edges and the areas of
+// vertices, in scaled units. An edge whose weight is negative (in a Delaunay triangulation only on the border) has the weight
+// zero: where the surface is curved, it would make the matrix indefinite.
+struct Connection_graph {
+  std::size_t size = 0;
+  std::vector<Connection_edge> edges;
+  std::vector<double> areas;      // a third of the area of the faces at each vertex
+  double squared_mean_length = 0; // of edges
+
+  // for each vertex, the least of those that edges of positive weight connect it with
+  std::vector<std::uint32_t> parts() const {
+    return joined_sets(size, [this](const auto& join) {
+      for (const Connection_edge& e : edges)
+        if (e.weight > 0) join(e.source, e.target);
+    });
+  }
+};
+
+template <class Triangulation>
+void add_areas(const Triangulation& t, const Vertex_copies<Triangulation>& copies,
+               Connection_graph& graph) {
+  graph.areas.assign(graph.size, 0);
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
+    const double third = t.metric().approximate_quadruple_area(t.index(f)) / 12;
+    auto h = halfedge(f, t.mesh());
+    for (int k = 0; k < 3; ++k, h = next(h, t.mesh()))
+      graph.areas[copies(target(h, t.mesh()))] += third;
+  }
+}
+
+template <Connected_triangulation Triangulation>
+Connection_graph connection_graph(const Triangulation& t, const Halfedge_angles& angles) {
+  expect_tangent_planes(t);
+  const auto& mesh = t.mesh();
+  const Vertex_copies<Triangulation> copies(t);
+  Connection_graph graph;
+  graph.size = copies.size();
+  graph.edges.reserve(num_edges(mesh));
+  double sum = 0;
+  for_each_cotangent_weight(t, [&](typename Triangulation::edge_descriptor e, double weight) {
+    const auto h = halfedge(e, mesh);
+    const std::uint32_t i = t.numbers().halfedge(h);
+    const double length = std::sqrt(t.metric().approximate_squared_length(t.index(e)));
+    graph.edges.push_back({static_cast<int>(copies(source(h, mesh))),
+                           static_cast<int>(copies(target(h, mesh))), std::max(0., weight), length,
+                           angles[i], angles[i ^ 1U]});
+    sum += length;
+  });
+  const double mean = graph.edges.empty() ? 1 : sum / static_cast<double>(graph.edges.size());
+  graph.squared_mean_length = mean * mean;
+  add_areas(t, copies, graph);
+  return graph;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_OPERATORS_OPERATORS_CONNECTION_GRAPH_H

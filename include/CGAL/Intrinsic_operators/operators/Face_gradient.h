@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_OPERATORS_FACE_GRADIENT_H
+#define CGAL_INTRINSIC_OPERATORS_OPERATORS_FACE_GRADIENT_H
+
+#include <CGAL/Intrinsic_operators/operators/Face_table.h>
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief takes piecewise linear functions to their gradients, and fields of vectors that are constant on faces to their
+divergence and curl (§2.5 of the course), from lengths alone.
+
+A vector is a complex number in the frame of its face, whose real axis runs along the first halfedge of the face,
+`halfedge(f, t.mesh())`, as for `Face_vector_transfer`. Fields have a vector per number of a face, `t.index(f)`, functions a
+value per vertex `v`, at `t.input_vertex(v)`, like all operators. With the hat function phi_i of vertex i,
+
+    grad u = sum_i u_i grad phi_i
+    (div X)_i = - sum over the faces at i of A <grad phi_i, X>
+    (curl X)_i = (div -iX)_i
+
+Divergence and curl are integrated: they are those of the smooth field times the mass of a vertex. So
+`divergence(gradient(u))` is `-L u`, with L the cotangent Laplacian, and `curl(gradient(u))` zero at inner vertices, up to
+rounding. On the border both include the flux through it. Of a cover, all sheets are summed and divided by their number.
+*/
+class Face_gradient {
+public:
+  using Vector = std::complex<double>; ///< in the frame of a face
+  using Vectors = Eigen::VectorXcd;    ///< a vector per number of a face
+  using Function = Eigen::VectorXd;    ///< a value per vertex
+
+  /*!
+  \brief measures the faces of a triangulation, of which nothing is kept.
+  \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
+  \throws Invalid_input if a face has no area
+  \complexity linear
+  */
+  template <class Triangulation>
+    requires MeasuredTriangulation<Triangulation> && NumberedTriangulation<Triangulation>
+  explicit Face_gradient(const Triangulation& t)
+      : vertices_(checked_matrix_size(t)), sheets_(t.input().names().sheets),
+        faces_(t.numbers().face_capacity(t.mesh())) {
+    const internal::Face_table table = internal::face_table(t);
+    for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+      if (!measure(table, t.index(f))) internal::throw_degenerate_face(t, f);
+  }
+
+  /// returns the number of vertices.
+  Eigen::Index number_of_vertices() const { return vertices_; }
+  /// returns the number of numbers of faces; one that no face has has the gradient zero.
+  Eigen::Index number_of_faces() const { return static_cast<Eigen::Index>(faces_.size()); }
+  /// returns the area of the face with a number, zero where there is none; of a cover, of each copy.
+  double area(std::size_t f) const { return faces_[f].area; }
+
+  /// returns the gradient of a function. \complexity linear
+  /// \throws std::invalid_argument if the function has not a value per vertex
+  Vectors gradient(const Function& u) const {
+    expect(u.size(), vertices_, "function", "vertex");
+    Vectors result(number_of_faces());
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const Face& face = faces_[f];
+      result[index(f)] = 0;
+      if (face.area == 0) continue; // no face
+      // differences: what is constant leaves nothing, rounding included
+      const double base = u[face.row[0]];
+      result[index(f)] = (u[face.row[1]] - base) * face.hat_gradient[1] +
+                         (u[face.row[2]] - base) * face.hat_gradient[2];
+    }
+    return result;
+  }
+
+  /// returns the integrated divergence of a field. \complexity linear
+  /// \throws std::invalid_argument if the field has not a vector per number of a face
+  Function divergence(const Vectors& x) const {
+    expect(x.size(), number_of_faces(), "field", "number of a face");
+    Function result = Function::Zero(vertices_);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const Face& face = faces_[f];
+      if (face.area == 0) continue;
+      for (std::size_t k = 0; k < 3; ++k)
+        result[face.row[k]] -=
+            face.area / sheets_ * std::real(std::conj(face.hat_gradient[k]) * x[index(f)]);
+    }
+    return result;
+  }
+
+  /// returns the integrated curl of a field. \complexity linear
+  /// \throws std::invalid_argument if the field has not a vector per number of a face
+  Function curl(const Vectors& x) const { return divergence(Vector(0, -1) * x); }
+
+  /// returns the gradient as a matrix with a row per number of a face and a column per vertex. \complexity linear
+  Eigen::SparseMatrix<Vector> matrix() const {
+    std::vector<Eigen::Triplet<Vector>> entries;
+    entries.reserve(3 * faces_.size());
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (faces_[f].area > 0)
+          entries.emplace_back(static_cast<int>(f), faces_[f].row[k], faces_[f].hat_gradient[k]);
+    Eigen::SparseMatrix<Vector> m(number_of_faces(), vertices_);
+    m.setFromTriplets(entries.begin(), entries.end());
+    return m;
+  }
+
+private:
+  struct Face {
+    std::array<Vector, 3> hat_gradient = {0, 0, 0}; // of the hat functions of its corners
+    std::array<int, 3> row = {0, 0, 0};             // of its corners
+    double area = 0;
+  };
+
+  static Eigen::Index index(std::size_t f) { return static_cast<Eigen::Index>(f); }
+  static void expect(Eigen::Index size, Eigen::Index asked, const char* what, const char* per) {
+    if (size != asked)
+      throw std::invalid_argument(std::string("the ") + what + " must have a value per " + per +
+                                  ": " + std::to_string(asked) + ", not " + std::to_string(size));
+  }
+
+  // The gradient of a hat function is the opposite side, turned by a right angle inwards, by twice the area.
+  // \return whether it is finite
+  bool measure(const internal::Face_table& table, std::uint32_t f) {
+    const internal::Table_face& read = table.faces[table.slot[f]];
+    const auto corners = read.layout();
+    Face& face = faces_[f];
+    face.row = read.rows;
+    face.area = table.unscaled(table.unscaled(read.area()));
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector side = (corners[(k + 2) % 3] - corners[(k + 1) % 3]) / (read.quadruple_area / 2);
+      face.hat_gradient[k] = {std::ldexp(-side.imag(), table.scale_exponent),
+                              std::ldexp(side.real(), table.scale_exponent)};
+      sum += std::norm(face.hat_gradient[k]);
+    }
+    return std::isfinite(sum);
+  }
+
+  Eigen::Index vertices_;
+  double sheets_;
+  std::vector<Face> faces_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_OPERATORS_FACE_GRADIENT_H

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_OPERATORS_COTANGENT_LAPLACIAN_H
+#define CGAL_INTRINSIC_OPERATORS_OPERATORS_COTANGENT_LAPLACIAN_H
+
+#include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+template <class Triangulation>
+[[noreturn]] void throw_degenerate_face(const Triangulation& t,
+                                        typename Triangulation::face_descriptor f) {
+  const std::uint32_t i = t.index(f);
+  const std::uint32_t input = t.input().names().faces.user(i);
+  throw Invalid_input(
+      Element_kind::face, input,
+      "face " + std::to_string(input) +
+          " has no area, or one too small for its cotangents; make the triangulation "
+          "Delaunay, or build it with mollification");
+}
+
+// the smaller of the faces at an edge, which is the one whose cotangent overflows
+template <class Triangulation>
+typename Triangulation::face_descriptor smaller_face(const Triangulation& t,
+                                                     typename Triangulation::edge_descriptor e) {
+  const auto h = halfedge(e, t.mesh());
+  const auto f = face(h, t.mesh()), g = face(opposite(h, t.mesh()), t.mesh());
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+  if (f == null || (g != null && t.area(g) < t.area(f))) return g;
+  return f;
+}
+
+// Calls `visit(e, w)` for each edge and its cotangent weight, which is finite.
+// \throws Invalid_input if a face has no area
+template <class Triangulation, class Visit>
+void for_each_cotangent_weight(const Triangulation& t, const Visit& visit) {
+  const auto& mesh = t.mesh();
+  const typename Triangulation::Const_session session(t);
+  for (const typename Triangulation::face_descriptor f : faces(mesh))
+    if (t.metric().is_degenerate(t.index(f))) throw_degenerate_face(t, f);
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const double weight = session.cotangent_weight(e);
+    // where rounding is upwards, what overflows below is the least of doubles
+    if (!(std::abs(weight) < std::numeric_limits<double>::max()))
+      throw_degenerate_face(t, smaller_face(t, e));
+    visit(e, weight);
+  }
+}
+
+// the negative weight of each edge that joins two vertices, unless it is zero
+template <class Triangulation>
+std::vector<Symmetric_entry> cotangent_entries(const Triangulation& t) {
+  const auto& mesh = t.mesh();
+  std::vector<Symmetric_entry> entries;
+  entries.reserve(num_edges(mesh));
+  for_each_cotangent_weight(t, [&](typename Triangulation::edge_descriptor e, double weight) {
+    const typename Triangulation::halfedge_descriptor h = halfedge(e, mesh);
+    const auto i = static_cast<int>(t.input_vertex(source(h, mesh)));
+    const auto j = static_cast<int>(t.input_vertex(target(h, mesh)));
+    if (i != j && weight != 0) entries.push_back({i, j, -weight / t.input().names().sheets});
+  });
+  return entries;
+}
+
+// Refuses zero rows of vertices that have edges to others: they have the Dirichlet energy of a
+// function that is not constant.
+template <class Triangulation>
+void expect_no_lost_row(const Triangulation& t, const std::vector<char>& is_zero) {
+  const auto& mesh = t.mesh();
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const std::uint32_t i = t.input_vertex(source(halfedge(e, mesh), mesh)),
+                        j = t.input_vertex(target(halfedge(e, mesh), mesh));
+    if (i == j || (is_zero[i] == 0 && is_zero[j] == 0)) continue;
+    const std::uint32_t row = is_zero[i] != 0 ? i : j;
+    throw Invalid_input(
+        Element_kind::vertex, row,
+        "the row of vertex " + std::to_string(row) +
+            " in the Laplacian is zero: rounding hides the angles of the faces about "
+            "it; exact arithmetic keeps them");
+  }
+}
+
+} // namespace internal
+
+/*!
+\brief assembles the cotangent Laplacian of an intrinsic triangulation (§2.5 of the course, Eq. 4):
+
+    L_ij = -w_ij,    L_ii = sum_j w_ij,    w_ij = sum over the faces at ij of 1/2 cot(angle opposite ij)
+
+The matrix is symmetric bit by bit and positive semidefinite, with constants in its kernel:
+x^T L x = integral of |grad x|^2 for the piecewise linear function x. (Many papers use the opposite
+sign.) It is the weak form: the smooth equation Laplacian u = f becomes `L u = M f`, with a mass matrix
+`M` of `mass_matrix.h`. Border edges have one cotangent, which is the natural (Neumann) boundary
+condition. Several edges between the same vertices add up; edges from a vertex to itself do not
+contribute. Of a cover (`make_domain()`), vertices that are copies of one share its row, and the sum is divided by the number
+of sheets: the matrix is that of the user's surface (§6.1). In a Delaunay triangulation no inner edge has a negative weight (a border edge has one
+where it faces an obtuse angle), and the matrix does not depend on which one it is (Bobenko and
+Springborn 2007).
+
+All diagonal entries are stored, those of isolated vertices as zeros. Of the others those of nonzero
+weight are stored. With exact traits weights that are zero (cocircular faces) are certified, so that
+the pattern too is that of the Delaunay tessellation alone. Weights are right to 1e-12 of themselves, or of
+min(1, E), where E is the least Dirichlet energy in the two faces of functions that change by one along the edge
+(`Exact_euclidean_metric::cotangent_weight()`). Every face has three edges, so that x^T L x of a Delaunay
+triangulation without border is right to 4e-12 of itself for all x, on slivers too. Each diagonal entry is minus the sum of the
+others in its column, in their order.
+
+\tparam Triangulation a model of `MeasuredTriangulation`
+\param t the triangulation, whose predicates may sharpen stored values
+\return a compressed matrix with a row and column per vertex, in the numbering of the input, without
+  dimension
+\throws Invalid_input if a face has no area; flips to Delaunay remove caps, mollification the rest;
+  or if rounding has left the row of a vertex with faces zero, not with exact traits
+\complexity linear
+*/
+template <MeasuredTriangulation Triangulation>
+Eigen::SparseMatrix<double> cotangent_laplacian(const Triangulation& t) {
+  const int size = checked_matrix_size(t);
+  std::vector<char> is_zero(static_cast<std::size_t>(size), 0);
+  bool has_zero = false;
+  auto result = internal::Symmetric_columns(internal::cotangent_entries(t), size)
+                    .matrix([&](int column, auto begin, auto end) {
+                      double sum = 0;
+                      for (auto i = begin; i != end; ++i) sum -= i->value;
+                      if (sum == 0) is_zero[static_cast<std::size_t>(column)] = has_zero = true;
+                      return sum;
+                    });
+  if (has_zero) internal::expect_no_lost_row(t, is_zero);
+  return result;
+}
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(cotangent_laplacian)
+/// \endcond
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_OPERATORS_COTANGENT_LAPLACIAN_H

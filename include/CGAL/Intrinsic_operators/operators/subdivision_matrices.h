@@ -1,0 +1,228 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_OPERATORS_SUBDIVISION_MATRICES_H
+#define CGAL_INTRINSIC_OPERATORS_OPERATORS_SUBDIVISION_MATRICES_H
+
+#include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+/*!
+\file
+Integrals over the faces of a common subdivision. Areas need no positions in space: they come from the places of
+the corners in one of the two faces that contain them.
+
+And the way from values at the vertices of the input, or of the intrinsic triangulation, to values at the
+vertices of their common subdivision (§4.11.1 of the course): both are piecewise linear there.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// of the triangle of three points, as a fraction of the face: a determinant
+inline double area_fraction(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                            const std::array<double, 3>& r) {
+  const double x1 = q[1] - p[1], y1 = q[2] - p[2], x2 = r[1] - p[1], y2 = r[2] - p[2];
+  return std::max(0.0, x1 * y2 - x2 * y1); // the corners of convex faces turn left, up to rounding
+}
+
+// Places corners of a face of a subdivision in the smaller one of the two faces that contain it: rounding of
+// barycentric coordinates changes areas by a part of the area of the face in which they are taken, so that areas add up
+// to that of a sliver if it is cut by large faces, and to that of a face that is cut by slivers.
+template <class Triangulation>
+class Cell_in_face {
+public:
+  Cell_in_face(const Triangulation& t, const Common_subdivision& s, std::size_t f)
+      : s_(s), input_(t.input()), view_(t), base_(view_.halfedge_of_face(s.intrinsic_face[f])),
+        area_(t.area(t.numbers().face_at(s.intrinsic_face[f]))) {
+    const std::uint32_t g = input_.names().faces.here(s.input_face[f]);
+    const double area = std::ldexp(input_.quadruple_area(g), -2 * input_.scale_exponent() - 2);
+    if (!(area < area_)) return;
+    base_ = input_.halfedge_of_face(g);
+    is_on_input_ = true;
+    area_ = area;
+  }
+
+  double area() const { return area_; }
+  std::array<double, 3> corner(std::size_t c) const {
+    return is_on_input_ ? corner_in_input_face(input_, s_, base_, c)
+                        : corner_in_face(view_, s_, base_, c);
+  }
+
+private:
+  const Common_subdivision& s_;
+  const Input& input_;
+  Intrinsic_view<Triangulation> view_;
+  std::uint32_t base_;
+  double area_;
+  bool is_on_input_ = false;
+};
+
+} // namespace internal
+
+/*!
+\brief calls a function for each triangle of the faces of a common subdivision, which are cut into
+fans from their first corners.
+\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Function called as `function(f, v, area)`: the face, an array of the three vertices, and the area in
+  units of area of the input, zero at least
+\param t the triangulation
+\param s its common subdivision with the input
+\param function the function
+\complexity linear
+*/
+template <class Triangulation, class Function>
+void for_each_subdivision_triangle(const Triangulation& t, const Common_subdivision& s,
+                                   Function function) {
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+    const internal::Cell_in_face<Triangulation> cell(t, s, f);
+    const std::size_t begin = s.face_begin[f], end = s.face_begin[f + 1];
+    const std::array<double, 3> first = cell.corner(begin);
+    std::array<double, 3> last = cell.corner(begin + 1);
+    for (std::size_t c = begin + 2; c < end; ++c) {
+      const std::array<double, 3> here = cell.corner(c);
+      function(f, std::array{s.corner[begin], s.corner[c - 1], s.corner[c]},
+               cell.area() * internal::area_fraction(first, last, here));
+      last = here;
+    }
+  }
+}
+
+/// returns the area of each face of a common subdivision, in units of area of the input; see
+/// `for_each_subdivision_triangle()`.
+template <NumberedTriangulation Triangulation>
+std::vector<double> subdivision_areas(const Triangulation& t, const Common_subdivision& s) {
+  std::vector<double> result(s.number_of_faces(), 0);
+  for_each_subdivision_triangle(
+      t, s, [&](std::size_t f, const auto&, double area) { result[f] += area; });
+  return result;
+}
+
+/*!
+\brief assembles the Galerkin mass matrix of a common subdivision (§2.5.1 and §4.11.1 of the course).
+
+With the matrices of interpolation, P_ext^T M_S P_ext is the mass matrix of the input, P_int^T
+M_S P_int that of the intrinsic triangulation, and u^T P_ext^T M_S P_int v the integral of u v for u on the
+input and v on the intrinsic triangulation: all exactly, up to rounding.
+\tparam Triangulation a model of `NumberedTriangulation`
+\param t the triangulation
+\param s its common subdivision with the input
+\return a compressed matrix with a row and column per vertex of the subdivision, in units of area of the
+  input, symmetric bit by bit; every diagonal entry is stored
+\throws Invalid_input if the subdivision is too large for the index type of Eigen
+\complexity linear
+*/
+template <NumberedTriangulation Triangulation>
+Eigen::SparseMatrix<double> subdivision_mass_matrix(const Triangulation& t,
+                                                    const Common_subdivision& s) {
+  const std::size_t size = s.number_of_vertices();
+  internal::expect_countable(6 * s.corner.size() + size, "the common subdivision has " +
+                                                             std::to_string(s.corner.size()) +
+                                                             " corners");
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size));
+  std::vector<Symmetric_entry> entries;
+  entries.reserve(3 * (s.corner.size() - 2 * s.number_of_faces()));
+  for_each_subdivision_triangle(
+      t, s, [&](std::size_t, const std::array<std::uint32_t, 3>& v, double area_on_sheet) {
+        const double area = area_on_sheet / t.input().names().sheets;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto i = static_cast<int>(v[k]), j = static_cast<int>(v[(k + 1) % 3]);
+          diagonal[i] += area / 6;
+          if (i == j)
+            diagonal[i] += area / 6; // the pair (i, j) and the pair (j, i)
+          else
+            entries.push_back({i, j, area / 12});
+        }
+      });
+  return symmetric_matrix(entries, diagonal);
+}
+
+/// A sparse matrix by rows, one per vertex of the common subdivision.
+using Interpolation_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+namespace internal {
+
+// entries of one row; sorted, and equal columns added up
+inline void append_row(Weighted_vertices w, Interpolation_matrix& m, Eigen::Index row) {
+  m.startVec(row);
+  for (const std::size_t i : {1U, 2U, 1U})
+    if (i < w.size && w.vertices[i] < w.vertices[i - 1]) {
+      std::swap(w.vertices[i], w.vertices[i - 1]);
+      std::swap(w.weights[i], w.weights[i - 1]);
+    }
+  for (std::size_t i = 0; i < w.size;) {
+    const std::uint32_t column = w.vertices[i];
+    double sum = 0;
+    for (; i < w.size && w.vertices[i] == column; ++i) sum += w.weights[i];
+    if (sum != 0) m.insertBackByOuterInner(row, column) = sum;
+  }
+}
+
+// `locate(v)` returns the location of vertex `v` of the subdivision
+template <class Locate>
+Interpolation_matrix interpolation_matrix(const Common_subdivision& s, std::uint32_t columns,
+                                          const Locate& locate) {
+  const std::size_t rows = s.number_of_vertices();
+  expect_countable(3 * rows, "the common subdivision has " + std::to_string(rows) + " vertices");
+  Interpolation_matrix m(static_cast<Eigen::Index>(rows), columns);
+  m.reserve(static_cast<Eigen::Index>(s.vertices.size() + 2 * s.crossings.size()));
+  for (std::size_t v = 0; v < rows; ++v) append_row(locate(v), m, static_cast<Eigen::Index>(v));
+  m.finalize();
+  return m;
+}
+
+} // namespace internal
+
+/*!
+\brief assembles P_ext (§4.11.1 of the course): it takes values at the vertices of the input to values
+at the vertices of the common subdivision.
+
+Its shape is |V_S| x |V_ext|. Rows are barycentric coordinates: at most three entries, which sum to 1 up to
+rounding. Zero weights are not stored.
+\param s the subdivision
+\return a compressed matrix; columns are numbered like the vertices of the input
+\throws Invalid_input if the subdivision is too large for the index type of Eigen
+\complexity linear
+*/
+inline Interpolation_matrix interpolation_from_input(const Common_subdivision& s) {
+  return internal::interpolation_matrix(s, s.number_of_input_vertices,
+                                        [&s](std::size_t v) { return s.on_input(v); });
+}
+
+/*!
+\brief assembles P_int (§4.11.1 of the course): it takes values at the vertices of the intrinsic
+triangulation to values at the vertices of the common subdivision.
+
+Its shape is |V_S| x |V_int|. Rows have one or two entries, since the faces of the intrinsic triangulation
+have no vertices inside. Columns are numbered as in all operators: vertices of the input as there,
+then the inserted ones.
+\param s the subdivision
+\return a compressed matrix
+\throws Invalid_input if the subdivision is too large for the index type of Eigen
+\complexity linear
+*/
+inline Interpolation_matrix interpolation_from_intrinsic(const Common_subdivision& s) {
+  return internal::interpolation_matrix(s, s.number_of_intrinsic_vertices,
+                                        [&s](std::size_t v) { return s.on_intrinsic(v); });
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_OPERATORS_SUBDIVISION_MATRICES_H

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_OPERATORS_SYMMETRIC_ASSEMBLY_H
+#define CGAL_INTRINSIC_OPERATORS_OPERATORS_SYMMETRIC_ASSEMBLY_H
+
+#include <CGAL/Intrinsic_operators/solvers/elimination/row_number.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief holds an entry of a symmetric matrix off the diagonal; it stands for (i, j) and (j, i).
+*/
+struct Symmetric_entry {
+  int i;        ///< a row and column
+  int j;        ///< another row and column, not `i`
+  double value; ///< the entry
+};
+
+namespace internal {
+
+// The columns of a symmetric matrix without its diagonal: entries are bucketed by column, in the order given, and sorted there.
+class Symmetric_columns {
+public:
+  struct Entry {
+    int row;
+    double value;
+  };
+
+  Symmetric_columns(const std::vector<Symmetric_entry>& entries, int size)
+      : end_(row_number(size) + 1, 0), entries_(2 * entries.size()) {
+    for (const Symmetric_entry& e : entries) {
+      ++end_[row_number(e.i) + 1];
+      ++end_[row_number(e.j) + 1];
+    }
+    std::partial_sum(end_.begin(), end_.end(), end_.begin());
+    for (const Symmetric_entry& e : entries) {
+      entries_[end_[row_number(e.i)]++] = {e.j, e.value};
+      entries_[end_[row_number(e.j)]++] = {e.i, e.value};
+    }
+  }
+
+  // \param diagonal called with a column and its entries, sorted, as an iterator range; returns the entry on the diagonal
+  template <class Diagonal>
+  Eigen::SparseMatrix<double> matrix(const Diagonal& diagonal) {
+    const int size = static_cast<int>(end_.size()) - 1;
+    Eigen::SparseMatrix<double> m(size, size);
+    m.resizeNonZeros(size + static_cast<Eigen::Index>(entries_.size()));
+    int count = 0;
+    const auto append = [&](int row, double value) {
+      m.innerIndexPtr()[count] = row;
+      m.valuePtr()[count++] = value;
+    };
+    auto begin = entries_.begin();
+    for (int c = 0; c < size; ++c) {
+      const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(end_[row_number(c)]);
+      const auto last = merge(begin, end);
+      auto i = begin;
+      for (; i != last && i->row < c; ++i) append(i->row, i->value);
+      append(c, diagonal(c, begin, last));
+      for (; i != last; ++i) append(i->row, i->value);
+      m.outerIndexPtr()[c + 1] = count;
+      begin = end;
+    }
+    m.resizeNonZeros(count);
+    return m;
+  }
+
+private:
+  using Iterator = std::vector<Entry>::iterator;
+
+  // Sorts entries by rows and adds up those of the same row, in their order. \return the end of what is left
+  static Iterator merge(Iterator begin, Iterator end) {
+    constexpr std::ptrdiff_t few = 24;
+    if (end - begin > few)
+      std::stable_sort(begin, end, [](const Entry& a, const Entry& b) { return a.row < b.row; });
+    else
+      for (Iterator i = begin; i != end; ++i) {
+        const Entry e = *i;
+        Iterator to = i;
+        for (; to != begin && e.row < (to - 1)->row; --to) *to = *(to - 1);
+        *to = e;
+      }
+    Iterator last = begin;
+    for (Iterator i = begin; i != end; ++i)
+      if (last != begin && (last - 1)->row == i->row)
+        (last - 1)->value += i->value;
+      else
+        *last++ = *i;
+    return last;
+  }
+
+  std::vector<std::size_t> end_; // of each column, when entries are in it
+  std::vector<Entry> entries_;
+};
+
+} // namespace internal
+
+/*!
+\brief assembles a symmetric sparse matrix whose diagonal is stored in every row, zeros included.
+
+Equal pairs add up, in the order given. The matrix is symmetric bit by bit.
+\param entries entries off the diagonal
+\param diagonal those on it
+\return the matrix, compressed
+\pre `0 <= i, j < diagonal.size()` and `i != j` for every entry
+\complexity linear in size and number of entries, but n log n for n entries of a row
+*/
+inline Eigen::SparseMatrix<double> symmetric_matrix(const std::vector<Symmetric_entry>& entries,
+                                                    const Eigen::VectorXd& diagonal) {
+  return internal::Symmetric_columns(entries, static_cast<int>(diagonal.size()))
+      .matrix([&](int c, auto, auto) { return diagonal[c]; });
+}
+
+namespace internal {
+
+// throws Invalid_input if a number exceeds what the index type of `Eigen::SparseMatrix` can count
+inline void expect_countable(std::uint64_t number, const std::string& has) {
+  if (number > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
+    throw Invalid_input(Element_kind::none, 0,
+                        has + ", more than Eigen's index type can count; split the mesh");
+}
+
+} // namespace internal
+
+/*!
+\brief checks that the numbers of rows and of entries fit the index type of `Eigen::SparseMatrix`.
+
+Vertices that have been removed have a row too, until their number is taken again.
+\return the number of rows
+\throws Invalid_input if they do not
+*/
+template <MeasuredTriangulation Triangulation>
+int checked_matrix_size(const Triangulation& t) {
+  const std::uint64_t rows = t.number_of_vertices(),
+                      entries = rows + 2 * std::uint64_t{t.numbers().edge_capacity(t.mesh())};
+  internal::expect_countable(entries,
+                             "a matrix of the mesh has " + std::to_string(entries) + " entries");
+  return static_cast<int>(rows);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_OPERATORS_SYMMETRIC_ASSEMBLY_H

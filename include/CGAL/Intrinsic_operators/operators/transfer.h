@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_OPERATORS_TRANSFER_H
+#define CGAL_INTRINSIC_OPERATORS_OPERATORS_TRANSFER_H
+
+#include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+/*!
+\file
+Transfer of piecewise linear functions between an intrinsic triangulation and its input (§4.11.1 of the
+course). Functions are given by their values at vertices, numbered as in all operators: vertices of the
+input as there, then the inserted ones; one function per column.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// Where a function is taken to.
+enum class Transfer_direction {
+  to_input,    ///< from the intrinsic triangulation to the input
+  to_intrinsic ///< from the input to the intrinsic triangulation
+};
+
+/*!
+\brief copies values at vertices from the intrinsic triangulation to the input.
+
+Needs no correspondence: no vertex of the input was removed, and both numbers are equal.
+\param t the triangulation
+\param f values at the vertices of the intrinsic triangulation, a function per column
+*/
+template <NumberedTriangulation Triangulation, class Derived>
+typename Derived::PlainObject copy_to_input(const Triangulation& t,
+                                            const Eigen::MatrixBase<Derived>& f) {
+  return f.topRows(t.input().number_of_rows());
+}
+
+/*!
+\brief copies values at vertices from the input to the intrinsic triangulation; inserted vertices take
+the value that the function has there.
+\param t the triangulation, with a correspondence if vertices were inserted
+\param g values at the vertices of the input, a function per column
+\return values at the vertices
+\complexity linear
+*/
+template <internal::Queried_triangulation Triangulation, class Derived>
+typename Derived::PlainObject copy_to_intrinsic(const Triangulation& t,
+                                                const Eigen::MatrixBase<Derived>& g) {
+  typename Derived::PlainObject f = Derived::PlainObject::Zero(t.number_of_vertices(), g.cols());
+  for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh())) {
+    const std::uint32_t row = t.input_vertex(v);
+    if (!t.is_inserted(v)) {
+      f.row(row) = g.row(row);
+      continue;
+    }
+    const Weighted_vertices w = weighted_vertices(t, t.correspondence().location(t.index(v)));
+    f.row(row).setZero(); // a copy of the vertex may have been there
+    for (std::size_t i = 0; i < w.size; ++i) f.row(row) += w.weights[i] * g.row(w.vertices[i]);
+  }
+  return f;
+}
+
+/*!
+\brief takes functions to the nearest ones on the other triangulation, in the L2 norm (§4.11.1 of the
+course, Eqs. 16 to 18).
+
+The nearest function g to f minimises (P f - Q g)^T M_S (P f - Q g), with P and Q the interpolation matrices
+from here and from there, and M_S the mass matrix of the common subdivision:
+
+    (Q^T M_S Q) g = Q^T M_S P f
+
+The error is orthogonal to all functions there; so integrals are preserved, functions that are
+linear on both triangulations are reproduced, and copying is never better in this norm. The matrix is
+factored once for any number of functions. It is a mass matrix: scaled to a unit diagonal its
+eigenvalues lie between 1/2 and 2 however bad the triangles (Wathen 1987), so that the solution is
+accurate on every mesh. Vertices without area keep their values.
+*/
+class L2_transfer {
+public:
+  /*!
+  \brief assembles and factors the system.
+  \tparam Triangulation a model of `NumberedTriangulation`
+  \param t the triangulation
+  \param s its common subdivision with the input
+  \param direction where functions are taken to
+  \throws Invalid_input if the subdivision is too large for the index type of Eigen
+  \throws std::runtime_error if rounding has left no positive definite matrix
+  \complexity that of a sparse factorization
+  */
+  template <NumberedTriangulation Triangulation>
+  L2_transfer(const Triangulation& t, const Common_subdivision& s,
+              Transfer_direction direction = Transfer_direction::to_input) {
+    const Interpolation_matrix input = interpolation_from_input(s);
+    const Interpolation_matrix intrinsic = interpolation_from_intrinsic(s);
+    const bool back = direction == Transfer_direction::to_input;
+    const Interpolation_matrix& from = back ? intrinsic : input;
+    const Interpolation_matrix& to = back ? input : intrinsic;
+    const Matrix weighted = Matrix(to.transpose()) * subdivision_mass_matrix(t, s);
+    mass_ = weighted * Matrix(to);
+    cross_ = weighted * Matrix(from);
+    keep_values_without_area(s, back);
+    solver_.compute(mass_);
+    if (solver_.info() != Eigen::Success)
+      throw std::runtime_error("the mass matrix is not positive definite: vertices have areas in "
+                               "the order of rounding errors only");
+  }
+
+  /*!
+  \brief takes functions to the other triangulation.
+  \param f values at vertices, a function per column
+  \return values at the vertices there
+  */
+  template <class Derived>
+  typename Derived::PlainObject operator()(const Eigen::MatrixBase<Derived>& f) const {
+    const typename Derived::PlainObject right = cross_ * f;
+    return solver_.solve(right);
+  }
+
+  /// returns Q^T M_S Q, the mass matrix of the triangulation that functions are taken to, with ones for
+  /// vertices without area.
+  const Eigen::SparseMatrix<double>& mass_matrix() const { return mass_; }
+  /// returns Q^T M_S P: integrals of products of functions there and here.
+  const Eigen::SparseMatrix<double>& cross_mass_matrix() const { return cross_; }
+
+private:
+  using Matrix = Eigen::SparseMatrix<double>;
+
+  // rows without area become those of copying
+  void keep_values_without_area(const Common_subdivision& s, bool back) {
+    std::vector<Eigen::Triplet<double>> ones, copies;
+    const Eigen::VectorXd diagonal = mass_.diagonal();
+    for (const Common_subdivision::Vertex& v : s.vertices) {
+      const auto i = static_cast<int>(v.intrinsic);
+      if (i >= mass_.rows() || diagonal[i] != 0) continue;
+      if (back)
+        copies.emplace_back(i, i, 1);
+      else
+        for (std::size_t k = 0; k < v.on_input.size; ++k)
+          copies.emplace_back(i, static_cast<int>(v.on_input.vertices[k]), v.on_input.weights[k]);
+    }
+    for (int i = 0; i < mass_.rows(); ++i)
+      if (diagonal[i] == 0) ones.emplace_back(i, i, 1);
+    if (ones.empty()) return;
+    Matrix one(mass_.rows(), mass_.cols()), copy(cross_.rows(), cross_.cols());
+    one.setFromTriplets(ones.begin(), ones.end());
+    copy.setFromTriplets(copies.begin(), copies.end());
+    mass_ += one;
+    cross_ += copy;
+  }
+
+  Matrix mass_;
+  Matrix cross_;
+  Eigen::SimplicialLDLT<Matrix> solver_;
+};
+
+/*!
+\brief computes the distance of functions on both triangulations in the L2 norm (§4.11.1, Eq. 18).
+\param t the triangulation
+\param s its common subdivision with the input
+\param f values at the vertices of the intrinsic triangulation
+\param g values at the vertices of the input
+\complexity linear
+*/
+template <NumberedTriangulation Triangulation>
+double L2_distance(const Triangulation& t, const Common_subdivision& s, const Eigen::VectorXd& f,
+                   const Eigen::VectorXd& g) {
+  const Eigen::VectorXd d = interpolation_from_intrinsic(s) * f - interpolation_from_input(s) * g;
+  double sum = 0; // of squares: no cancellation
+  for_each_subdivision_triangle(
+      t, s, [&](std::size_t, const std::array<std::uint32_t, 3>& v, double area) {
+        for (std::size_t k = 0; k < 3; ++k) { // exact for quadratic polynomials
+          const double middle = (d[v[k]] + d[v[(k + 1) % 3]]) / 2;
+          sum += area / 3 * middle * middle;
+        }
+      });
+  return std::sqrt(sum / t.input().names().sheets);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_OPERATORS_TRANSFER_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_CERTIFY_MAP_H
+#define CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_CERTIFY_MAP_H
+
+#include <CGAL/Intrinsic_operators/operators/Face_table.h>
+#include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief tells, exactly, whether a map to the plane is injective: of the doubles that it is, not of what they round.
+*/
+struct Map_certificate {
+  std::size_t faces = 0;      ///< number of faces
+  std::size_t flipped = 0;    ///< those that turn clockwise in the plane
+  std::size_t degenerate = 0; ///< those with corners on a line
+  /// Numbers of the faces that are flipped or degenerate, in ascending order, a hundred at most.
+  std::vector<std::uint32_t> bad_faces;
+  /// Whether the border is a simple closed polygon: it does not meet itself.
+  bool border_is_simple = false;
+
+  /// tells whether the map is injective near each point that is not a vertex: no face is flipped or degenerate.
+  bool is_locally_injective() const { return flipped == 0 && degenerate == 0; }
+  /*!
+  \brief tells whether the map is injective.
+
+  If all faces turn counterclockwise and the border is a simple polygon, a point inside has as many preimages as the border
+  goes around it, counted with signs (the degree of the map); the signs are all positive, and a simple border goes around once: one preimage. Convexity is
+  not needed.
+  */
+  bool is_injective() const { return is_locally_injective() && border_is_simple; }
+};
+
+namespace internal {
+
+// Lists all bad faces.
+Map_certificate certify_map(const std::vector<std::array<std::uint32_t, 3>>& faces,
+                            const std::vector<std::uint32_t>& face_numbers,
+                            const std::vector<std::uint32_t>& border, const Eigen::MatrixX2d& uv);
+// The border of triangles that are a disk; empty if they are not.
+std::vector<std::uint32_t>
+border_of_triangles(const std::vector<std::array<std::uint32_t, 3>>& faces);
+
+// The certificate with all bad faces.
+template <class Triangulation>
+Map_certificate complete_certificate(const Triangulation& t, const Eigen::MatrixX2d& uv) {
+  const Face_table table = face_table(t);
+  std::vector<std::array<std::uint32_t, 3>> faces(table.faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      faces[f][k] = static_cast<std::uint32_t>(table.faces[f].rows[k]);
+  std::vector<std::uint32_t> numbers(faces.size());
+  for (std::uint32_t i = 0; i < table.slot.size(); ++i)
+    if (table.slot[i] != Gluing::none) numbers[table.slot[i]] = i;
+  return certify_map(faces, numbers, disk_border(table, t.input().names().sheets).rows, uv);
+}
+
+// Keeps as many bad faces as a certificate lists.
+inline Map_certificate shortened(Map_certificate c) {
+  if (c.bad_faces.size() > 100) c.bad_faces.resize(100);
+  return c;
+}
+
+} // namespace internal
+
+/*!
+\brief certifies a map of a disk to the plane, that is linear on the faces of a triangulation, with exact predicates.
+\tparam Triangulation a model of `NumberedTriangulation`
+\param t the triangulation
+\param uv a point per row of `t.input_vertex()`; the doubles are taken as they are
+\return the certificate; faces have the numbers `t.index(f)`
+\throws Invalid_input if the surface is not a disk, see `circular_border()`
+\throws std::invalid_argument if a row is missing, or a coordinate is not finite
+\complexity linear in the number of faces, O(n log n) in that of vertices on the border
+*/
+template <NumberedTriangulation Triangulation>
+Map_certificate certify_map(const Triangulation& t, const Eigen::MatrixX2d& uv) {
+  return internal::shortened(internal::complete_certificate(t, uv));
+}
+
+/*!
+\brief certifies a map of triangles to the plane, such as those of the user's mesh: there, a map that was computed on an intrinsic triangulation
+is another one between the vertices.
+\param triangles a disk, as triples of vertices
+\param uv a point per vertex
+\return the certificate; a surface whose border is not one loop through different vertices has none that is simple
+\throws std::invalid_argument as above
+\complexity O(n log n)
+*/
+inline Map_certificate certify_map(const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                   const Eigen::MatrixX2d& uv) {
+  return internal::shortened(
+      internal::certify_map(triangles, {}, internal::border_of_triangles(triangles), uv));
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_operators/parametrization/certify_map_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_CERTIFY_MAP_H

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_CONFORMAL_MAP_H
+#define CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_CONFORMAL_MAP_H
+
+#include <CGAL/Intrinsic_operators/operators/Face_table.h>
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <complex>
+
+/*!
+\file
+Maps to the plane with a free border that are as conformal as may be: they minimise the conformal energy
+
+    E = 1/2 integral of |grad w|^2 - area of the image = w^H C w,    w = x + i y
+
+which is not negative, and zero if all angles are kept. C is Hermitian: half the cotangent Laplacian, less the area as a form on the
+border.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// C, with rows as the Laplacian
+Eigen::SparseMatrix<std::complex<double>>
+conformal_energy(const Eigen::SparseMatrix<double>& laplacian, const Disk_border& border);
+
+Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
+                                             const Eigen::SparseMatrix<double>& laplacian,
+                                             const Disk_border& border);
+Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
+                                        const Eigen::SparseMatrix<double>& laplacian,
+                                        const Disk_border& border);
+
+} // namespace internal
+
+/*!
+\brief assembles the matrix of the conformal energy of a disk, see the head of the file.
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
+\param t the triangulation
+\return a Hermitian, positive semidefinite matrix with a row and column per row of `t.input_vertex()`, without dimension
+\throws Invalid_input if a face has no area, or the surface is not a disk, see `circular_border()`
+\complexity linear
+*/
+template <MeasuredTriangulation Triangulation>
+  requires NumberedTriangulation<Triangulation> Eigen::SparseMatrix<std::complex<double>>
+  conformal_energy(const Triangulation& t) {
+    return internal::conformal_energy(cotangent_laplacian(t), internal::disk_border(t));
+  }
+
+/*!
+\brief maps a disk to the plane with least conformal energy, two vertices fixed (Lévy, Petitjean, Ray, Maillot, Least squares conformal maps,
+2002).
+
+The two are the vertex of the border with the least row, and the one that halves the length of the border with it. The result is scaled to
+the area of the surface, and the first vertex is at the origin. It depends on the two vertices, if no conformal map exists;
+`spectral_conformal_map()` does not. Faces may be turned around, and parts may overlap: `certify_map()` tells, exactly.
+
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
+\param t the triangulation of a disk
+\return a point, x and y in the units of the input, per row of `t.input_vertex()`; isolated vertices are at (0, 0)
+\throws Invalid_input if a face has no area, or the surface is not a disk, see `circular_border()`
+\throws Indefinite_matrix if rounding has left no definite matrix
+\complexity that of a sparse factorization of complex numbers
+*/
+template <MeasuredTriangulation Triangulation>
+  requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
+  least_squares_conformal_map(const Triangulation& t) {
+    const internal::Face_table table = internal::face_table(t);
+    return internal::least_squares_conformal_map(
+        table, cotangent_laplacian(t), internal::disk_border(table, t.input().names().sheets));
+  }
+
+/*!
+\brief maps a disk to the plane with least conformal energy for the extent of its border (Mullen, Tong, Alliez, Desbrun, Spectral conformal
+parameterization, 2008).
+
+It is the eigenvector with the least eigenvalue of C w = lambda B w, of those with mean zero on the border, where B is the length of
+the border at its vertices. No vertex is fixed: the result follows the surface, turned so that the first vertex of the border (see
+`circular_border()`) is on the positive x-axis, and is scaled to the area of the surface. `certify_map()` tells whether it is injective.
+
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
+\param t the triangulation of a disk
+\return a point, x and y in the units of the input, per row of `t.input_vertex()`; isolated vertices are at (0, 0)
+\throws Invalid_input if a face has no area, or the surface is not a disk, see `circular_border()`
+\throws Indefinite_matrix if rounding has left no definite matrix
+\complexity that of a sparse factorization of complex numbers, and of some solutions
+*/
+template <MeasuredTriangulation Triangulation>
+  requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
+  spectral_conformal_map(const Triangulation& t) {
+    const internal::Face_table table = internal::face_table(t);
+    return internal::spectral_conformal_map(table, cotangent_laplacian(t),
+                                            internal::disk_border(table, t.input().names().sheets));
+  }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(least_squares_conformal_map)
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(spectral_conformal_map)
+/// \endcond
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_operators/parametrization/conformal_map_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_CONFORMAL_MAP_H

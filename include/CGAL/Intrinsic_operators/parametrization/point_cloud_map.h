@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H
+#define CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief maps a cloud of points near a disk to the plane with least conformal energy for the extent
+  of its border (§6.2 of the course).
+
+The energy is a third of that of all triangles at points among their neighbours, oriented alike
+(see `Point_cloud_vectors`): no border has
+to be traced, and each triangle has an energy that is not negative. The map is the eigenvector of
+least eigenvalue, as that of `spectral_conformal_map()`; the points whose
+cells are not bounded are the border. In the plane the result is the points, turned.
+\param points the points, in any order
+\param neighbours how many are triangulated around each point; two at least
+\return a point, x and y, per point, scaled to the area of the surface, the first point of the
+  border on the positive x-axis; not numbers at points
+  without triangles
+\throws Invalid_input as `make_point_cloud()`; or if there is no border, the surface has one side,
+  or is not connected
+\complexity that of triangles at n points, O(n log n), and that of a sparse factorization of
+  complex numbers and some solutions
+*/
+Eigen::MatrixX2d conformal_map_of_points(const std::vector<std::array<double, 3>>& points,
+                                         std::size_t neighbours = 30);
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_operators/parametrization/point_cloud_map_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H

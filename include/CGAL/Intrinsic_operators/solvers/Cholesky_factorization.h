@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_CHOLESKY_FACTORIZATION_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_CHOLESKY_FACTORIZATION_H
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <complex>
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// A matrix is not positive definite, up to rounding.
+class Indefinite_matrix : public std::runtime_error {
+public:
+  /// constructs an error about row `row`; `remedy` says what to do about it, if that is known.
+  explicit Indefinite_matrix(Eigen::Index row, const std::string& remedy = {})
+      : std::runtime_error("the matrix is not positive definite up to rounding, at row " +
+                           std::to_string(row) + (remedy.empty() ? "" : "; ") + remedy),
+        row_(row) {}
+  /// returns a row of the matrix that depends on others, up to rounding.
+  Eigen::Index row() const { return row_; }
+
+private:
+  Eigen::Index row_;
+};
+
+namespace internal {
+
+// What a library makes of a matrix. A pivot of row i is what is left of the diagonal entry a_ii.
+template <class Scalar>
+class Cholesky_factor {
+public:
+  using Vectors = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  virtual ~Cholesky_factor() = default;
+  virtual Vectors solve(const Vectors& b) const = 0;
+};
+
+// Throws as the constructor of `Cholesky_factorization` does.
+std::shared_ptr<const Cholesky_factor<double>>
+make_cholesky_factor(const Eigen::SparseMatrix<double>& a);
+std::shared_ptr<const Cholesky_factor<std::complex<double>>>
+make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a);
+
+} // namespace internal
+
+/*!
+\brief factors a positive definite matrix once, for any number of right sides.
+
+Large matrices (from 100,000 rows, where measurements found it faster) are factored by CHOLMOD, supernode by supernode, if
+programs link it; CMake finds it, and `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` says so. Others are factored by Eigen
+(`SimplicialLDLT`). Either orders rows by approximate minimum degree.
+
+Copies share the factor, which does not change. Solving is not to be done by two threads at a time with CHOLMOD.
+
+\tparam Scalar `double` for symmetric matrices, `std::complex<double>` for Hermitian ones
+*/
+template <class Scalar>
+  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
+class Cholesky_factorization {
+public:
+  using Matrix = Eigen::SparseMatrix<Scalar>; ///< what is factored
+  using Vectors =
+      Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>; ///< right sides, a column each
+
+  /*!
+  \brief factors a matrix.
+  \param a the matrix, of which the lower triangle is read
+  \throws std::invalid_argument if it is not square or an entry is not finite
+  \throws Indefinite_matrix if it is not positive definite, up to rounding; it names a row
+  \complexity for matrices of a surface with n vertices about \f$n^{3/2}\f$, and memory for \f$n \log n\f$ numbers
+  */
+  explicit Cholesky_factorization(const Matrix& a)
+      : size_(a.rows()), factor_(internal::make_cholesky_factor(a)) {}
+
+  /// returns the number of rows.
+  Eigen::Index size() const { return size_; }
+
+  /*!
+  \brief solves `a x = b`.
+  \param b right sides, a column each
+  \return the solutions, a column each
+  \throws std::invalid_argument if b does not have a row per row of the matrix
+  \complexity linear in the number of entries of the factor, for each column
+  */
+  template <class Right_sides>
+    requires std::same_as<typename Right_sides::Scalar, Scalar>
+  typename Right_sides::PlainObject solve(const Eigen::MatrixBase<Right_sides>& b) const {
+    return factor_->solve(b);
+  }
+
+private:
+  Eigen::Index size_;
+  std::shared_ptr<const internal::Cholesky_factor<Scalar>> factor_;
+};
+
+/// constructs from a matrix without naming its numbers.
+template <class Scalar>
+Cholesky_factorization(const Eigen::SparseMatrix<Scalar>&) -> Cholesky_factorization<Scalar>;
+
+namespace internal {
+
+// Factors a matrix that would be positive definite, were there no rounding. Where weights are so large that it has lost the masses beside
+// them, the diagonal is raised, also in `m`, by a part of it in the order of rounding errors: 2^-40 at most, which needles and caps of 10^-15 need.
+template <class Scalar>
+Cholesky_factorization<Scalar> raised_factorization(Eigen::SparseMatrix<Scalar>& m) {
+  for (const double raise : {0x1p-48, 0x1p-40}) {
+    try {
+      return Cholesky_factorization<Scalar>(m);
+    } catch (const Indefinite_matrix&) {
+      for (int i = 0; i < m.cols(); ++i) m.coeffRef(i, i) *= 1 + raise;
+    }
+  }
+  try {
+    return Cholesky_factorization<Scalar>(m);
+  } catch (const Indefinite_matrix& error) {
+    throw Indefinite_matrix(
+        error.row(), "weights there differ by more than doubles hold; refine the triangulation, "
+                     "or mollify the mesh");
+  }
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_CHOLESKY_FACTORIZATION_H

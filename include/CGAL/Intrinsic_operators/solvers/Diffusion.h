@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_DIFFUSION_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_DIFFUSION_H
+
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/row_number.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <iomanip>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The time of a flow, a factor times a unit. Above 1e8 areas of the surface, heat is so even that
+// rounding hides its gradients, and distances are those of 1e6 areas to six digits. Much below
+// 1e-100 units, heat falls by 2^-800 along single edges.
+// \throws std::invalid_argument if the factor is out of these limits
+inline double flow_time(double factor, double unit, double area) {
+  const double greatest = 1e8 * std::max(area / unit, 1.0);
+  if (factor >= 1e-100 && factor <= greatest) return factor * unit;
+  std::ostringstream message;
+  message << "the time factor must be between 1e-100 and " << std::setprecision(2) << greatest
+          << ", where heat has spread evenly, not " << factor;
+  throw std::invalid_argument(message.str());
+}
+
+// x * 2^e, in two steps: the power of two alone may be no double.
+template <class Scalar>
+Scalar times_power_of_two(const Scalar& x, int e) {
+  return x * std::ldexp(1.0, e / 2) * std::ldexp(1.0, e - e / 2);
+}
+
+// Heat after a short time. It decays like exp(-r / sqrt(time)), by hundreds of powers of ten over a large mesh, so that values have
+// an exponent of their own: that of row r is value[r] * 2^(exponent - step * level[r]).
+template <class Scalar>
+struct Heat {
+  static constexpr int step = 800;
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+  explicit Heat(Vector v) : value(std::move(v)), level(static_cast<std::size_t>(value.size()), 0) {}
+
+  // the value, as a multiple of 2^(exponent - step * l)
+  Scalar at(Eigen::Index r, int l) const {
+    const int steps = l - level[static_cast<std::size_t>(r)];
+    // not reached: 0, whatever the level of others
+    return steps == 0 || value[r] == Scalar(0) ? value[r]
+                                               : value[r] * std::ldexp(1.0, step * steps);
+  }
+
+  // Makes the greatest about 1, and raises the level of what is 2^-step of it or less, which would not stay a double.
+  void normalize() {
+    int first = std::numeric_limits<int>::max();
+    double greatest = 0;
+    for (Eigen::Index r = 0; r < value.size(); ++r) {
+      const double x = std::abs(value[r]);
+      const int l = level[static_cast<std::size_t>(r)];
+      if (!(x > 0) || l > first) continue;
+      greatest = l < first ? x : std::max(greatest, x);
+      first = l;
+    }
+    if (!(greatest > 0)) return;
+    const int e = std::ilogb(greatest);
+    for (Eigen::Index r = 0; r < value.size(); ++r) {
+      int& l = level[static_cast<std::size_t>(r)];
+      l = std::max(0, l - first);
+      const double x = std::abs(value[r]);
+      if (!(x > 0)) continue;
+      const int raised = std::max(0, (e - std::ilogb(x)) / step);
+      value[r] = times_power_of_two(value[r], raised * step - e);
+      l += raised;
+    }
+    exponent += e - step * first;
+  }
+
+  Vector value;
+  std::vector<int> level;
+  int exponent = 0;
+};
+
+// The quotient of heats in a row, zero where there is none below.
+template <class Scalar>
+Scalar heat_ratio(const Heat<Scalar>& above, const Heat<double>& below, Eigen::Index r) {
+  if (!(below.value[r] > 0)) return 0;
+  const auto i = static_cast<std::size_t>(r);
+  const int e = above.exponent - below.exponent + below.step * (below.level[i] - above.level[i]);
+  return times_power_of_two(above.value[r] / below.value[r], e);
+}
+
+// The natural logarithm of heat in a row, minus infinity where there is none.
+inline double log_heat(const Heat<double>& heat, Eigen::Index r) {
+  return std::log(heat.value[r]) +
+         std::numbers::ln2 * (heat.exponent - heat.step * heat.level[static_cast<std::size_t>(r)]);
+}
+
+// Factors M + time L: of functions without subtraction, of vectors, which turn along edges, as well as rounding lets it.
+inline Laplacian_factorization factored_flow(const Eigen::SparseMatrix<double>& laplacian,
+                                             const Eigen::VectorXd& masses) {
+  return {laplacian, masses};
+}
+inline Cholesky_factorization<std::complex<double>>
+factored_flow(Eigen::SparseMatrix<std::complex<double>> laplacian, const Eigen::VectorXd& masses) {
+  for (int r = 0; r < laplacian.cols(); ++r) laplacian.coeffRef(r, r) += masses[r];
+  return raised_factorization(laplacian);
+}
+
+// Makes one implicit step of the heat flow, (M + time L) u = u0, for functions or vector fields.
+template <class Scalar>
+class Diffusion {
+  using Vector = typename Heat<Scalar>::Vector;
+  using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  using Factorization = decltype(factored_flow(std::declval<Eigen::SparseMatrix<Scalar>>(),
+                                               std::declval<Eigen::VectorXd>()));
+
+public:
+  using Matrix = Eigen::SparseMatrix<Scalar>;
+
+  // \param laplacian L times the time, compressed \param masses the diagonal of M, positive
+  Diffusion(Matrix laplacian, const Eigen::VectorXd& masses)
+      : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))),
+        factored_(factored_flow(*laplacian_, masses)) {}
+  // \param factored what is made of M + time L
+  Diffusion(std::shared_ptr<const Matrix> laplacian, double time, Factorization factored)
+      : laplacian_(std::move(laplacian)), time_(time), factored_(std::move(factored)) {}
+
+  const Factorization& factorization() const { return factored_; }
+
+  // \param is_reached whether there is any heat in a row
+  Heat<Scalar> operator()(const Vector& start, const std::vector<char>& is_reached) const {
+    return std::move(all({Heat<Scalar>(start)}, is_reached)[0]);
+  }
+
+  // from several starts at once
+  std::vector<Heat<Scalar>> all(std::vector<Heat<Scalar>> starts,
+                                const std::vector<char>& is_reached) const {
+    Columns right(laplacian_->rows(), static_cast<Eigen::Index>(starts.size()));
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+      starts[k].normalize();
+      for (Eigen::Index r = 0; r < right.rows(); ++r) right(r, column(k)) = starts[k].at(r, 0);
+    }
+    const Columns found = factored_.solve(right);
+    std::vector<Heat<Scalar>> result;
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+      result.emplace_back(Vector(found.col(column(k))));
+      result[k].exponent = starts[k].exponent;
+      find_lost(result[k], starts[k], is_reached);
+    }
+    return result;
+  }
+
+private:
+  static Eigen::Index column(std::size_t k) { return static_cast<Eigen::Index>(k); }
+
+  // Where heat is below the range of doubles, it is found again from the heat at the limit, as a source: let w be u where it is
+  // known, else zero; then A (u - w) = u0 - A w, which is not zero along the limit and where u0 is below the range. It has the magnitude of the values
+  // there, and so can be scaled.
+  void find_lost(Heat<Scalar>& heat, const Heat<Scalar>& start,
+                 const std::vector<char>& is_reached) const {
+    for (int level = 0; mark_lost(heat, start, level, is_reached); ++level) {
+      const Vector limit = source_at_limit(heat, start, level);
+      if (!(limit.cwiseAbs().maxCoeff() > 0)) break;
+      const Vector found = factored_.solve(limit);
+      for (Eigen::Index r = 0; r < found.size(); ++r)
+        if (heat.level[row_number(r)] > level) heat.value[r] = found[r];
+    }
+  }
+
+  // Raises the level of what is too small, and not only by cancellation of a source. \return whether there is any, and some has
+  // been found on this level
+  static bool mark_lost(Heat<Scalar>& heat, const Heat<Scalar>& start, int level,
+                        const std::vector<char>& is_reached) {
+    const double least = std::ldexp(1.0, -Heat<Scalar>::step);
+    bool is_any_lost = false, is_any_found = false;
+    for (Eigen::Index r = 0; r < heat.value.size(); ++r) {
+      if (is_reached[row_number(r)] == 0 || heat.level[row_number(r)] != level) continue;
+      if (std::abs(heat.value[r]) >= least || std::abs(start.at(r, level)) >= least) {
+        is_any_found = true;
+        continue;
+      }
+      heat.level[row_number(r)] = level + 1;
+      is_any_lost = true;
+    }
+    return is_any_lost && is_any_found;
+  }
+
+  // u0 - A w where heat is lost, and A (u - w) next to it, scaled to the next level
+  Vector source_at_limit(const Heat<Scalar>& heat, const Heat<Scalar>& start, int level) const {
+    const double scale = std::ldexp(1.0, Heat<Scalar>::step);
+    Vector source = Vector::Zero(heat.value.size());
+    for (Eigen::Index r = 0; r < source.size(); ++r)
+      if (heat.level[row_number(r)] > level) source[r] = start.at(r, level + 1);
+    for (int c = 0; c < laplacian_->cols(); ++c)
+      for (typename Matrix::InnerIterator i(*laplacian_, c); i; ++i) {
+        const auto r = i.row();
+        const int from = heat.level[row_number(c)], to = heat.level[row_number(r)];
+        if (from == level && to > level)
+          source[r] -= time_ * i.value() * (heat.value[c] * scale);
+        else if (from > level && to == level)
+          source[r] += time_ * i.value() * (heat.value[c] * scale);
+      }
+    return source;
+  }
+
+  std::shared_ptr<const Matrix>
+      laplacian_; // with the time, which differs from the matrix on its diagonal
+  double time_ = 1;
+  Factorization factored_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_DIFFUSION_H

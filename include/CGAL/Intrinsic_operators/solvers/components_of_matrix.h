@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_COMPONENTS_OF_MATRIX_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_COMPONENTS_OF_MATRIX_H
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// The least number of the set of each, if the pairs that `for_each_pair()` calls its argument with
+// join sets.
+template <class For_each_pair>
+std::vector<std::uint32_t> joined_sets(std::size_t size, const For_each_pair& for_each_pair) {
+  std::vector<std::uint32_t> parent(size);
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&parent](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for_each_pair([&](auto i, auto j) {
+    const std::uint32_t r = root(static_cast<std::uint32_t>(i)),
+                        s = root(static_cast<std::uint32_t>(j));
+    parent[std::max(r, s)] = std::min(r, s);
+  });
+  for (std::uint32_t i = 0; i < size; ++i) parent[i] = root(i);
+  return parent;
+}
+
+} // namespace internal
+
+/*!
+\brief finds which rows of a symmetric matrix its nonzero entries connect.
+\return for each row the least row of its component
+\complexity linear in the number of entries, nearly
+*/
+template <class Scalar>
+std::vector<std::uint32_t> components_of_matrix(const Eigen::SparseMatrix<Scalar>& a) {
+  return internal::joined_sets(static_cast<std::size_t>(a.cols()), [&a](const auto& join) {
+    for (int c = 0; c < a.outerSize(); ++c)
+      for (typename Eigen::SparseMatrix<Scalar>::InnerIterator i(a, c); i; ++i)
+        if (i.value() != Scalar(0)) join(i.row(), c);
+  });
+}
+
+namespace internal {
+
+// Sums of the rows of a symmetric matrix, and what rounding may make of them where they are zero:
+// of the entries on the diagonal, which were summed, and of the sums.
+struct Row_sums {
+  explicit Row_sums(const Eigen::SparseMatrix<double>& a)
+      : sum(Eigen::VectorXd::Zero(a.rows())), bound(sum) {
+    Eigen::VectorXd count = sum;
+    for (int c = 0; c < a.outerSize(); ++c)
+      for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i) {
+        sum[i.row()] += i.value();
+        bound[i.row()] += std::abs(i.value());
+        count[i.row()] += 1;
+      }
+    bound = 0x1p-52 * count.cwiseProduct(bound);
+  }
+  bool may_be_zero(Eigen::Index row) const { return std::abs(sum[row]) <= bound[row]; }
+
+  Eigen::VectorXd sum, bound;
+};
+
+// Marks the components, at their least rows, of which all rows may sum to zero.
+inline std::vector<char> laplacian_components(const Row_sums& sums,
+                                              const std::vector<std::uint32_t>& component) {
+  std::vector<char> result(component.size(), 1);
+  for (std::size_t r = 0; r < component.size(); ++r)
+    if (!sums.may_be_zero(static_cast<Eigen::Index>(r))) result[component[r]] = 0;
+  return result;
+}
+
+// Whether all rows may sum to zero.
+inline bool is_laplacian(const Eigen::SparseMatrix<double>& a) {
+  const Row_sums sums(a);
+  return (sums.sum.array().abs() <= sums.bound.array()).all();
+}
+
+// Whether no weight is negative.
+inline bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
+  for (int c = 0; c < a.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
+      if (i.value() > 0 && i.row() != c) return false;
+  return true;
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_COMPONENTS_OF_MATRIX_H

@@ -1,0 +1,349 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_IMPL_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_IMPL_H
+
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/components_of_matrix.h>
+#include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/row_number.h>
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/SymGEigsShiftSolver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Ends Spectra's loops, which cannot be told to end.
+struct Cancelled_eigenpairs {};
+
+// Asks before each solution whether to go on.
+class Solution_counter {
+public:
+  explicit Solution_counter(std::function<bool(std::size_t)> progress)
+      : progress_(std::move(progress)) {}
+  void count() {
+    if (progress_ && !progress_(solutions_++)) throw Cancelled_eigenpairs();
+  }
+
+private:
+  std::function<bool(std::size_t)> progress_;
+  std::size_t solutions_ = 0;
+};
+
+// What Spectra asks of an operator, y = (a + s m)^-1 x, with a factorization that was made; eigenvectors that were found may be
+// taken out, so that others come to the fore.
+class Shifted_inverse {
+public:
+  using Scalar = double; // named by Spectra
+
+  // \param solutions counts them; must outlive this object
+  Shifted_inverse(Cholesky_factorization<double> factorization, Solution_counter& solutions)
+      : factorization_(std::move(factorization)), solutions_(&solutions) {}
+  Shifted_inverse(Laplacian_factorization factorization, Solution_counter& solutions)
+      : factorization_(std::move(factorization)), solutions_(&solutions) {}
+  Eigen::Index rows() const {
+    return std::visit([](const auto& f) { return f.size(); }, factorization_);
+  }
+  Eigen::Index cols() const { return rows(); }
+  void set_shift(double) {}
+  void perform_op(const double* x, double* y) const {
+    solutions_->count();
+    const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(x, rows());
+    Eigen::Map<Eigen::VectorXd> result(y, rows());
+    result =
+        std::visit([&v](const auto& f) { return Eigen::VectorXd(f.solve(v)); }, factorization_);
+    if (out_.values.size() == 0) return;
+    const Eigen::VectorXd parts = out_.vectors.transpose() * v;
+    result -= out_.vectors * parts.cwiseProduct(out_.values);
+  }
+  // takes out pairs of `a x = lambda m x`
+  void take_out(const Eigenpairs& pairs, double shift) {
+    out_.values = (pairs.values.array() + shift).inverse();
+    out_.vectors = pairs.vectors;
+  }
+
+private:
+  std::variant<Cholesky_factorization<double>, Laplacian_factorization> factorization_;
+  Eigenpairs out_{};
+  Solution_counter* solutions_;
+};
+
+inline Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
+                                     const Spectra::SparseSymMatProd<double>& mass,
+                                     Eigen::Index count, double shift) {
+  auto m = mass; // which Spectra takes as not constant
+  const Eigen::Index space = std::min(inverse.rows(), std::max<Eigen::Index>(2 * count + 1, 20));
+  // of eigenvalues far above a cluster of others, rounding leaves fewer digits
+  for (const double tolerance : {1e-13, 1e-10}) {
+    Spectra::SymGEigsShiftSolver<Shifted_inverse, Spectra::SparseSymMatProd<double>,
+                                 Spectra::GEigsMode::ShiftInvert>
+        solver(inverse, m, count, space, -shift);
+    solver.init();
+    solver.compute(Spectra::SortRule::LargestMagn, 1000, tolerance,
+                   Spectra::SortRule::SmallestAlge);
+    if (solver.info() == Spectra::CompInfo::Successful)
+      return {solver.eigenvalues(), solver.eigenvectors(), Status::done};
+  }
+  throw std::runtime_error("the eigenvalues have not converged; ask for others, or a finer mesh");
+}
+
+// Puts one pair among others, the greatest of which is dropped.
+inline void insert_pair(Eigenpairs& pairs, double value, const Eigen::VectorXd& vector) {
+  Eigen::Index i = pairs.values.size() - 1;
+  for (; i > 0 && pairs.values[i - 1] > value; --i) {
+    pairs.values[i] = pairs.values[i - 1];
+    pairs.vectors.col(i) = pairs.vectors.col(i - 1);
+  }
+  pairs.values[i] = value;
+  pairs.vectors.col(i) = vector;
+}
+
+// From one vector Lanczos' method finds one eigenvector of each eigenvalue, and others by rounding alone: of a symmetric surface it misses
+// some. They are found when the others are taken out.
+inline void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
+                              const Spectra::SparseSymMatProd<double>& mass, double shift) {
+  constexpr double equal = 1 - 1e-9;
+  for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
+    inverse.take_out(pairs, shift);
+    const Eigenpairs next = lanczos_eigenpairs(inverse, mass, 1, shift);
+    if (!(next.values[0] < equal * pairs.values[pairs.values.size() - 1])) return;
+    insert_pair(pairs, next.values[0], next.vectors.col(0));
+  }
+}
+
+// Throws if a pair is none: beside the terms of the sums, what is left of them is rounding, or noise that Lanczos' method took for a vector.
+inline void expect_eigenpairs(const Eigen::SparseMatrix<double>& a,
+                              const Eigen::SparseMatrix<double>& m, const Eigenpairs& pairs) {
+  const Eigen::SparseMatrix<double> sizes_a = a.cwiseAbs(), sizes_m = m.cwiseAbs();
+  for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
+    const Eigen::VectorXd x = pairs.vectors.col(i), size = x.cwiseAbs();
+    const double value = pairs.values[i];
+    const double terms = (sizes_a * size + std::abs(value) * (sizes_m * size)).norm();
+    if (!((a * x - value * (m * x)).norm() <= 0x1p-26 * terms))
+      throw std::runtime_error("eigenvalue " + std::to_string(i) +
+                               " has not converged; ask for fewer");
+  }
+}
+
+// the row of the least diagonal entry
+inline Eigen::Index least_diagonal(const Eigen::SparseMatrix<double>& m) {
+  Eigen::Index row = 0;
+  Eigen::VectorXd(m.diagonal()).minCoeff(&row);
+  return row;
+}
+
+inline Eigenpairs dense_eigenpairs(const Eigen::MatrixXd& a, const Eigen::SparseMatrix<double>& m) {
+  const Eigen::MatrixXd dense(m);
+  if (Eigen::LLT<Eigen::MatrixXd>(dense).info() != Eigen::Success)
+    throw Indefinite_matrix(least_diagonal(m));
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(a, dense);
+  return {solver.eigenvalues(), solver.eigenvectors(), Status::done};
+}
+
+// A column per component, constant there; orthonormal by a mass matrix.
+inline Eigen::MatrixXd constants_of_components(const Eigen::SparseMatrix<double>& a,
+                                               const Eigen::SparseMatrix<double>& m) {
+  const std::vector<std::uint32_t> component = components_of_matrix(a);
+  std::vector<std::uint32_t> least = component;
+  std::sort(least.begin(), least.end());
+  least.erase(std::unique(least.begin(), least.end()), least.end());
+  const auto columns = static_cast<Eigen::Index>(least.size());
+  const Eigen::MatrixXd c = Eigen::MatrixXd::NullaryExpr(
+      a.rows(), columns, [&](Eigen::Index i, Eigen::Index j) -> double {
+        return component[row_number(i)] == least[row_number(j)] ? 1 : 0;
+      });
+  const Eigen::LLT<Eigen::MatrixXd> gram(c.transpose() * (m * c));
+  return c * gram.matrixU().solve(Eigen::MatrixXd::Identity(columns, columns)).eval();
+}
+
+// Constants in components have the eigenvalue zero. Beside the greatest eigenvalue rounding would
+// leave them any other one: they are lifted above it, and put to the front in the end.
+inline Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& a,
+                                             const Eigen::SparseMatrix<double>& m,
+                                             Eigen::Index count) {
+  const double greatest = dense_eigenpairs(Eigen::MatrixXd(a), m).values.cwiseAbs().maxCoeff();
+  const Eigen::MatrixXd constants = constants_of_components(a, m), images = m * constants;
+  Eigenpairs others =
+      dense_eigenpairs(Eigen::MatrixXd(a) + 4 * greatest * images * images.transpose(), m);
+  const double rounding = 0x1p-50 * static_cast<double>(a.rows()) * greatest;
+  for (double& value : others.values) // weights that are not negative have no negative ones
+    if (value < 0 && value > -rounding) value = 0;
+  const Eigen::Index zeros = constants.cols(), rest = a.rows() - zeros;
+  for (Eigen::Index i = 0; i < std::min(rest, count - zeros); ++i)
+    if (!(others.values[i] > 16 * rounding)) // a digit is left
+      throw std::runtime_error("eigenvalue " + std::to_string(zeros + i) +
+                               " is lost in rounding beside the greatest one; ask for fewer, or "
+                               "refine faces that are too thin");
+  Eigenpairs pairs{Eigen::VectorXd::Zero(a.rows()), Eigen::MatrixXd(a.rows(), a.rows()),
+                   Status::done};
+  pairs.vectors << constants, others.vectors.leftCols(rest);
+  pairs.values.tail(rest) = others.values.head(rest);
+  return pairs;
+}
+
+// The smallest of all pairs.
+inline Eigenpairs smallest_of(const Eigenpairs& all, Eigen::Index count) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(all.values.size()));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Eigen::Index i, Eigen::Index j) { return all.values[i] < all.values[j]; });
+  order.resize(static_cast<std::size_t>(count));
+  return {all.values(order), all.vectors(Eigen::all, order), Status::done};
+}
+
+inline bool is_zero_matrix(const Eigen::SparseMatrix<double>& a) {
+  for (int c = 0; c < a.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
+      if (i.value() != 0) return false;
+  return true;
+}
+
+// Of no matrix at all, as of isolated vertices, every vector is an eigenvector: Lanczos' method has nowhere to go. With m = l l^T in the first rows, columns of l^-T are
+// orthonormal.
+inline Eigenpairs eigenpairs_of_zero(const Eigen::SparseMatrix<double>& m, Eigen::Index count) {
+  const Eigen::LLT<Eigen::MatrixXd> factored(
+      Eigen::MatrixXd(Eigen::SparseMatrix<double>(m.topLeftCorner(count, count))));
+  if (factored.info() != Eigen::Success || !(m.diagonal().minCoeff() > 0))
+    throw Indefinite_matrix(least_diagonal(m));
+  Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(m.rows(), count);
+  vectors.topRows(count) = factored.matrixU().solve(Eigen::MatrixXd::Identity(count, count)).eval();
+  return {Eigen::VectorXd::Zero(count), std::move(vectors), Status::done};
+}
+
+// trace(a) / trace(m): of a mesh without slivers, the first frequency but zero times the size or so.
+inline double mean_eigenvalue(const Eigen::SparseMatrix<double>& a,
+                              const Eigen::SparseMatrix<double>& m) {
+  const double mean = a.diagonal().sum() / m.diagonal().sum();
+  return mean > 0 ? mean : 1;
+}
+
+// `m` is a positive diagonal, and `a` the Laplacian of a graph: without negative weights, or with few at the border, their inverse with a shift is accurate
+// entry by entry.
+inline bool is_lumped_laplacian(const Eigen::SparseMatrix<double>& a,
+                                const Eigen::SparseMatrix<double>& m) {
+  for (int c = 0; c < m.cols(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(m, c); i; ++i)
+      if (i.value() != 0 && i.row() != c) return false;
+  return a.isCompressed() && is_laplacian(a) && m.diagonal().minCoeff() > 0;
+}
+
+// About how many eigenvalues there are below the shift, but those of constants in components: by a random vector x that is orthogonal to these,
+// the expectation of x^T m^1/2 (a + s m)^-1 m^1/2 x, the sum of s / (lambda + s).
+inline double eigenvalues_below(const Laplacian_factorization& inverse,
+                                const Eigen::VectorXd& masses,
+                                const std::vector<std::uint32_t>& component, double shift) {
+  std::mt19937 random(1);
+  Eigen::VectorXd x = masses.cwiseSqrt();
+  for (double& value : x) value *= (random() & 1U) != 0 ? 1 : -1;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(x.size()), mass = sum;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const std::uint32_t c = component[row_number(i)];
+    sum[c] += x[i];
+    mass[c] += masses[i];
+  }
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const std::uint32_t c = component[row_number(i)];
+    x[i] -= masses[i] * sum[c] / mass[c];
+  }
+  return shift * x.dot(inverse.solve(x));
+}
+
+// Eigenvalues of the inverse are right to rounding of its greatest one, 1 / shift: the shift must not be much above the eigenvalues that are asked for, as it
+// would be where few large weights make the trace.
+inline Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
+                                          const Eigen::VectorXd& masses, Eigen::Index count,
+                                          double& shift, Solution_counter& solutions) {
+  const double few = std::max(8., static_cast<double>(count));
+  const std::vector<std::uint32_t> component = components_of_matrix(a);
+  Laplacian_factorization inverse(a, shift * masses);
+  for (;;) {
+    solutions.count();
+    if (!(eigenvalues_below(inverse, masses, component, shift) > few)) break;
+    shift *= 0x1p-10;
+    inverse = Laplacian_factorization(a, shift * masses);
+  }
+  return {std::move(inverse), solutions};
+}
+
+// Inverts `a` plus a shift that is set. Of others than Laplacians, it is far less than the first frequency, and so much that rounding leaves the
+// matrix definite: its smallest eigenvalue is the shift, its condition about the square of the size.
+inline Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
+                                       const Eigen::SparseMatrix<double>& m, Eigen::Index count,
+                                       double& shift, Solution_counter& solutions) {
+  const double size = static_cast<double>(a.rows());
+  shift = mean_eigenvalue(a, m) / (8 * size);
+  if (is_lumped_laplacian(a, m)) {
+    try {
+      return inverted_laplacian(a, m.diagonal(), count, shift, solutions);
+    } catch (const Indefinite_matrix&) { // has many negative weights
+    }
+  }
+  shift = mean_eigenvalue(a, m) / (size * size);
+  return {Cholesky_factorization<double>(a + shift * m), solutions};
+}
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigenpairs
+smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& m,
+                    Eigen::Index count, const std::function<bool(std::size_t)>& progress) {
+  const Eigen::Index size = a.rows();
+  if (a.cols() != size || m.rows() != size || m.cols() != size)
+    throw std::invalid_argument("both matrices must be square and of one size");
+  if (count < 0 || count > size)
+    throw std::invalid_argument("a matrix with " + std::to_string(size) + " rows has not " +
+                                std::to_string(count) + " eigenvalues");
+  constexpr Eigen::Index small = 64; // a dense method is faster
+  if (count == 0) return {{}, Eigen::MatrixXd(size, 0), Status::done};
+  if (internal::is_zero_matrix(a)) return internal::eigenpairs_of_zero(m, count);
+  if (size <= std::max(small, 2 * count + 1))
+    return internal::smallest_of(internal::is_laplacian(a)
+                                     ? internal::dense_laplacian_eigenpairs(a, m, count)
+                                     : internal::dense_eigenpairs(Eigen::MatrixXd(a), m),
+                                 count);
+  // eigenvalues of about one: Spectra has thresholds without units
+  const double root = std::exp2(std::round(std::log2(internal::mean_eigenvalue(a, m)) / 2));
+  if (!(root * root > 0x1p-1000 && root * root < 0x1p1000))
+    throw std::invalid_argument("the matrices are of too different sizes; scale one of them");
+  const Eigen::SparseMatrix<double> scaled = root * root * m;
+  double shift = 0;
+  const Spectra::SparseSymMatProd<double> mass(scaled);
+  try {
+    internal::Solution_counter solutions(progress);
+    internal::Shifted_inverse inverse =
+        internal::shifted_inverse(a, scaled, count, shift, solutions);
+    Eigenpairs pairs = internal::lanczos_eigenpairs(inverse, mass, count, shift);
+    internal::find_missed_pairs(pairs, inverse, mass, shift);
+    internal::expect_eigenpairs(a, scaled, pairs);
+    pairs.values *= root * root;
+    pairs.vectors *= root;
+    return pairs;
+  } catch (const internal::Cancelled_eigenpairs&) {
+    return {{}, Eigen::MatrixXd(size, 0), Status::cancelled};
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_IMPL_H

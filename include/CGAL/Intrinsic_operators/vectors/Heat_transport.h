@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_H
+#define CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_H
+
+#include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
+#include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// What takes long before vectors are transported.
+enum class Transport_step {
+  functions_factored, ///< the matrix of the heat of functions was factored
+  vectors_factored    ///< and that of vectors
+};
+
+namespace internal {
+
+// Vectors that start at vertices, or at a point between some: with what is to be diffused of their lengths.
+struct Vector_sources {
+  explicit Vector_sources(std::size_t size)
+      : vectors(Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(size))),
+        lengths(Eigen::VectorXd::Zero(vectors.size())),
+        weights(Eigen::VectorXd::Zero(vectors.size())) {}
+
+  Eigen::VectorXcd vectors;
+  Eigen::VectorXd lengths; // or values, of functions
+  Eigen::VectorXd weights;
+};
+
+// A corner of the face of a source, or the vertex where it is.
+struct Source_corner {
+  int vertex;                  // the number of the copy
+  double weight;               // of the source; they sum to 1
+  std::complex<double> offset; // from the source to here, in the frame of the source
+  std::complex<double> frame;  // what vectors there are multiplied by in the frame here
+};
+
+// Makes logarithms at least as long as chords in space from the source; those without a direction
+// are not known.
+// \param at where vertices are, which may be unknown \param unit what the logarithms are multiples
+// of
+void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
+                        const std::vector<Source_corner>& source, double unit,
+                        std::vector<std::complex<double>>& log);
+
+// Functions and tangent vectors that are diffused for a short time, by the numbers of a graph and in scaled units. Matrices are
+// factored when they are first needed, and once.
+class Heat_transport {
+public:
+  // \param time_factor of the time, in squares of the mean length of edges
+  Heat_transport(Connection_graph graph, double time_factor);
+
+  const Connection_graph& graph() const { return graph_; }
+
+  // Factors both matrices of heat, unless they are. \param progress is called after each; tells whether to go on \return whether both are
+  bool factor(const std::function<bool(Transport_step)>& progress) const;
+
+  // for each vertex, one that stands for all that heat connects it with
+  const std::vector<std::uint32_t>& parts() const { return part_; }
+
+  // the heat that comes from a source
+  Heat<double> heat(const std::vector<Source_corner>& source) const;
+  // the mean of the values at sources, by the heat that comes from each
+  Eigen::VectorXd extended(const Vector_sources& sources) const;
+  // the vectors from sources, with the mean of their lengths
+  Eigen::VectorXcd transported(const Vector_sources& sources) const;
+  // positions in the frame of the source, by heat whose vectors know where it is
+  Eigen::VectorXcd affine_logarithm(const std::vector<Source_corner>& source) const;
+  // angles between two fields, one of them radial, and distances of which that is the gradient
+  Eigen::VectorXcd polar_logarithm(const std::vector<Source_corner>& source) const;
+
+private:
+  const Diffusion<double>& functions() const;
+  const Diffusion<std::complex<double>>& vectors() const;
+  std::vector<char> reached(const Eigen::VectorXd& weights) const;
+  Eigen::VectorXd weights(const std::vector<Source_corner>& source) const;
+  Eigen::VectorXcd parallel_frames(const std::vector<Source_corner>& source) const;
+  Eigen::VectorXcd outward_vectors(const std::vector<Source_corner>& source) const;
+  std::vector<Heat<double>> positions_at_neighbours(const std::vector<Source_corner>& source,
+                                                    const Heat<double>& heat,
+                                                    const Eigen::VectorXcd& frames) const;
+  Eigen::VectorXd distances(const std::vector<Source_corner>& source,
+                            const Eigen::VectorXcd& radial) const;
+  Eigen::VectorXd pins() const;
+
+  Connection_graph graph_;
+  std::vector<std::uint32_t> part_;
+  double time_;
+  std::vector<std::complex<double>> at_source_, at_target_; // directions of edges
+  Eigen::VectorXd masses_;                                  // areas, ones at isolated vertices
+  mutable std::optional<Laplacian_factorization> poisson_;
+  mutable std::optional<Diffusion<double>> functions_;
+  mutable std::optional<Diffusion<std::complex<double>>> vectors_;
+};
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_operators/vectors/Heat_transport_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_H

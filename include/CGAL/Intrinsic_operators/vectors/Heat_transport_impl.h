@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_IMPL_H
+#define CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_IMPL_H
+
+#include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
+#include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
+#include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Heat_transport::Heat_transport(Connection_graph graph, double time_factor)
+    : graph_(std::move(graph)), part_(graph_.parts()),
+      time_(flow_time(time_factor, graph_.squared_mean_length,
+                      std::accumulate(graph_.areas.begin(), graph_.areas.end(), 0.))),
+      masses_(positive_masses(graph_)) {
+  at_source_.reserve(graph_.edges.size());
+  at_target_.reserve(graph_.edges.size());
+  for (const Connection_edge& e : graph_.edges) {
+    at_source_.push_back(std::polar(1., e.source_angle));
+    at_target_.push_back(std::polar(1., e.target_angle));
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+const Diffusion<double>& Heat_transport::functions() const {
+  if (!functions_) functions_.emplace(scaled_laplacian<double>(graph_, 0, time_), masses_);
+  return *functions_;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+const Diffusion<std::complex<double>>& Heat_transport::vectors() const {
+  if (!vectors_)
+    vectors_.emplace(scaled_laplacian<std::complex<double>>(graph_, 1, time_), masses_);
+  return *vectors_;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Heat_transport::factor(const std::function<bool(Transport_step)>& progress) const {
+  functions();
+  if (progress && !progress(Transport_step::functions_factored)) return false;
+  vectors();
+  if (progress) progress(Transport_step::vectors_factored); // nothing is left to be stopped
+  return true;
+}
+
+// Whether there is a source in the part of each vertex.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::vector<char> Heat_transport::reached(const Eigen::VectorXd& weights) const {
+  std::vector<char> result(graph_.size, 0);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (weights[static_cast<Eigen::Index>(i)] > 0) result[part_[i]] = 1;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[part_[i]];
+  return result;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Heat<double> Heat_transport::heat(const std::vector<Source_corner>& source) const {
+  const Eigen::VectorXd start = weights(source);
+  return functions()(start, reached(start));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Eigen::VectorXd Heat_transport::weights(const std::vector<Source_corner>& source) const {
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(graph_.size));
+  for (const Source_corner& c : source) w[c.vertex] += c.weight;
+  return w;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Eigen::VectorXd Heat_transport::extended(const Vector_sources& sources) const {
+  const std::vector<Heat<double>> heat = functions().all(
+      {Heat<double>(sources.lengths), Heat<double>(sources.weights)}, reached(sources.weights));
+  Eigen::VectorXd result(sources.weights.size());
+  for (Eigen::Index i = 0; i < result.size(); ++i)
+    result[i] = heat[1].value[i] > 0 ? heat_ratio(heat[0], heat[1], i) : unknown_vector.real();
+  return result;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Eigen::VectorXcd Heat_transport::transported(const Vector_sources& sources) const {
+  const Eigen::VectorXd lengths = extended(sources);
+  const auto z = vectors()(sources.vectors, reached(sources.weights));
+  Eigen::VectorXcd result = z.value.unaryExpr(&unit_vector);
+  for (Eigen::Index i = 0; i < result.size(); ++i)
+    result[i] = lengths[i] == 0 ? 0 : result[i] == 0. ? unknown_vector : lengths[i] * result[i];
+  return result;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Eigen::VectorXcd Heat_transport::parallel_frames(const std::vector<Source_corner>& source) const {
+  Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_.size));
+  for (const Source_corner& c : source) b[c.vertex] += c.weight * c.frame;
+  return b;
+}
+
+// What edges add to positions that cross them, and positions at the corners of the source, times
+// the heat: with its exponents, as much as
+// comes from a neighbour. \param frames the frame of the source, transported to all vertices
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::vector<Heat<double>>
+Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source,
+                                        const Heat<double>& heat,
+                                        const Eigen::VectorXcd& frames) const {
+  std::vector<Heat<double>> b(2, Heat<double>(Eigen::VectorXd::Zero(heat.value.size())));
+  std::vector<int> level = heat.level;
+  const auto number = [](int i) { return static_cast<std::size_t>(i); };
+  for (const Connection_edge& e : graph_.edges) {
+    if (e.weight == 0) continue;
+    int &s = level[number(e.source)], &t = level[number(e.target)];
+    s = std::min(s, heat.level[number(e.target)]);
+    t = std::min(t, heat.level[number(e.source)]);
+  }
+  const auto add = [&b](int i, const std::complex<double>& z) {
+    b[0].value[i] += z.real();
+    b[1].value[i] += z.imag();
+  };
+  const double unit = std::ldexp(1., -heat.exponent);
+  for (const Source_corner& c : source) add(c.vertex, unit * c.weight * c.offset);
+  for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+    const Connection_edge& e = graph_.edges[i];
+    if (e.weight == 0) continue;
+    const double w = -time_ * e.weight * e.length;
+    add(e.source, w * heat.at(e.target, level[number(e.source)]) * at_source_[i] *
+                      std::conj(frames[e.source]));
+    add(e.target, w * heat.at(e.source, level[number(e.target)]) * at_target_[i] *
+                      std::conj(frames[e.target]));
+  }
+  for (Heat<double>& h : b) {
+    h.level = level;
+    h.exponent = heat.exponent;
+  }
+  return b;
+}
+
+// In the plane, positions times the heat of functions are heat that is moved by the edges that it
+// crosses: exactly, on any triangulation. On curved
+// surfaces edges have their directions in the frame of the source, as it is transported to them:
+// heat that turned with each edge
+// would forget where the source is after some edges.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corner>& source) const {
+  const std::vector<char> is_reached = reached(weights(source));
+  const Heat<double> heat = this->heat(source);
+  const Eigen::VectorXcd frames =
+      vectors()(parallel_frames(source), is_reached).value.unaryExpr(&unit_vector);
+  const std::vector<Heat<double>> z =
+      functions().all(positions_at_neighbours(source, heat, frames), is_reached);
+  Eigen::VectorXcd result(heat.value.size());
+  for (Eigen::Index i = 0; i < result.size(); ++i)
+    result[i] = heat.value[i] > 0 && frames[i] != 0.
+                    ? std::complex(heat_ratio(z[0], heat, i), heat_ratio(z[1], heat, i))
+                    : unknown_vector;
+  for (const Source_corner& c : source) result[c.vertex] = c.offset;
+  return result;
+}
+
+// Vectors that point away from the source, at the neighbours of its vertices. Weighted by cotangents and lengths of edges they add up to zero in the plane,
+// as linear functions are harmonic: else what is left of them far away would be their sum, which is parallel, not radial.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner>& source) const {
+  const Eigen::VectorXd at = weights(source);
+  Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_.size));
+  for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+    const Connection_edge& e = graph_.edges[i];
+    if (e.source == e.target) continue;
+    const double flow = e.weight * e.length;
+    if (at[e.source] > 0) b[e.target] -= at[e.source] * flow * at_target_[i];
+    if (at[e.target] > 0) b[e.source] -= at[e.target] * flow * at_source_[i];
+  }
+  return b;
+}
+
+// What makes a matrix definite that has constants in its kernel: a vertex in each part that edges connect.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Eigen::VectorXd Heat_transport::pins() const {
+  Eigen::VectorXd pins(static_cast<Eigen::Index>(graph_.size));
+  for (std::size_t i = 0; i < graph_.size; ++i)
+    pins[static_cast<Eigen::Index>(i)] = part_[i] == i ? 1 : 0;
+  return pins;
+}
+
+// The function whose differences along edges are nearest to those along unit vectors, zero at the source.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& source,
+                                          const Eigen::VectorXcd& radial) const {
+  if (!poisson_) poisson_.emplace(scaled_laplacian<double>(graph_, 0, 1), pins());
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(radial.size());
+  for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+    const Connection_edge& e = graph_.edges[i];
+    const std::complex<double>&x = radial[e.source], &y = radial[e.target];
+    const double ends = (x == 0. ? 0 : 1) + (y == 0. ? 0 : 1);
+    if (ends == 0) continue;
+    const double along =
+        (std::conj(at_source_[i]) * x).real() - (std::conj(at_target_[i]) * y).real();
+    const double flow = e.weight * e.length * along / ends;
+    b[e.source] -= flow;
+    b[e.target] += flow;
+  }
+  Eigen::VectorXd r = poisson_->solve(Eigen::MatrixXd(b));
+  double error = 0;
+  for (const Source_corner& c : source) error += c.weight * (r[c.vertex] - std::abs(c.offset));
+  r.array() -= error;
+  return r;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Eigen::VectorXcd Heat_transport::polar_logarithm(const std::vector<Source_corner>& source) const {
+  using Vectors = Heat<std::complex<double>>;
+  const std::vector<Vectors> z = // away from the source, and parallel to its real axis
+      vectors().all({Vectors(outward_vectors(source)), Vectors(parallel_frames(source))},
+                    reached(weights(source)));
+  Eigen::VectorXcd radial = z[0].value.unaryExpr(&unit_vector);
+  for (const Source_corner& c : source) radial[c.vertex] = unit_vector(c.frame * c.offset);
+  const Eigen::VectorXd r = distances(source, radial);
+  Eigen::VectorXcd result(radial.size());
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    const std::complex<double> direction = radial[i] * std::conj(unit_vector(z[1].value[i]));
+    // no length is known, but that it is positive
+    constexpr double least = std::numeric_limits<double>::min();
+    result[i] = direction == 0. ? unknown_vector : std::max(least, r[i]) * direction;
+  }
+  for (const Source_corner& c : source) result[c.vertex] = c.offset;
+  return result;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
+                        const std::vector<Source_corner>& source, double unit,
+                        std::vector<std::complex<double>>& log) {
+  for (std::size_t i = 0; i < log.size(); ++i)
+    for (const Source_corner& c : source) {
+      const auto &p = at[i], &q = at[static_cast<std::size_t>(c.vertex)];
+      const double chord =
+          unit * (std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) - std::abs(c.offset));
+      if (std::abs(log[i]) < chord) log[i] = chord * unit_vector(log[i]);
+      if (log[i] == 0. && chord > 0) log[i] = unknown_vector;
+    }
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_IMPL_H

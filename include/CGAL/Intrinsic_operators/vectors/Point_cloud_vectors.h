@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_POINT_CLOUD_VECTORS_H
+#define CGAL_INTRINSIC_OPERATORS_VECTORS_POINT_CLOUD_VECTORS_H
+
+#include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
+#include <CGAL/Intrinsic_operators/vectors/direction_field.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief transports tangent vectors over a cloud of points, and finds logarithmic maps and direction
+  fields there (§6.2 of the course).
+
+The surface of `make_point_cloud()` has several neighbourhoods at each point, and so no tangent
+plane that is the point's own. Here each point has one: orthogonal to
+the mean normal of the triangles at the point among its neighbours, `axes()`. Planes are oriented
+alike along a minimum spanning tree of edges of these triangles.
+An edge has the cotangent weight of all triangles at it, a third of the sum as they are there about
+three times, and in both
+planes the direction of its projection: that is a connection, for which all works as in a
+triangulation (`Vector_heat_method`). In the plane logarithms are
+exact. Surfaces with one side have a seam, which no heat crosses.
+
+Vectors are complex numbers in the axes of their point. Those that are not known are not numbers:
+on components without a source, and at points without triangles.
+*/
+class Point_cloud_vectors {
+public:
+  using Complex = std::complex<double>; ///< a vector in the axes of a point
+  /// Two orthonormal vectors.
+  using Axes = std::array<std::array<double, 3>, 2>;
+
+  /*!
+  \brief finds tangent planes.
+  \param points the points, in any order
+  \param neighbours how many are triangulated around each point; two at least
+  \param time_factor the time of diffusion, in squares of the mean length of edges
+  \throws Invalid_input as `make_point_cloud()`
+  \throws std::invalid_argument if the time is not positive, or so long that heat is even everywhere
+  \complexity that of triangles at n points, O(n log n); the first question factors matrices
+  */
+  explicit Point_cloud_vectors(const std::vector<std::array<double, 3>>& points,
+                               std::size_t neighbours = 30, double time_factor = 1);
+
+  /// returns the number of points.
+  std::size_t size() const { return points_.size(); }
+  /// returns the axes of the tangent plane at a point, the first towards its nearest neighbour;
+  /// zero vectors at points without
+  /// triangles.
+  const Axes& axes(std::size_t i) const { return axes_[i]; }
+  /// returns a vector at a point in space.
+  std::array<double, 3> in_space(std::size_t i, const Complex& z) const;
+
+  /*!
+  \brief transports vectors from points to all points, see `Vector_heat_method::transport()`.
+  \param sources numbers of points, and vectors in their axes
+  \throws std::invalid_argument if there is none, a number is out of range, a point has no
+    triangles, or a vector is not finite
+  */
+  Tangent_field transport(const std::vector<std::pair<std::size_t, Complex>>& sources) const;
+
+  /*!
+  \brief finds the logarithmic map of a point by affine heat: for each point the vector along the
+    shortest path to it, as long as the path.
+  \param i number of the point
+  \return vectors in the axes of point `i`, no shorter than chords
+  \throws std::invalid_argument if the number is out of range, or the point has no triangles
+  */
+  std::vector<Complex> logarithmic_map(std::size_t i) const;
+
+  /*!
+  \brief finds the smoothest field of directions, see the function of this name.
+  \param degree the number of directions at a point that are alike
+  \param fixed points, and directions in their axes that are not to change
+  \throws std::invalid_argument if the degree is not positive, or a direction cannot be fixed
+  */
+  Direction_field
+  smoothest_direction_field(int degree,
+                            const std::vector<std::pair<std::size_t, Complex>>& fixed = {}) const;
+
+  /// returns the number of edges at which the orientations of tangent planes differ: zero unless
+  /// the surface has one side, or is
+  /// sampled too coarsely.
+  std::size_t seam_edges() const { return seam_edges_; }
+
+private:
+  void expect_plane(std::size_t i) const;
+
+  std::vector<std::array<double, 3>> points_;
+  int exponent_ = 0; // points times 2^-exponent are what is computed with
+  std::vector<Axes> axes_;
+  std::size_t seam_edges_ = 0;
+  std::optional<internal::Heat_transport> heat_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_OPERATORS_VECTORS_POINT_CLOUD_VECTORS_H

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_POINT_FRAMES_H
+#define CGAL_INTRINSIC_OPERATORS_VECTORS_POINT_FRAMES_H
+
+#include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
+#include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A point near one at a vertex, inside the face: where all directions are those of the plane.
+inline Surface_point off_vertex(const Surface_point& p) {
+  const unsigned k = corner_of(p);
+  if (k == 3) return p;
+  Surface_point result{p.halfedge, {0x1p-10, 0x1p-10, 0x1p-10}};
+  result.weights[k] = 1 - 0x1p-9;
+  return result;
+}
+
+// The frames in which solvers diffuse vectors: those of a `Tangent_field`, but for border vertices, whose angles are as they are.
+template <class Triangulation>
+class Point_frames {
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+
+public:
+  explicit Point_frames(const Triangulation& t)
+      : t_(&t), copies_(t), angles_(t, Border_angles::as_they_are), on_border_(copies_.size(), 0) {
+    for (const Vertex v : vertices(t.mesh()))
+      if (!is_isolated(v)) on_border_[copies_(v)] = angle_on_border(v);
+  }
+
+  const Triangulation& triangulation() const { return *t_; }
+  const Halfedge_angles& angles() const { return angles_; }
+  std::size_t size() const { return copies_.size(); }
+  std::uint32_t number(Vertex v) const { return copies_(v); }
+  bool is_isolated(Vertex v) const {
+    return halfedge(v, t_->mesh()) ==
+           boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
+  }
+
+  // A vector of a `Tangent_field` in the frame here, and back. On the border half a circle has the vectors that point into the
+  // surface, the other half all others.
+  std::complex<double> from_field(std::uint32_t i, const std::complex<double>& z) const {
+    return on_border_[i] == 0 ? z : turned(z, std::numbers::pi, on_border_[i]);
+  }
+  std::complex<double> to_field(std::uint32_t i, const std::complex<double>& z) const {
+    return on_border_[i] == 0 ? z : turned(z, on_border_[i], std::numbers::pi);
+  }
+
+  // The corners of a face from which a point is seen: one if the point is there.
+  std::vector<Source_corner> corners(const Surface_point& p) const {
+    const Intrinsic_view<Triangulation> view(*t_);
+    const Geodesic_face face(view, p.halfedge);
+    const unsigned at = corner_of(p);
+    std::vector<Source_corner> result;
+    for (unsigned k = 0; k < 3; ++k) {
+      if (at < 3 && k != at) continue;
+      const Plane_vector<double> x = face.to_corner(p.weights, k);
+      const Corner c(*this, face, k);
+      result.push_back(
+          {static_cast<int>(number(t_->numbers().vertex_at(view.source(face.side[k])))),
+           p.weights[k], std::complex(x[0], x[1]), std::polar(1., c.polar_middle - c.middle)});
+    }
+    return result;
+  }
+
+  // A vector at the vertex where a point is, in the frame here: angles from the middle of the corner are scaled.
+  std::complex<double> at_corner(const Surface_point& p, const Plane_vector<double>& v) const {
+    const Corner c(*this, p);
+    const double turn = std::remainder(std::atan2(v[1], v[0]) - c.middle, full_turn);
+    return std::polar(std::hypot(v[0], v[1]), c.polar_middle + c.scale * turn);
+  }
+  // What `at_corner()` makes of a vector, back.
+  std::complex<double> from_corner(const Surface_point& p, const std::complex<double>& z) const {
+    const Corner c(*this, p);
+    const double turn = std::remainder(std::arg(z) - c.polar_middle, full_turn);
+    return std::polar(std::abs(z), c.middle + turn / c.scale);
+  }
+
+  // a map with values in the frame of a point, linear in the face of another one
+  std::complex<double> interpolated(const std::vector<std::complex<double>>& values,
+                                    const Surface_point& p, const Surface_point& q) const {
+    const Intrinsic_view<Triangulation> view(*t_);
+    const Geodesic_face face(view, q.halfedge);
+    std::complex<double> sum = 0;
+    for (unsigned k = 0; k < 3; ++k)
+      sum += q.weights[k] * values[number(t_->numbers().vertex_at(view.source(face.side[k])))];
+    if (view.face(p.halfedge) != view.face(q.halfedge)) return sum;
+    const Geodesic_face here(view, p.halfedge); // the values may be those of paths around
+    const Plane_vector<double> from = here.position(p.weights),
+                               to = here.position(seen_from(view, q, p.halfedge).weights);
+    return std::ldexp(1., -t_->metric().scale_exponent()) *
+           std::complex(to[0] - from[0], to[1] - from[1]);
+  }
+
+private:
+  static constexpr double full_turn = 2 * std::numbers::pi;
+
+  // The middle direction of a corner, in its face and about its vertex.
+  struct Corner {
+    Corner(const Point_frames& frames, const Surface_point& p)
+        : Corner(frames, Geodesic_face(Intrinsic_view<Triangulation>(*frames.t_), p.halfedge),
+                 corner_of(p)) {}
+    Corner(const Point_frames& frames, const Geodesic_face& face, unsigned k)
+        : scale(frames.angles_.scale(face.side[k])) {
+      const double half =
+          angle_at_source(Intrinsic_view<Triangulation>(*frames.t_), face.side[k]) / 2;
+      middle = std::atan2(face.edge[k][1], face.edge[k][0]) + half;
+      polar_middle = frames.angles_[face.side[k]] + scale * half;
+    }
+    double scale, middle, polar_middle;
+  };
+
+  // the angle that the fan of a border vertex has here, zero inside
+  double angle_on_border(Vertex v) const {
+    Halfedge last = opposite(halfedge(v, t_->mesh()), t_->mesh());
+    for_each_outgoing(v, t_->mesh(), [&last](Halfedge h) { last = h; });
+    const bool is_on_border =
+        face(last, t_->mesh()) == boost::graph_traits<typename Triangulation::Mesh>::null_face();
+    return is_on_border ? angles_[t_->numbers().halfedge(last)] : 0;
+  }
+
+  // with the angles up to `from` stretched to `to`, and those beyond to what is left of the circle
+  static std::complex<double> turned(const std::complex<double>& z, double from, double to) {
+    double a = std::arg(z);
+    if (a < 0) a += full_turn;
+    a = a <= from ? a * to / from : to + (a - from) * (full_turn - to) / (full_turn - from);
+    return std::polar(std::abs(z), a);
+  }
+
+  const Triangulation* t_;
+  Vertex_copies<Triangulation> copies_;
+  Halfedge_angles angles_;
+  std::vector<double> on_border_; // by number
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_OPERATORS_VECTORS_POINT_FRAMES_H

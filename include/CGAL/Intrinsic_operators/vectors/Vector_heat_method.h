@@ -1,0 +1,319 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_HEAT_METHOD_H
+#define CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_HEAT_METHOD_H
+
+#include <CGAL/Intrinsic_operators/distance/Chord_bound.h>
+#include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
+#include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
+#include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
+#include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// How a logarithmic map is found.
+enum class Logarithm_method {
+  /// by exact distances and the shortest paths: `logarithmic_map()`, without heat
+  exact,
+  /// by heat that knows where it comes from: exact on flat surfaces, smooth, fast for many sources
+  /// (Soliman and Sharp 2025)
+  affine,
+  /// by the angle between a radial and a parallel field, and the distance of which that is the
+  /// gradient (Sharp et al. 2019)
+  polar
+};
+
+/*!
+\brief transports tangent vectors over a surface by short-time heat flow (the vector heat method; N. Sharp, Y. Soliman, K. Crane,
+*The Vector Heat Method*, 2019), and finds logarithmic maps.
+
+    (M + t L_1) z = vectors,  (M + t L_0) u = lengths,  (M + t L_0) p = 1 at sources;    result  (z / |z|) (u / p)
+
+with the connection Laplacian L_1, the Laplacian L_0 and the lumped mass matrix M: at each vertex, the vector that arrives along
+the shortest path from the nearest source, with its length. On flat surfaces transport is exact. Matrices are factored when
+they are first needed, and once: all further sources cost triangular solves. They have nonnegative weights in Delaunay
+triangulations, which other ones should be made first.
+
+Vectors at vertices are those of a `Tangent_field`; at border vertices, whose angles are not scaled inside, a vector that points
+out of the surface is kept in the half of the circle beyond the border. Points are places on the triangulation with vectors in the
+frame of their halfedge, as `Tangent_vector`; `surface_point(t, face_location)` makes one. Vectors
+that are not known are not numbers: those on
+components without a source, and those without direction. Heat falls with distance, below what
+doubles hold after some
+hundred edges; values have exponents of their own, so that any distance and lengths of any size will do.
+
+Functions that are const factor matrices at first: threads must not call them at once before.
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
+*/
+template <internal::Connected_triangulation Triangulation_>
+class Vector_heat_method {
+public:
+  /// the triangulation
+  using Triangulation = Triangulation_;
+  using vertex_descriptor = typename Triangulation::vertex_descriptor; ///< a vertex of it
+  using Complex = std::complex<double>; ///< a vector in the coordinates of a vertex
+
+  /*!
+  \brief reads angles, weights and areas of a triangulation.
+  \param t the triangulation, which must outlive this and not change
+  \param np optional named parameters:
+    - `time_factor(x)`: the time of diffusion is x times the square of the mean length of the edges. Default: 1.
+  \throws Invalid_input if a face has no area
+  \throws std::invalid_argument if the time is not positive, or so long that heat is even
+    everywhere, or the surface is that of a cloud of points, see `Point_cloud_vectors`
+  \complexity linear; the first question factors matrices
+  */
+  template <NamedParameters NP = parameters::Parameters<>>
+  explicit Vector_heat_method(const Triangulation_& t, const NP& np = parameters::default_values())
+      : frames_(t), heat_(internal::connection_graph(t, frames_.angles()),
+                          internal::value_or<internal::tags::time_factor>(np, 1.)) {
+    internal::expect_names<internal::tags::time_factor>(np);
+  }
+
+  /*!
+  \brief factors the matrices that are factored at the first question otherwise: what takes long, so that it can be followed and stopped.
+  \param progress is called after each, if given; tells whether to go on
+  \return `cancelled` if it told not to before all were factored; a question factors the rest
+  \complexity that of factoring a real and a complex matrix, once
+  */
+  Status factor(const std::function<bool(Transport_step)>& progress = {}) const {
+    return heat_.factor(progress) ? Status::done : Status::cancelled;
+  }
+
+  /// returns the triangulation.
+  const Triangulation& triangulation() const { return frames_.triangulation(); }
+
+  /// returns the mean length of the edges of the triangulation, in the units of the input.
+  double mean_edge_length() const {
+    return std::ldexp(std::sqrt(heat_.graph().squared_mean_length),
+                      -triangulation().metric().scale_exponent());
+  }
+
+  /*!
+  \brief returns the logarithm of the heat at all vertices that comes from a point: most of it comes from the nearest of several points.
+  \param p the point
+  \return natural logarithms, by the numbers of a `Tangent_field`; minus infinity where none arrives: on other components
+  \complexity that of solving with one factored real matrix; once more for each 700 edges or so from the point
+  */
+  Eigen::VectorXd log_heat(const Surface_point& p) const {
+    const internal::Heat<double> heat = heat_.heat(frames_.corners(p));
+    Eigen::VectorXd result(heat.value.size());
+    for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = internal::log_heat(heat, i);
+    return result;
+  }
+
+  /// tells whether points are on one component of the surface, so that heat goes from one to the other. \complexity constant
+  bool are_connected(const Surface_point& p, const Surface_point& q) const {
+    return part(p) == part(q);
+  }
+
+  /// returns a third of the area of the faces at each vertex, by the numbers of a `Tangent_field`, up to a factor.
+  const std::vector<double>& relative_areas() const { return heat_.graph().areas; }
+
+  /*!
+  \brief extends values at vertices to all: each takes that of the nearest source, smoothly.
+  \param sources vertices and their values
+  \return values by the numbers of a `Tangent_field`, between the least and the greatest value of
+    sources; not numbers on components without a source
+  \throws std::invalid_argument if there is no source, one is an isolated vertex, or a value is not finite
+  \complexity that of solving with one factored real matrix
+  */
+  Eigen::VectorXd
+  extend_scalars(const std::vector<std::pair<vertex_descriptor, double>>& sources) const {
+    internal::Vector_sources s(heat_.graph().size);
+    for (const auto& [v, value] : sources) {
+      const auto i = static_cast<Eigen::Index>(number(v));
+      add(s, i, 1, value);
+    }
+    expect_some(s);
+    return heat_.extended(s);
+  }
+
+  /// extends values at points; see above.
+  Eigen::VectorXd
+  extend_scalars(const std::vector<std::pair<Surface_point, double>>& sources) const {
+    internal::Vector_sources s(heat_.graph().size);
+    for (const auto& [p, value] : sources)
+      for (const internal::Source_corner& c : frames_.corners(p)) add(s, c.vertex, c.weight, value);
+    expect_some(s);
+    return heat_.extended(s);
+  }
+
+  /*!
+  \brief transports vectors from vertices to all vertices.
+  \param sources vertices, and vectors in their coordinates
+  \return the vectors
+  \throws std::invalid_argument as `extend_scalars()`
+  \complexity that of solving with one factored real and one factored complex matrix
+  */
+  Tangent_field transport(const std::vector<std::pair<vertex_descriptor, Complex>>& sources) const {
+    internal::Vector_sources s(heat_.graph().size);
+    for (const auto& [v, z] : sources) {
+      const std::uint32_t i = number(v);
+      add(s, i, 1, std::abs(z));
+      s.vectors[i] += frames_.from_field(i, z);
+    }
+    return transported(s);
+  }
+
+  /// transports the vector `z` from vertex `v` to all vertices; see above.
+  Tangent_field transport(vertex_descriptor v, const Complex& z) const {
+    return transport(std::vector<std::pair<vertex_descriptor, Complex>>{{v, z}});
+  }
+
+  /// transports vectors from points; see above. In a face, a vector is taken to its corners, by their weights.
+  Tangent_field transport(const std::vector<Tangent_vector>& sources) const {
+    internal::Vector_sources s(heat_.graph().size);
+    for (const Tangent_vector& v : sources) {
+      const Complex z(v.vector[0], v.vector[1]);
+      const bool is_at_corner = internal::corner_of(v.point) < 3;
+      for (const internal::Source_corner& c : frames_.corners(v.point)) {
+        add(s, c.vertex, c.weight, std::abs(z));
+        s.vectors[c.vertex] +=
+            is_at_corner ? frames_.at_corner(v.point, v.vector) : c.weight * c.frame * z;
+      }
+    }
+    return transported(s);
+  }
+
+  /// transports a vector from a point; see above.
+  Tangent_field transport(const Tangent_vector& v) const {
+    return transport(std::vector<Tangent_vector>{v});
+  }
+
+  /*!
+  \brief finds the logarithmic map of a vertex: for each vertex, the vector at `v` of which the exponential map is there, along
+  the shortest path (see `exponential_map()`). By heat, vectors are no shorter than chords in
+  space, and near the cut locus, where several paths are
+  shortest, not more than that can be said of them.
+  \param v the vertex, not an isolated one
+  \param method how to find it
+  \return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; not
+    numbers where nothing arrives
+  \throws std::invalid_argument if the vertex is isolated
+  \complexity exact: that of `logarithmic_map()`; else that of solving twice with one factored real
+    and once with one factored complex matrix
+  */
+  std::vector<Complex> logarithmic_map(vertex_descriptor v,
+                                       Logarithm_method method = Logarithm_method::exact) const {
+    if (method == Logarithm_method::exact)
+      return Intrinsic_triangulations::logarithmic_map(triangulation(), v);
+    const std::uint32_t i = number(v);
+    std::vector<Complex> result = logarithm({{static_cast<int>(i), 1, 0, 1}}, method);
+    for (Complex& z : result) z = frames_.to_field(i, z);
+    return result;
+  }
+
+  /*!
+  \brief finds the logarithmic map of a point; see above.
+  \return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are those on the surface
+  */
+  std::vector<Complex> logarithmic_map(const Surface_point& p,
+                                       Logarithm_method method = Logarithm_method::exact) const {
+    if (method == Logarithm_method::exact)
+      return Intrinsic_triangulations::logarithmic_map(triangulation(), p);
+    std::vector<internal::Source_corner> corners = frames_.corners(p);
+    if (corners.size() > 1) return logarithm(corners, method);
+    corners[0].frame = 1;
+    std::vector<Complex> result = logarithm(corners, method);
+    for (Complex& z : result) z = frames_.from_corner(p, z);
+    return result;
+  }
+
+  /*!
+  \brief finds a logarithmic map between two points: interpolates one in the face of `q`.
+  \param log what `logarithmic_map(p)` has returned
+  \param p a point
+  \param q another point; in the same face, the result is exact
+  \return the vector to `q`, in the frame of `p.halfedge`
+  \throws std::invalid_argument if `log` has not a vector per vertex
+  */
+  Complex logarithm_at(const std::vector<Complex>& log, const Surface_point& p,
+                       const Surface_point& q) const {
+    if (log.size() != heat_.graph().size)
+      throw std::invalid_argument("a logarithmic map has a vector per vertex, " +
+                                  std::to_string(heat_.graph().size) + ", not " +
+                                  std::to_string(log.size()));
+    return frames_.interpolated(log, p, q);
+  }
+
+private:
+  std::uint32_t part(const Surface_point& p) const {
+    return heat_.parts()[static_cast<std::size_t>(frames_.corners(p)[0].vertex)];
+  }
+
+  std::uint32_t number(vertex_descriptor v) const {
+    if (frames_.is_isolated(v))
+      throw std::invalid_argument("vertex " + std::to_string(frames_.number(v)) +
+                                  " has no face, so that there are no vectors at it");
+    return frames_.number(v);
+  }
+
+  static void add(internal::Vector_sources& s, Eigen::Index i, double weight, double value) {
+    if (!std::isfinite(value))
+      throw std::invalid_argument("the values and vectors of sources must be finite");
+    s.weights[i] += weight;
+    s.lengths[i] += weight * value;
+  }
+
+  static void expect_some(const internal::Vector_sources& s) {
+    if (s.weights.size() == 0 || !(s.weights.maxCoeff() > 0))
+      throw std::invalid_argument("there must be a source; none is given");
+  }
+
+  Tangent_field transported(const internal::Vector_sources& s) const {
+    expect_some(s);
+    const Eigen::VectorXcd z = heat_.transported(s);
+    Tangent_field result(heat_.graph().size);
+    for (std::uint32_t i = 0; i < result.size(); ++i) result[i] = frames_.to_field(i, z[i]);
+    return result;
+  }
+
+  std::vector<Complex> logarithm(const std::vector<internal::Source_corner>& source,
+                                 Logarithm_method method) const {
+    const Eigen::VectorXcd z = method == Logarithm_method::affine ? heat_.affine_logarithm(source)
+                                                                  : heat_.polar_logarithm(source);
+    const double unit = std::ldexp(1., -triangulation().metric().scale_exponent());
+    std::vector<Complex> result(heat_.graph().size);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = unit * z[static_cast<Eigen::Index>(i)];
+    lengthen_to_chords(source, unit, result);
+    return result;
+  }
+
+  // Where positions are known, no path is shorter than the way in space.
+  void lengthen_to_chords(const std::vector<internal::Source_corner>& source, double unit,
+                          std::vector<Complex>& log) const {
+    const auto rows = internal::positions_of_rows(triangulation());
+    if (rows.empty()) return;
+    std::vector<std::array<double, 3>> at(log.size());
+    for (const vertex_descriptor v : vertices(triangulation().mesh()))
+      at[frames_.number(v)] = rows[triangulation().input_vertex(v)];
+    internal::lengthen_to_chords(at, source, unit, log);
+  }
+
+  internal::Point_frames<Triangulation> frames_;
+  internal::Heat_transport heat_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_HEAT_METHOD_H

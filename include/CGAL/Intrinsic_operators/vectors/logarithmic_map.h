@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_LOGARITHMIC_MAP_H
+#define CGAL_INTRINSIC_OPERATORS_VECTORS_LOGARITHMIC_MAP_H
+
+#include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
+#include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <cmath>
+#include <complex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// What `to_frame` makes of the logarithm of each vertex, by its number.
+template <class Triangulation, class To_frame>
+std::vector<std::complex<double>> logarithms(const Point_frames<Triangulation>& frames,
+                                             const Polyhedral_distance<Triangulation>& distance,
+                                             const To_frame& to_frame) {
+  expect_tangent_planes(frames.triangulation());
+  std::vector<std::complex<double>> result(frames.size(), unknown_vector);
+  for (const auto v : vertices(frames.triangulation().mesh())) {
+    const Tangent_vector x = distance.logarithm(v);
+    if (std::isfinite(x.vector[0])) result[frames.number(v)] = to_frame(x);
+  }
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\brief finds the logarithmic map of a vertex, without discretization: for each vertex the vector at
+  `v` along the shortest path to it,
+as long as the path (see `exponential_map()`).
+
+Lengths and directions are those of `Polyhedral_distance`, so that the result does not depend on
+the triangulation of the surface. In the plane it is
+the displacement. Shortest paths bend only at vertices whose angles are more than a full turn: all
+that lies behind such a vertex has
+its direction.
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
+\param t the triangulation
+\param v the vertex, not an isolated one
+\param np named parameters of `Polyhedral_distance`: `maximum_distance(d)` finds the map near the
+  vertex, in a time that depends only on
+  what is there
+\return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; not
+  numbers at vertices that no path
+  reaches: on other components, or farther away than asked for
+\throws std::invalid_argument if the vertex is isolated, or the surface is that of a cloud of
+  points, see `Point_cloud_vectors`
+\complexity that of `Polyhedral_distance`, and linear in the number of edges that all shortest
+  paths cross
+*/
+template <internal::Connected_triangulation Triangulation,
+          NamedParameters NP = parameters::Parameters<>>
+std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
+                                                  typename Triangulation::vertex_descriptor v,
+                                                  const NP& np = parameters::default_values()) {
+  const internal::Point_frames<Triangulation> frames(t);
+  const std::uint32_t i = frames.number(v);
+  if (frames.is_isolated(v))
+    throw std::invalid_argument("vertex " + std::to_string(i) +
+                                " has no face, so that there are no vectors at it");
+  return internal::logarithms(frames, Polyhedral_distance<Triangulation>(t, v, np),
+                              [&](const Tangent_vector& x) {
+                                return frames.to_field(i, frames.at_corner(x.point, x.vector));
+                              });
+}
+
+/*!
+\brief finds the logarithmic map of a point; see above.
+\return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are
+  those on the surface
+*/
+template <internal::Connected_triangulation Triangulation,
+          NamedParameters NP = parameters::Parameters<>>
+std::vector<std::complex<double>> logarithmic_map(const Triangulation& t, const Surface_point& p,
+                                                  const NP& np = parameters::default_values()) {
+  const internal::Point_frames<Triangulation> frames(t);
+  const bool is_at_vertex = internal::corner_of(p) < 3;
+  return internal::logarithms(
+      frames, Polyhedral_distance<Triangulation>(t, p, np), [&](const Tangent_vector& x) {
+        return is_at_vertex ? frames.from_corner(p, frames.at_corner(x.point, x.vector))
+                            : std::complex(x.vector[0], x.vector[1]);
+      });
+}
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(logarithmic_map)
+/// \endcond
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_VECTORS_LOGARITHMIC_MAP_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_SEGMENTS_SEGMENT_FLIPPER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_SEGMENTS_SEGMENT_FLIPPER_H
+
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Wedge_flipper.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Whether segments pass through no face twice, which they may do only where a triangulation winds
+// about the surface. `crossed` projects a segment to the edges that it crosses, in order.
+template <class Triangulation, class Segments, class Crossed = std::identity>
+bool pass_faces_once(const Triangulation& t, const Segments& segments, Crossed crossed = {}) {
+  const auto& mesh = t.mesh();
+  std::vector<std::uint32_t> faces;
+  for (const auto& segment : segments) {
+    const auto& edges = std::invoke(crossed, segment);
+    for (const auto h : edges) faces.push_back(t.index(face(h, mesh)));
+    if (!edges.empty()) faces.push_back(t.index(face(opposite(edges.back(), mesh), mesh)));
+  }
+  std::sort(faces.begin(), faces.end());
+  return std::adjacent_find(faces.begin(), faces.end()) == faces.end();
+}
+
+// Flips edges that a straight segment between two vertices crosses until the segment is an edge
+// (§4.4 of the course).
+//
+// The faces that the segment passes through, laid out in the plane, are a strip. On the left of the
+// segment, its border is a chain of edges. Where the angle of the chain at a vertex is below pi on
+// the side of the strip, all edges of the strip from that vertex are flipped away, as in FlipOut:
+// their far ends are on the right of the segment, so that none of them is in the way, and the chain
+// loses the vertex. The vertex that is farthest from the segment has such an angle: in the end none
+// is left.
+template <class Triangulation>
+class Segment_flipper {
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Session = typename Triangulation::Session;
+
+public:
+  /// Edges that a segment crosses, in order: each from its right end to its left one.
+  using Crossed = std::vector<Halfedge>;
+
+  Segment_flipper(const Triangulation& t, Session& session, Wedge_flipper<Triangulation>& flip)
+      : t_(t), session_(session), flip_wedge_(flip) {}
+
+  /*!
+  Flips edges.
+  \param crossed at least one edge; the segment passes through no face twice
+  \param most cap on the number of flips
+  \param result counts them
+  \param flipped is called with an edge after its flip
+  \return the segment, an edge; or, if rounding or the cap prevents that, the chain on its left
+  */
+  template <class Function>
+  std::vector<Halfedge> operator()(Crossed crossed, std::uint64_t most, Shortening_result& result,
+                                   const Function& flipped) {
+    crossed_ = std::move(crossed);
+    const std::uint64_t last = result.flips + most;
+    Halfedge segment = crossed_.front();
+    for (std::size_t i = 0; i < crossed_.size();) {
+      const std::size_t end = end_of_fan(i);
+      ++result.wedge_checks;
+      if (compare_angle_to_pi(i, end) != SMALLER) {
+        i = end;
+        continue;
+      }
+      std::size_t left = end - i; // edges from the vertex
+      const auto take_note = [&](Halfedge e) {
+        flipped(e);
+        segment = crossed_flipped(i, e);
+        --left;
+      };
+      if (!flip_wedge_(next(crossed_[i], t_.mesh()), after(end - 1), false, last - result.flips,
+                       result, take_note))
+        break;
+      i = left != 0 ? i + left : i == 0 ? 0 : start_of_fan(i - 1);
+    }
+    if (crossed_.empty()) return {segment};
+    return chain();
+  }
+
+private:
+  Halfedge previous(Halfedge h) const { return next(next(h, t_.mesh()), t_.mesh()); }
+
+  // from the left end of a crossed edge to the next vertex of the chain, if the segment leaves the
+  // face on the right
+  Halfedge after(std::size_t i) const {
+    return opposite(previous(opposite(crossed_[i], t_.mesh())), t_.mesh());
+  }
+  // whether an edge has the left end of the one before
+  bool shares_left(std::size_t i) const {
+    return previous(opposite(crossed_[i - 1], t_.mesh())) == crossed_[i];
+  }
+  std::size_t end_of_fan(std::size_t i) const {
+    for (++i; i < crossed_.size() && shares_left(i);) ++i;
+    return i;
+  }
+  std::size_t start_of_fan(std::size_t i) const {
+    while (i > 0 && shares_left(i)) --i;
+    return i;
+  }
+
+  Comparison_result compare_angle_to_pi(std::size_t begin, std::size_t end) const {
+    return session_.compare_angle_to_pi(opposite(after(end - 1), t_.mesh()),
+                                        next(crossed_[begin], t_.mesh()));
+  }
+
+  // Takes note of the flip of an edge of the fan that begins at i. At an end of the fan, the
+  // segment crosses it again unless that is the end of the segment, too. Returns its halfedge from
+  // the near side, which turns into one that leads on along the segment.
+  Halfedge crossed_flipped(std::size_t& i, Halfedge e) {
+    std::size_t k = i;
+    while (edge(crossed_[k], t_.mesh()) != edge(e, t_.mesh())) ++k;
+    const Halfedge c = crossed_[k];
+    const auto& mesh = t_.mesh();
+    const bool is_inside = k > 0 && k + 1 < crossed_.size();
+    // the face that the segment enters through the edge before, and leaves through the edge after
+    // it if these have one
+    const auto near = face(is_inside ? opposite(crossed_[k - 1], mesh) : c, mesh);
+    if (is_inside && near != face(crossed_[k + 1], mesh)) {
+      crossed_[k] = face(c, mesh) == near ? c : opposite(c, mesh);
+      if (k == i) ++i; // it is the last one of the fan before
+    } else {
+      crossed_.erase(crossed_.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    return c;
+  }
+
+  // the chain on the left of the segment
+  std::vector<Halfedge> chain() const {
+    std::vector<Halfedge> result{opposite(next(crossed_.front(), t_.mesh()), t_.mesh())};
+    for (std::size_t i = 0; i < crossed_.size(); ++i)
+      if (i + 1 == crossed_.size() || !shares_left(i + 1)) result.push_back(after(i));
+    return result;
+  }
+
+  const Triangulation& t_;
+  Session& session_;
+  Wedge_flipper<Triangulation>& flip_wedge_;
+  Crossed crossed_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_SEGMENTS_SEGMENT_FLIPPER_H

@@ -1,8 +1,0 @@
-// Copyright (c) 2026 The Intrinsic Triangulations authors
-// SPDX-License-Identifier: GPL-3.0-or-later
-
-// Solvers of linear systems.
-
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Cholesky_factorization_impl.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Fixed_values_solver_impl.h>
-#include <CGAL/Intrinsic_triangulations/operators/solvers/Laplacian_factorization_impl.h>

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_APPLICATION_COMPUTED_H
+#define INTRINSIC_APPLICATION_COMPUTED_H
+
+#include "../statistics.h"
+
+#include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace program {
+
+/// A value per vertex of the intrinsic triangulation, at its row.
+struct Function {
+  std::string name;
+  Eigen::VectorXd values;
+};
+
+/// Tangent vectors at the vertices of the intrinsic triangulation.
+struct Direction_field {
+  std::string name; ///< of one of the vectors, in files
+  IT::Tangent_field vectors;
+  unsigned degree = 1; ///< vectors that differ by a turn by 2 pi / degree are alike
+  /// Number of the vector of each row: of a cover, that of the first copy of the vertex; `Gluing::none` where there is none.
+  std::vector<std::uint32_t> of_row;
+  std::vector<int> index{}; ///< of each face of the intrinsic triangulation, at its number; or none
+  /// On a cloud of points, the axes of the tangent plane of each row; else none.
+  std::vector<IT::Point_cloud_vectors::Axes> axes{};
+};
+
+/// Points that a page and files show with a number each: sources, or singularities with their
+/// indices.
+struct Marks {
+  std::string name;
+  std::vector<IT::Polyline> points{}; ///< of one point each
+};
+
+/// What a command has computed.
+struct Computed {
+  std::string command; ///< key of `json` among the statistics
+  Json json;
+  std::vector<Function> functions;
+  std::size_t shown = 0; ///< which of the functions a page shows, if there is one
+  unsigned isolines = 0; ///< number of steps between lines of equal values of it
+  /// Whether the first two functions are places in the plane, shown by a checkerboard.
+  bool is_map = false;
+  std::vector<char> is_torn{}; ///< per vertex: where a page shows no checkerboard; empty: nowhere
+  std::optional<Direction_field> directions{};
+  Marks marks{};
+  /// Displacement of each vertex, a row each; empty: the surface stays as it is.
+  Eigen::MatrixXd displacements{};
+};
+
+} // namespace program
+
+#endif // INTRINSIC_APPLICATION_COMPUTED_H

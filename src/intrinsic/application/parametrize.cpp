@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../commands.h"
+#include "../status_name.h"
+#include "application.h"
+
+#include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/injective_harmonic_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
+#include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+namespace {
+
+// A map that stays as it is, whether it is injective or not.
+template <class Triangulation>
+IT::Injective_map certified(const Triangulation& t, Eigen::MatrixX2d uv) {
+  IT::Injective_map map{IT::Status::done, std::move(uv), {}};
+  map.certificate = IT::certify_map(t, map.uv);
+  return map;
+}
+
+// Only harmonic maps can be made injective, and only by flips and splits of all edges.
+bool is_made_injective(const Options& options) {
+  const std::string& method = options.application.map;
+  return method != "spectral" && method != "lscm" && !has_constraints(options);
+}
+
+template <class Triangulation>
+IT::Injective_map map_of(Triangulation& t, const Options& options) {
+  const std::string& method = options.application.map;
+  if (method == "spectral") return certified(t, IT::spectral_conformal_map(t));
+  if (method == "lscm") return certified(t, IT::least_squares_conformal_map(t));
+  if (is_made_injective(options)) return IT::injective_harmonic_map(t);
+  return certified(t, IT::harmonic_map(t));
+}
+
+// Certifies the map of the faces of the file, linear on each of them.
+template <class Triangulation>
+bool is_injective_on_input(const Triangulation& t, const Eigen::MatrixX2d& uv) {
+  const auto& input = t.input();
+  std::vector<std::array<std::uint32_t, 3>> triangles(input.number_of_faces());
+  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+    std::uint32_t h = input.halfedge_of_face(f);
+    for (std::uint32_t& row : triangles[f]) {
+      row = input.names().row(input.source(h));
+      h = input.next(h);
+    }
+  }
+  return IT::certify_map(triangles, uv.topRows(input.number_of_rows())).is_injective();
+}
+
+Json json_of(const IT::Injective_map& map, const IT::Map_distortion& distortion,
+             const std::string& method) {
+  return {{"method", method},
+          {"injective", map.certificate.is_injective()},
+          {"flipped_faces", map.certificate.flipped},
+          {"degenerate_faces", map.certificate.degenerate},
+          {"border_is_simple", map.certificate.border_is_simple},
+          {"rounds", map.rounds},
+          {"inserted_vertices", map.inserted},
+          {"mean_quasi_conformal", distortion.mean_quasi_conformal},
+          {"max_quasi_conformal", distortion.maximum_quasi_conformal},
+          {"min_area_ratio", distortion.minimum_area_ratio},
+          {"max_area_ratio", distortion.maximum_area_ratio}};
+}
+
+} // namespace
+
+namespace {
+
+// The conformal map of a cloud of points, which has no faces that could be certified.
+template <class Triangulation>
+Computed map_of_points(const Triangulation& t, const Options& options, const Points& points) {
+  if (options.application.map != "spectral")
+    throw std::runtime_error("a cloud of points has conformal maps alone; ask for --method "
+                             "spectral");
+  const Eigen::MatrixX2d uv = IT::conformal_map_of_points(points, options.neighbors.value_or(30));
+  Computed computed{"parametrize", {}, {}};
+  for (const auto& [name, c] : {std::pair("u", 0), std::pair("v", 1)}) {
+    Eigen::VectorXd values =
+        Eigen::VectorXd::Constant(static_cast<Eigen::Index>(t.number_of_vertices()),
+                                  std::numeric_limits<double>::quiet_NaN());
+    values.head(uv.rows()) = uv.col(c);
+    computed.functions.push_back({name, values});
+  }
+  computed.is_map = true;
+  computed.json = {{"method", "spectral"}};
+  return computed;
+}
+
+} // namespace
+
+void run_parametrize(const Options& options) {
+  run_application(options, [&](auto& t, const Sources&, const Points& points) {
+    if (t.input().names().sheets > 2) return map_of_points(t, options, points);
+    const IT::Injective_map map = map_of(t, options);
+    Computed computed{"parametrize", {}, {}};
+    computed.functions = {{"u", map.uv.col(0)}, {"v", map.uv.col(1)}};
+    computed.is_map = true;
+    computed.json = json_of(map, IT::measure_distortion(t, map.uv), options.application.map);
+    if (is_made_injective(options)) computed.json["status"] = name(map.status);
+    if (t.input().names().sheets == 1)
+      computed.json["injective_on_input"] = is_injective_on_input(t, map.uv);
+    return computed;
+  });
+}
+
+} // namespace program

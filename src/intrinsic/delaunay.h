@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_DELAUNAY_H
+#define INTRINSIC_DELAUNAY_H
+
+#include "accuracy.h"
+#include "adaptive.h"
+#include "load.h"
+#include "matrices.h"
+#include "options.h"
+#include "output_files.h"
+#include "refine.h"
+#include "statistics.h"
+#include "support/progress.h"
+#include "view.h"
+
+#include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+/// returns one point per vertex of the mesh file, in its order and units.
+template <class Triangulation>
+std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
+  const Triangulation& t = loaded.triangulation;
+  const std::vector<Point>& scaled = loaded.scaled_points();
+  std::vector<Point> points(t.input().number_of_rows());
+  for (std::uint32_t v = 0; v < scaled.size(); ++v) {
+    Point& p = points[t.input_vertex({v})];
+    p = scaled[v];
+    for (double& x : p) x = std::ldexp(x, -t.metric().scale_exponent());
+  }
+  return points;
+}
+
+/// extracts the common subdivision, and reports it. \throws std::runtime_error
+template <class Triangulation>
+IT::Common_subdivision subdivide(const Loaded<Triangulation>& loaded, const Options& options,
+                                 Json& json) {
+  try {
+    IT::Common_subdivision s = IT::common_subdivision(loaded.triangulation);
+    json["subdivision"] = {{"vertices", s.number_of_vertices()},
+                           {"edges", s.number_of_edges()},
+                           {"faces", s.number_of_faces()}};
+    return s;
+  } catch (const std::exception& e) {
+    throw std::runtime_error(options.input + ": " + e.what());
+  }
+}
+
+/// returns the area of a common subdivision.
+inline double area(const IT::Common_subdivision& s, const std::vector<Point>& points) {
+  long double sum = 0;
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+    const auto corners = s.face(f);
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      sum += area(points[corners[0]], points[corners[k - 1]], points[corners[k]]);
+  }
+  return static_cast<double>(sum);
+}
+
+/// The common subdivision and where its vertices are.
+struct Drawn_subdivision {
+  IT::Common_subdivision s; ///< labelled with the polygons of the file
+  std::vector<Point> points;
+  std::vector<std::uint32_t> input_triangle; ///< the triangle of the input that each face is in
+};
+
+/// throws std::runtime_error if nothing can be drawn, as the input has no points.
+template <class Triangulation>
+void expect_points(const Loaded<Triangulation>& loaded, const Options& options) {
+  if (loaded.scaled_points().empty())
+    throw std::runtime_error(
+        options.input + ": the stored triangulation has lengths and no points, so that nothing "
+                        "can be drawn; write values to a file .txt, or start from the mesh");
+}
+
+/// extracts the common subdivision to be drawn, and reports it. \throws std::runtime_error
+template <class Triangulation>
+Drawn_subdivision drawn_subdivision(const Loaded<Triangulation>& loaded, const Options& options,
+                                    Json& json) {
+  if (is_mesh_output(options) || !options.view.empty()) expect_points(loaded, options);
+  IT::Common_subdivision s = subdivide(loaded, options, json);
+  std::vector<std::uint32_t> triangles = s.input_face;
+  IT::label_with_polygons(s, loaded.triangulation.input().names().polygon_of_triangle);
+  std::vector<Point> points = IT::positions(s, input_points(loaded), loaded.triangulation.input());
+  json["subdivision"]["area"] = area(s, points) / loaded.triangulation.input().names().sheets;
+  return {std::move(s), std::move(points), std::move(triangles)};
+}
+
+/// writes the common subdivision, what interpolates there, and the page that shows it.
+template <class Triangulation>
+void write_subdivision(const Loaded<Triangulation>& loaded, const Options& options, Json& json,
+                       Output_files& files, Progress& progress, Stopwatch& watch) {
+  progress.show("subdividing");
+  const auto [s, points, triangles] = drawn_subdivision(loaded, options, json);
+  if constexpr (!Triangulation::Metric::is_exact)
+    if (loaded.triangulation.input().planar_polygons().empty()) // which are not planar in space
+      expect_covered(json["area"]["input"], json["subdivision"]["area"], options);
+  json["seconds"]["subdivide"] = watch.lap();
+  progress.show("writing");
+  if (is_mesh_output(options))
+    files.write(options.output, [&](std::ostream& out) {
+      const std::string extension = std::filesystem::path(options.output).extension().string();
+      IT::write_common_subdivision(out, extension, s, points);
+    });
+  if (!options.interpolation.empty())
+    write_matrix(options.interpolation, IT::interpolation_from_intrinsic(s),
+                 "interpolation from the vertices of the intrinsic triangulation to those of the "
+                 "common subdivision",
+                 files);
+  if (!options.input_interpolation.empty())
+    write_matrix(options.input_interpolation, IT::interpolation_from_input(s),
+                 "interpolation from the vertices of the input to those of the common subdivision",
+                 files);
+  if (!options.view.empty())
+    files.write(options.view,
+                [&](std::ostream& out) { write_view(out, s, points, options, json, {}); });
+}
+
+/// flips to Delaunay unless told not to, refines if that is asked for, and measures.
+template <class Triangulation>
+Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options,
+                         Progress& progress) {
+  Triangulation& t = loaded.triangulation;
+  if (const std::size_t edges = loaded.metric.changed_edges; edges > 0)
+    std::cerr << options.input << ": " << edges << " edges were shortened where " << options.metric
+              << " violates the triangle inequality\n";
+  const auto improve = [&](Json& json, const auto& constrained) {
+    if constexpr (std::is_same_v<typename Triangulation::Correspondence, IT::Integer_coordinates>)
+      if (options.adaptive.is_asked_for)
+        return refine_adaptively(t, constrained, options, json, progress);
+    if (options.refines) refine(t, constrained, options, json, progress);
+  };
+  return flip_and_measure(loaded, !options.no_flip, options, progress, improve);
+}
+
+/// flips to Delaunay unless told not to, refines if that is asked for, and writes what is asked for
+template <class Triangulation>
+void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
+  Json json = improve_and_measure(loaded, options, progress);
+  if (const Json& count = json["delaunay"]["non_delaunay_edges"]; count != 0 && !options.no_flip)
+    std::cerr << options.input << ": " << count << " edges are not Delaunay"
+              << (Triangulation::Metric::is_exact
+                      ? ": their flips were refused; --correspondence none refuses none\n"
+                      : " as far as double arithmetic can tell; --arithmetic exact decides them\n");
+  Stopwatch watch;
+  Output_files files;
+  if constexpr (Triangulation::has_correspondence)
+    if (needs_subdivision(options))
+      write_subdivision(loaded, options, json, files, progress, watch);
+  if (!options.output.empty() && !is_mesh_output(options)) {
+    progress.show("writing");
+    files.write(options.output, [&](std::ostream& out) {
+      IT::write_intrinsic_triangulation(out, loaded.triangulation);
+    });
+  }
+  write_matrices(loaded.triangulation, options, files);
+  finish(json, options, files, watch);
+  print_summary_on_terminal(json);
+}
+
+/// runs the command with a correspondence
+template <class Correspondence>
+void run_delaunay_with(const Options& options) {
+  Progress progress(options.logs_progress);
+  with_loaded<Correspondence>(options, progress,
+                              [&](auto& loaded) { delaunay(loaded, options, progress); });
+}
+
+} // namespace program
+
+#endif // INTRINSIC_DELAUNAY_H

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_GEODESIC_CURVE_BUILDER_H
+#define INTRINSIC_GEODESIC_CURVE_BUILDER_H
+
+#include "../constraints.h"
+#include "../load.h"
+#include "../options.h"
+#include "../support/naming_file.h"
+#include "Asked_vertices.h"
+#include "asked_curves.h"
+
+#include <CGAL/Intrinsic_geodesics/bezier/make_bezier_curve.h>
+#include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
+#include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
+#include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
+#include <CGAL/Intrinsic_geodesics/single_source/flip_to_geodesic_tree.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace program {
+
+/*!
+\brief adds the curves that options ask for to a network: vertices at their points first, then marked edges, then paths and
+loops. These are geodesics that are found alone; beside marked edges, or if it is asked how curves
+become shorter, they start as shortest paths along edges.
+*/
+template <class Triangulation>
+class Curve_builder {
+  using Vertex = typename Triangulation::vertex_descriptor;
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Vertices = std::vector<Vertex>;
+
+public:
+  /// prepares the curves of `options` on what was loaded.
+  Curve_builder(Loaded<Triangulation>& loaded, const Options& options,
+                IT::Curve_network<Triangulation>& network)
+      : loaded_(loaded), t_(loaded.triangulation), options_(options), network_(network),
+        points_(loaded.triangulation, options) {}
+
+  /// adds the curves. \throws std::runtime_error naming what cannot be added, and the remedy
+  void run() {
+    const std::vector<Asked_curve> curves =
+        asked_curves(options_, t_.input().number_of_rows(), loaded_.facts.polygons);
+    std::vector<Vertices> vertices;
+    for (const Asked_curve& curve : curves) vertices.push_back(points_(curve));
+    fix_vertices(curves, vertices);
+    if (has_constraints(options_))
+      named(options_.input,
+            [&] { IT::add_marked_edges(network_, marked_edges(t_, loaded_.constraints)); });
+    IT::Edge_path_finder<Triangulation> find(t_);
+    if (are_free(curves) && add_geodesics(curves, vertices)) return;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      if (curves[i].kind == Curve_kind::source) add_tree(vertices[i].front());
+      if (curves[i].kind == Curve_kind::control_points) add_bezier_curve(vertices[i], curves[i]);
+      if (curves[i].kind != Curve_kind::joined) continue;
+      const std::vector<Halfedge> way = way_through(vertices[i], curves[i], find);
+      named(curves[i].source,
+            [&] { curves[i].is_loop ? network_.add_loop(way) : network_.add_path(way); });
+    }
+    if (network_.number_of_curves() == 0)
+      throw std::runtime_error(options_.input +
+                               ": no edge is marked, so there is no curve; mark edges, or choose a "
+                               "smaller --sharp-angle");
+  }
+
+  /// returns the shortest paths that curves were made of, if each was found alone.
+  const std::vector<IT::Traced_curve>& initial() const { return initial_; }
+  /// returns what was done to find them.
+  const IT::Shortening_result& shortening() const { return shortening_; }
+
+private:
+  // Whether curves are found alone: no marked edge is in their way, and it is not asked how they
+  // become shorter.
+  bool are_free(const std::vector<Asked_curve>& curves) const {
+    const Geodesic_options& g = options_.geodesic;
+    return !has_constraints(options_) && !g.is_along_edges && g.relative_length == 0 &&
+           g.joint_angle == 180 &&
+           std::all_of(curves.begin(), curves.end(),
+                       [](const Asked_curve& c) { return c.kind == Curve_kind::joined; });
+  }
+
+  // False if vertices are not connected, or rounding has led astray.
+  bool add_geodesics(const std::vector<Asked_curve>& asked, const std::vector<Vertices>& vertices) {
+    std::vector<IT::Curve_through_vertices<Triangulation>> curves;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      expect_different_neighbors(vertices[i], asked[i]);
+      curves.push_back({vertices[i], asked[i].is_loop, options_.geodesic.has_waypoints});
+    }
+    const auto added = IT::add_geodesics(network_, curves);
+    if (added.status != IT::Status::done) {
+      network_.clear();
+      return false;
+    }
+    initial_ = added.initial;
+    shortening_ = added.shortening;
+    return true;
+  }
+
+  // the last two edges on the way to each vertex, so that all of its joints are there
+  void add_tree(Vertex source) {
+    const auto tree =
+        naming_file(options_.input, [&] { return IT::flip_to_geodesic_tree(t_, source); });
+    for (const Vertex v : vertices(t_.mesh())) {
+      const Halfedge last = tree.halfedge_to(v);
+      if (last.index == IT::Gluing::none) continue;
+      const Halfedge before = tree.halfedge_to(IT::source(last, t_.mesh()));
+      before.index == IT::Gluing::none ? network_.add_path(std::vector{last})
+                                       : network_.add_path(std::vector{before, last});
+    }
+  }
+
+  void add_bezier_curve(const Vertices& control_points, const Asked_curve& asked) {
+    named(asked.source, [&] {
+      const auto curve = IT::make_bezier_curve(t_, control_points);
+      if (curve.status != IT::Status::done)
+        throw std::runtime_error(
+            asked.source +
+            ": no geodesics join the control points, or no vertex can be "
+            "inserted in the middle of one; choose other points" +
+            (Triangulation::Metric::is_exact ? "" : ", or --arithmetic exact"));
+      for (const Vertices& fixed : {curve.control_points, curve.crossings})
+        for (const Vertex v : fixed) network_.fix(v);
+      network_.add_path(curve.halfedges);
+    });
+  }
+
+  // calls a function, and tells of a crossing in the numbers of the file
+  template <class Function>
+  void named(const std::string& source, const Function& function) const {
+    try {
+      function();
+    } catch (const IT::Invalid_input& e) {
+      if (e.kind() != IT::Element_kind::vertex) throw;
+      throw std::runtime_error(
+          source + ": the curve crosses another or itself at " +
+          points_.name(t_.numbers().vertex_at(static_cast<std::uint32_t>(e.index()))) +
+          ", where none may pass another; let curves end there, give it as a "
+          "point of this one with "
+          "--waypoints, or make each geodesic in a run of its own");
+    }
+  }
+
+  // Ends that several curves have are junctions.
+  void fix_vertices(const std::vector<Asked_curve>& curves, const std::vector<Vertices>& vertices) {
+    std::map<std::uint32_t, int> ends;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      if (options_.geodesic.has_waypoints)
+        for (const Vertex v : vertices[i]) network_.fix(v);
+      if (curves[i].is_loop) continue;
+      for (const Vertex v : {vertices[i].front(), vertices[i].back()})
+        if (++ends[t_.index(v)] > 1) network_.fix(v);
+    }
+  }
+
+  void expect_different_neighbors(const Vertices& vertices, const Asked_curve& curve) const {
+    const std::size_t n = vertices.size();
+    for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < n; ++i)
+      if (IT::internal::are_copies(t_, vertices[i], vertices[(i + 1) % n]))
+        throw std::runtime_error(curve.source + ": " + points_.name(vertices[i]) +
+                                 " follows itself; give it once");
+  }
+
+  std::vector<Halfedge> way_through(const Vertices& vertices, const Asked_curve& curve,
+                                    IT::Edge_path_finder<Triangulation>& find) const {
+    expect_different_neighbors(vertices, curve);
+    std::vector<Halfedge> way;
+    const std::size_t n = vertices.size();
+    for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < n; ++i) {
+      const Vertex from = vertices[i], to = vertices[(i + 1) % n];
+      std::vector<Halfedge> piece = find(from, to);
+      if (piece.empty()) // from another copy, and to one
+        piece =
+            find(IT::internal::copies_of_vertex(t_, from), IT::internal::copies_of_vertex(t_, to));
+      if (piece.empty())
+        throw std::runtime_error(curve.source + ": no path leads from " + points_.name(from) +
+                                 " to " + points_.name(to) +
+                                 ", they are in different components; choose points of one");
+      way.insert(way.end(), piece.begin(), piece.end());
+    }
+    return way;
+  }
+
+  Loaded<Triangulation>& loaded_;
+  Triangulation& t_;
+  const Options& options_;
+  IT::Curve_network<Triangulation>& network_;
+  Asked_vertices<Triangulation> points_;
+  std::vector<IT::Traced_curve> initial_;
+  IT::Shortening_result shortening_;
+};
+
+} // namespace program
+
+#endif // INTRINSIC_GEODESIC_CURVE_BUILDER_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes.h"
+#include "planar_bezier.h"
+
+#include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
+#include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
+#include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Gluing_map;
+using Exact = IT::Exact_euclidean_traits;
+
+template <class T>
+class AddGeodesics : public ::testing::Test {};
+using Triangulations = ::testing::Types<
+    IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Integer_coordinates>,
+    IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Signposts>,
+    IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>, IT::Integer_coordinates>>;
+TYPED_TEST_SUITE(AddGeodesics, Triangulations);
+
+template <class T>
+std::vector<typename T::vertex_descriptor> vertices_in_order(const T& t) {
+  std::vector<typename T::vertex_descriptor> result(num_vertices(t.mesh()));
+  for (const auto v : vertices(t.mesh())) result[t.input_vertex(v)] = v;
+  return result;
+}
+
+// A random curve through points of a square, and how long it is: all geodesics there are unique,
+// loops that do not stay contract.
+template <class T, class Random>
+double random_curve(const T& t, const meshes::Mesh& m, Random& random,
+                    IT::Curve_through_vertices<T>& curve) {
+  curve = {{}, random() % 3 == 0, random() % 4 != 0};
+  std::vector<std::uint32_t> n(m.points.size());
+  std::iota(n.begin(), n.end(), 0U);
+  std::shuffle(n.begin(), n.end(), random);
+  n.resize(curve.is_loop ? 3 + random() % 3 : 2 + random() % 4);
+  for (const std::uint32_t i : n) curve.vertices.push_back(vertices_in_order(t)[i]);
+  const auto distance = [&](std::size_t i, std::size_t j) {
+    return planar_bezier::distance(m.points[n[i]], m.points[n[j]]);
+  };
+  if (!curve.stays_at_vertices) return curve.is_loop ? 0 : distance(0, n.size() - 1);
+  double length = curve.is_loop ? distance(n.size() - 1, 0) : 0;
+  for (std::size_t i = 0; i + 1 < n.size(); ++i) length += distance(i, i + 1);
+  return length;
+}
+
+// One to four curves, which cross each other and themselves.
+TYPED_TEST(AddGeodesics, AreStraightOnEveryTriangulationOfASquare) {
+  std::size_t crossings = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const meshes::Mesh m = planar_bezier::random_square(10 + seed, random);
+    TypeParam t(m.input());
+    std::vector<IT::Curve_through_vertices<TypeParam>> curves(1 + seed % 4);
+    std::vector<double> lengths;
+    for (auto& curve : curves) lengths.push_back(random_curve(t, m, random, curve));
+    IT::Curve_network<TypeParam> network(t);
+    const auto added = IT::add_geodesics(network, curves);
+    ASSERT_EQ(added.status, IT::Status::done);
+    ASSERT_EQ(network.number_of_curves(), curves.size());
+    // vertices at crossings are rounded to 2^-52, and moved off edges by 2^-40 of a height: bends
+    // add the square of that
+    for (std::uint32_t c = 0; c < curves.size(); ++c)
+      EXPECT_NEAR(network.length(c), lengths[c], 1e-12);
+    EXPECT_TRUE(IT::is_geodesic(network).is_geodesic());
+    if constexpr (std::is_same_v<typename TypeParam::Correspondence, IT::Integer_coordinates>) {
+      EXPECT_TRUE(IT::certify_geodesic(network).is_geodesic());
+    }
+    crossings += added.crossings.size();
+  }
+  EXPECT_GT(crossings, 100U);
+}
+
+TYPED_TEST(AddGeodesics, TellsWhereVerticesAreNotConnected) {
+  meshes::Mesh m = meshes::grid(2, 2);
+  const auto n = static_cast<std::uint32_t>(m.points.size());
+  for (std::uint32_t i = 0; i < n; ++i) m.points.push_back(m.points[i]);
+  for (std::size_t f = 0, all = m.triangles.size(); f < all; ++f)
+    m.triangles.push_back({m.triangles[f][0] + n, m.triangles[f][1] + n, m.triangles[f][2] + n});
+  TypeParam t(m.input());
+  const auto at = vertices_in_order(t);
+  IT::Curve_network<TypeParam> network(t);
+  const auto added = IT::add_geodesics<TypeParam>(
+      network, {{{at[0], at[1]}, false, false}, {{at[1], at[n]}, false, false}});
+  EXPECT_EQ(added.status, IT::Status::stalled);
+  EXPECT_EQ(added.failed, 1U);
+  EXPECT_EQ(network.number_of_curves(), 0U);
+}
+
+} // namespace

@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Symbolic_factorization.h>
+
+#include <Eigen/Dense>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace laplacian_factorizations {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Matrix = Eigen::SparseMatrix<double>;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+struct Edge {
+  int i, j;
+  double weight;
+};
+
+Matrix laplacian_of(int size, const std::vector<Edge>& edges) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Edge& e : edges) {
+    entries.emplace_back(e.i, e.j, -e.weight);
+    entries.emplace_back(e.j, e.i, -e.weight);
+    entries.emplace_back(e.i, e.i, e.weight);
+    entries.emplace_back(e.j, e.j, e.weight);
+  }
+  Matrix m(size, size);
+  m.setFromTriplets(entries.begin(), entries.end());
+  return m;
+}
+
+// Squares with a diagonal each; weights as given.
+template <class Weight>
+Matrix grid_laplacian(int n, const Weight& weight) {
+  std::vector<Edge> edges;
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      const int v = n * y + x;
+      if (x + 1 < n) edges.push_back({v, v + 1, weight()});
+      if (y + 1 < n) edges.push_back({v, v + n, weight()});
+      if (x + 1 < n && y + 1 < n) edges.push_back({v, v + n + 1, weight()});
+    }
+  return laplacian_of(n * n, edges);
+}
+
+// One stray entry in each triangle, so that both have as many.
+TEST(Laplacian_factorization, patterns_that_are_not_symmetric_are_refused) {
+  Matrix m = laplacian_of(4, {{0, 1, 1.}, {1, 2, 1.}, {2, 3, 1.}});
+  m.coeffRef(0, 2) = -1;
+  m.coeffRef(3, 1) = -1;
+  m.makeCompressed();
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(4);
+  EXPECT_THROW(IT::Laplacian_factorization(m, ones), std::invalid_argument);
+  // nor is the order shared by a matrix with other entries
+}
+
+TEST(Laplacian_factorization, solves_what_cholesky_solves) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> positive(0.1, 1), any(-0.05, 1);
+  for (const int n : {1, 2, 7, 40})
+    for (const bool is_signed : {false, true}) {
+      const Matrix l =
+          grid_laplacian(n, [&] { return is_signed ? any(random) : positive(random); });
+      const Eigen::VectorXd d = Eigen::VectorXd::Constant(n * n, 0.5);
+      const Matrix a = l + Matrix(d.asDiagonal());
+      const Eigen::MatrixXd b = Eigen::MatrixXd::Random(n * n, 3);
+      const IT::Laplacian_factorization factored(l, d);
+      EXPECT_EQ(factored.size(), n * n);
+      EXPECT_LE((a * factored.solve(b) - b).norm(), 1e3 * epsilon * b.norm()) << n;
+      EXPECT_LE((factored.solve(b) - IT::Cholesky_factorization(a).solve(b)).norm(),
+                1e3 * epsilon * b.norm());
+    }
+}
+
+// So many edges between vertices at random: parts, isolated vertices and cycles of all sizes.
+Matrix random_laplacian(int size, int edges, std::mt19937& random) {
+  std::vector<Edge> list;
+  for (int k = 0; k < edges; ++k) {
+    const int i = static_cast<int>(random() % static_cast<unsigned>(size)),
+              j = static_cast<int>(random() % static_cast<unsigned>(size));
+    if (i != j) list.push_back({i, j, 0.1 + 1e-9 * static_cast<double>(random())});
+  }
+  return laplacian_of(size, list);
+}
+
+// The places of the entries of a column below the diagonal.
+std::vector<int> rows_of_column(const IT::internal::Symbolic_factorization& s, int k) {
+  const auto i = static_cast<std::size_t>(k);
+  const int* const end = s.rows_end(s.supernode[i]);
+  return {end - (s.column_begin[i + 1] - s.column_begin[i]), end};
+}
+
+// The neighbours of a vertex that is eliminated become neighbours of each other.
+TEST(Laplacian_factorization, has_entries_where_elimination_makes_them) {
+  std::mt19937 random(3);
+  for (const auto& [size, edges] : {std::pair{0, 0},
+                                    {1, 0},
+                                    {5, 0},
+                                    {9, 8},
+                                    {30, 25},
+                                    {30, 60},
+                                    {60, 60},
+                                    {60, 130},
+                                    {25, 400}})
+    for (int trial = 0; trial < 10; ++trial) {
+      const Matrix l = size > 0 ? random_laplacian(size, edges, random) : Matrix(0, 0);
+      const IT::internal::Symbolic_factorization e(l);
+      std::vector<int> place(static_cast<std::size_t>(size));
+      for (int k = 0; k < size; ++k)
+        place[static_cast<std::size_t>(e.row[static_cast<std::size_t>(k)])] = k;
+      std::vector<std::set<int>> later(place.size());
+      for (int c = 0; c < size; ++c)
+        for (Matrix::InnerIterator i(l, c); i; ++i) {
+          const int p = place[static_cast<std::size_t>(c)],
+                    q = place[static_cast<std::size_t>(i.row())];
+          if (p < q) later[static_cast<std::size_t>(p)].insert(q);
+        }
+      for (int k = 0; k < size; ++k) {
+        const std::set<int>& mine = later[static_cast<std::size_t>(k)];
+        ASSERT_EQ(rows_of_column(e, k), std::vector<int>(mine.begin(), mine.end()));
+        for (const int p : mine)
+          for (const int q : mine)
+            if (p < q) later[static_cast<std::size_t>(p)].insert(q);
+      }
+    }
+}
+
+int entries_in_order(const Matrix& l) {
+  const IT::internal::Symbolic_factorization e(l);
+  std::vector<int> rows = e.row;
+  std::sort(rows.begin(), rows.end());
+  for (int i = 0; i < static_cast<int>(l.cols()); ++i)
+    EXPECT_EQ(rows.at(static_cast<std::size_t>(i)), i);
+  return e.column_begin.back();
+}
+
+TEST(Laplacian_factorization, order_has_rows_with_very_many_entries_last) {
+  std::mt19937 random(10);
+  std::vector<Edge> edges;
+  for (int i = 0; i + 1 < 3000; ++i) {
+    edges.push_back({i, i + 1, 1});
+    edges.push_back({i, 3000, 1});
+  }
+  const Matrix l = laplacian_of(3001, edges);
+  EXPECT_EQ(IT::internal::Symbolic_factorization(l).row.back(), 3000);
+  EXPECT_EQ(entries_in_order(l), static_cast<int>(edges.size()));
+}
+
+TEST(Laplacian_factorization, of_both_is_that_of_each) {
+  std::mt19937 random(4);
+  for (const auto& [size, edges] : {std::pair{1, 0}, {30, 40}, {200, 700}, {3000, 7000}}) {
+    const Matrix a = random_laplacian(size, edges, random);
+    const Eigen::VectorXd of_a = Eigen::VectorXd::Constant(size, 1e-3),
+                          of_b = Eigen::VectorXd::LinSpaced(size, 1, 2);
+    const auto both = IT::Laplacian_factorization::of_both(a, of_a, 0.3, of_b);
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(size, 2);
+    EXPECT_EQ(both.first.solve(right), IT::Laplacian_factorization(a, of_a).solve(right));
+    EXPECT_EQ(both.second.solve(right), IT::Laplacian_factorization(0.3 * a, of_b).solve(right));
+    Eigen::VectorXd none = of_b;
+    none.setZero();
+    EXPECT_THROW(IT::Laplacian_factorization::of_both(a, of_a, 0.3, none), IT::Indefinite_matrix);
+    EXPECT_THROW(IT::Laplacian_factorization::of_both(a, of_a, 0.3, Eigen::VectorXd(size + 1)),
+                 std::invalid_argument);
+    EXPECT_THROW(IT::Laplacian_factorization::of_both(
+                     a, of_a, std::numeric_limits<double>::quiet_NaN(), of_b),
+                 std::invalid_argument);
+  }
+}
+
+TEST(Laplacian_factorization, solves_columns_together_as_one_by_one) {
+  std::mt19937 random(6);
+  const Matrix l = random_laplacian(500, 1600, random);
+  const IT::Laplacian_factorization factored(l, Eigen::VectorXd::Constant(500, 1e-2));
+  for (Eigen::Index columns = 0; columns < 12; ++columns) {
+    Eigen::MatrixXd right = Eigen::MatrixXd::Random(500, columns);
+    if (columns > 1) right.col(1).setZero(); // nothing is skipped for the others
+    const Eigen::MatrixXd together = factored.solve(right);
+    ASSERT_EQ(together.cols(), columns);
+    for (Eigen::Index c = 0; c < columns; ++c)
+      EXPECT_EQ(together.col(c), factored.solve(right.col(c))) << c << " of " << columns;
+  }
+}
+
+IT::internal::Symbolic_factorization::Part
+part_of_column(const IT::internal::Symbolic_factorization& e, int k) {
+  return e.part[static_cast<std::size_t>(e.supernode[static_cast<std::size_t>(k)])];
+}
+
+// Halves that threads compute: no column of one has an entry in a row of the other, and each is some share of the work.
+TEST(Laplacian_factorization, halves_have_nothing_in_common) {
+  const auto one = [] { return 1.; };
+  EXPECT_FALSE(IT::internal::Symbolic_factorization(grid_laplacian(10, one)).has_halves);
+  using Part = IT::internal::Symbolic_factorization::Part;
+  const IT::internal::Symbolic_factorization e(grid_laplacian(90, one));
+  ASSERT_TRUE(e.has_halves);
+  std::array<double, 3> work{0, 0, 0};
+  for (int k = 0; k < static_cast<int>(e.row.size()); ++k) {
+    const Part part = part_of_column(e, k);
+    const std::vector<int> rows = rows_of_column(e, k);
+    work[part] += static_cast<double>(rows.size()) * static_cast<double>(rows.size());
+    for (const int r : rows) {
+      const Part there = part_of_column(e, r);
+      ASSERT_TRUE(there == part || there == Part::after_both) << k;
+    }
+  }
+  EXPECT_GT(std::min(work[0], work[1]), 0.2 * (work[0] + work[1] + work[2]));
+}
+
+// The row at which it stops is the same whichever half is faster.
+TEST(Laplacian_factorization, indefinite_rows_of_halves_are_told) {
+  const Matrix l = grid_laplacian(90, [] { return 1.; });
+  const IT::internal::Symbolic_factorization e(l);
+  for (const auto part : {IT::internal::Symbolic_factorization::first_half,
+                          IT::internal::Symbolic_factorization::second_half}) {
+    const auto supernode = std::find(e.part.begin(), e.part.end(), part) - e.part.begin();
+    const int row =
+        e.row[static_cast<std::size_t>(e.supernode_begin[static_cast<std::size_t>(supernode)])];
+    Eigen::VectorXd d = Eigen::VectorXd::Constant(l.rows(), 0.1);
+    d[row] = -1e3;
+    try {
+      const IT::Laplacian_factorization f(l, d);
+      ADD_FAILURE() << part;
+    } catch (const IT::Indefinite_matrix& error) {
+      EXPECT_EQ(error.row(), row);
+    }
+  }
+}
+
+// Springs in a row from a wall, pulled at the end: each is stretched by 1 / weight.
+TEST(Laplacian_factorization, has_full_relative_accuracy_whatever_the_weights) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> exponent(-60, 60);
+  const int n = 200;
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<Edge> edges;
+    Eigen::VectorXd wall = Eigen::VectorXd::Zero(n);
+    wall[0] = std::pow(10, exponent(random));
+    std::vector<long double> expected{1.0L / wall[0]};
+    for (int i = 0; i + 1 < n; ++i) {
+      edges.push_back({i, i + 1, std::pow(10, exponent(random))});
+      expected.push_back(expected.back() + 1.0L / edges.back().weight);
+    }
+    const Matrix l = laplacian_of(n, edges);
+    const Eigen::VectorXd x = IT::Laplacian_factorization(l, wall).solve(
+        Eigen::VectorXd(Eigen::VectorXd::Unit(n, n - 1)));
+    for (int i = 0; i < n; ++i)
+      EXPECT_NEAR(static_cast<double>(x[i] / expected[static_cast<std::size_t>(i)]), 1,
+                  20 * n * epsilon);
+    EXPECT_THROW(IT::Cholesky_factorization(Matrix(l + Matrix(wall.asDiagonal()))),
+                 IT::Indefinite_matrix);
+  }
+}
+
+// Random walks on a grid: their probabilities of leaving sum to 1, and are computed without any cancellation.
+TEST(Laplacian_factorization, of_weights_that_differ_by_many_powers_of_ten_keeps_sums) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> exponent(-30, 30);
+  const int n = 20;
+  const Matrix l = grid_laplacian(n, [&] { return std::pow(10, exponent(random)); });
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(n * n);
+  for (int i = 0; i < n * n; i += 37) d[i] = std::pow(10, exponent(random));
+  const Eigen::VectorXd x = IT::Laplacian_factorization(l, d).solve(d);
+  for (const double p : x) EXPECT_NEAR(p, 1, 1e3 * epsilon); // (L + D) 1 = D 1
+}
+
+TEST(Laplacian_factorization, names_a_row_of_a_component_without_diagonal) {
+  const Matrix l = laplacian_of(5, {{0, 1, 1}, {1, 2, 1e-9}, {3, 4, 3}});
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(5);
+  d[1] = 1e-300;
+  try {
+    IT::Laplacian_factorization(l, d);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const IT::Indefinite_matrix& e) {
+    EXPECT_GE(e.row(), 3);
+  }
+  d[4] = 1e-30;
+  EXPECT_NO_THROW(IT::Laplacian_factorization(l, d));
+  EXPECT_THROW(IT::Laplacian_factorization(l, Eigen::VectorXd::Ones(4)), std::invalid_argument);
+  d[4] = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(IT::Laplacian_factorization(l, d), std::invalid_argument);
+  const Matrix lower = l.triangularView<Eigen::Lower>();
+  EXPECT_THROW(IT::Laplacian_factorization(lower, Eigen::VectorXd::Ones(5)), std::invalid_argument);
+  const IT::Laplacian_factorization good(l, Eigen::VectorXd::Ones(5));
+  EXPECT_THROW(good.solve(Eigen::VectorXd(Eigen::VectorXd::Ones(4))), std::invalid_argument);
+}
+
+} // namespace laplacian_factorizations
+
+} // namespace
