@@ -47,7 +47,7 @@ function reference(text, target,    label, name) {
   } else if (target ~ /^([a-z_]+\.md|\.\.\/members\.md)?#[a-z0-9_]+$/) {
     label = target
     sub(/^.*#/, "", label)
-  } else if (match(target, /^\.\.\/\.\.\/include\/CGAL\/Intrinsic_[a-z]+\/README\.md$/)) {
+  } else if (target ~ /^\.\.\/\.\.\/include\/CGAL\/Intrinsic_[a-z]+\/README\.md$/) {
     label = target
     sub(/^.*\/Intrinsic_/, "page_rooms_of_", label)
     sub(/\/README\.md$/, "", label)
