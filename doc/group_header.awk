@@ -34,7 +34,6 @@ BEGIN {
   group["correspondence/Sheets.h"]                          = "ref_inside_correspondence"
   group["correspondence/Vertex_rows.h"]                     = "ref_inside_correspondence"
   group["correspondence/curves/"]                            = "ref_inside_correspondence"
-  group["correspondence/development/"]                       = "ref_inside_correspondence"
   group["correspondence/models/"]                            = "ref_inside_correspondence"
   group["correspondence/models/Explicit_crossings.h"]        = "ref_correspondence"
   group["correspondence/models/Integer_coordinates.h"]       = "ref_correspondence"

@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 

@@ -181,7 +181,7 @@ TYPED_TEST(Unfolded_face, places_points_of_the_plane_within_rounding_and_knows_t
         const Weights w = moved.mover.weights(false);
         const auto curves = unfold.curves(h);
         const auto& face = unfold(h);
-        const auto place = face.place(moved.plane.t.input(), w);
+        const auto place = face.place(w);
         ASSERT_TRUE(place);
         moved.check(h, curves, *place, face.values(*place));
         moved.check_direction(h, face, *place);
@@ -228,7 +228,7 @@ TYPED_TEST(Unfolded_face, puts_points_of_curves_on_them) {
           if (*std::min_element(w.begin(), w.end()) < 1e-6) continue; // not inside
           const auto curves = unfold.curves(h);
           const auto& face = unfold(h);
-          const auto place = face.place(input, w);
+          const auto place = face.place(w);
           ASSERT_TRUE(place);
           ASSERT_TRUE(place->region.is_on_curve);
           EXPECT_EQ(place->location.halfedge / 2, x / 2);
@@ -256,7 +256,7 @@ TYPED_TEST(Unfolded_face, puts_no_point_on_a_corner) {
     for (const double tiny : {0., 0x1p-60, 0x1p-51}) {
       const auto curves = unfold.curves(h);
       const auto& face = unfold(h);
-      const auto place = face.place(moved.plane.t.input(), {1 - 2 * tiny, tiny, tiny});
+      const auto place = face.place({1 - 2 * tiny, tiny, tiny});
       refused += place ? 0 : 1;
       if (!place) continue;
       const auto v = face.values(*place);
@@ -301,7 +301,7 @@ TYPED_TEST(Unfolded_face, places_points_of_surfaces_where_signposts_find_them) {
       const CGAL::Protect_FPU_rounding<true> upwards;
       Unfolder<T> unfold(t);
       const auto& face = unfold(h);
-      const auto place = face.place(t.input(), w);
+      const auto place = face.place(w);
       ASSERT_TRUE(place && places::is_exact(place->location));
       const meshes::Point p = in_space(m, t.input(), *expected);
       for (const meshes::Point& q :
@@ -344,7 +344,7 @@ TYPED_TEST(Unfolded_face, tells_the_sides_of_an_edge_apart_that_one_triangle_has
       for (int i = 0; i < 100; ++i) {
         const double a = weight(random), b = weight(random), c = weight(random), sum = a + b + c;
         const Weights w{a / sum, b / sum, c / sum};
-        const auto on = face.place(input, w, 0.02), beside = face.place(input, w);
+        const auto on = face.place(w, 0.02), beside = face.place(w);
         if (!on || !on->region.is_on_curve || !beside || beside->region.is_on_curve) continue;
         const IT::Seen_corner seen = face.farthest_corner(input, *on),
                               expected = face.farthest_corner(input, *beside);

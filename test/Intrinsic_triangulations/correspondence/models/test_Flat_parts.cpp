@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <vector>
@@ -25,7 +26,9 @@ IT::Input input_of(const meshes::Mesh& m) {
 // over some faces of the input
 IT::Unfolded_diamond over(const std::vector<std::uint32_t>& faces) {
   IT::Unfolded_diamond d;
-  for (const std::uint32_t f : faces) d.triangles.push_back({f, 0, 0, {0, 1, 2}});
+  d.triangles.start({faces[0], 0});
+  for (std::size_t i = 1; i < faces.size(); ++i)
+    d.triangles.enter(d.triangles.last(), 1, {faces[i], 0});
   return d;
 }
 

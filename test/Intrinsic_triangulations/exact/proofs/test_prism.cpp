@@ -31,25 +31,25 @@ public:
   explicit Unfolded_mesh(const meshes::Mesh& m)
       : map_(m.map()), input_(IT::Input_metric::from_points(map_, m.points, 0)) {
     std::vector<bool> is_seen(map_.number_of_faces());
-    diamond_.triangles.push_back({0, 0, 0, {0, 1, 2}});
+    diamond_.triangles.start({0, 0});
     is_seen[0] = true;
     for (std::uint32_t n = 0; n < diamond_.triangles.size(); ++n)
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const Map::Halfedge h = Map::opposite(side(diamond_.triangles[n].face, k));
+        const IT::Face_side& first = diamond_.triangles[n].side;
+        const Map::Halfedge h = Map::opposite(side(first.face, (first.slot + k) % 3));
         const std::uint32_t g = map_.face(h).index;
         if (g == IT::Gluing::none || is_seen[g]) continue;
         is_seen[g] = true;
         std::uint32_t entry = 0;
         while (side(g, entry) != h) ++entry;
-        diamond_.triangles.push_back(diamond_.beyond(n, k, g, entry));
+        diamond_.triangles.enter(n, k, {g, entry});
       }
   }
 
   // every vertex once
   std::vector<IT::Unfolded_diamond::Corner> corners() const {
     std::vector<IT::Unfolded_diamond::Corner> result{{0, 0}, {0, 1}};
-    for (std::uint32_t n = 0; n < diamond_.triangles.size(); ++n)
-      result.push_back({n, (diamond_.triangles[n].entry + 2) % 3});
+    for (std::uint32_t n = 0; n < diamond_.triangles.size(); ++n) result.push_back({n, 2});
     return result;
   }
 
@@ -180,8 +180,8 @@ TEST(Prism_proof, proves_nothing_where_rulings_are_not_parallel) {
 }
 
 TEST(Prism_in_field_proof, proves_all_ties_over_prisms) {
-  for (const meshes::Mesh& m : {meshes::walls({{0, 0}, {3, 4}, {8, 4}}, 5),
-                                tilted(meshes::walls(mirrored, 2))}) {
+  for (const meshes::Mesh& m :
+       {meshes::walls({{0, 0}, {3, 4}, {8, 4}}, 5), tilted(meshes::walls(mirrored, 2))}) {
     const Count n = count(m, 7);
     EXPECT_GT(n.ties, 3U);
     EXPECT_EQ(n.in_field, n.ties);

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_CURVE_STRIP_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/development/Development.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace CGAL::Intrinsic_triangulations {
 */
 struct Curve_strip {
   /// The faces; the curve starts at point 0, and ends at the last point.
-  Development faces;
+  Development<> faces;
   /// The corner in which it ends, as the start of the way back.
   Curve_end end;
 

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/development/Development.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -198,7 +198,7 @@ private:
   }
 
   const Input& input_;
-  Development strip_; // from the first face that is entered on
+  Development<> strip_; // from the first face that is entered on
   std::vector<Point> z_;
   Straight_line line_{{0, 0}, {0, 0}};
 };

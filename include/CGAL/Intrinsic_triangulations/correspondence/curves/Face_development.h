@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/development/Development.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -70,24 +70,26 @@ public:
     std::array<Surface_point, 3> corners;
     for (unsigned k = 0; k < 3; ++k) corners[k] = corner_on_input(complex, coordinates, sides_[k]);
     triangles_.start(corners[first_].halfedge);
-    find_entered_along(complex, coordinates);
+    steps_ +=
+        internal::find_entered_from_face(complex, coordinates, sides_[first_], entered_, stack_);
     for (const std::uint32_t x : entered_) triangles_.enter(input, last(), x);
     if (fan_ == 3) {
       const unsigned third = (first_ + 2) % 3;
       entered_.resize(static_cast<std::size_t>(curves_.cutting[third]));
-      find_entered(complex, coordinates, sides_[third], 0, curves_.cutting[third]);
+      steps_ += internal::find_entered(complex, coordinates, sides_[third], 0,
+                                       curves_.cutting[third], entered_, stack_);
       std::uint32_t parent = region_at(first_, curves_.cutting[first_]);
       for (auto x = entered_.rbegin(); x != entered_.rend(); ++x, parent = last())
         triangles_.enter(input, parent, *x ^ 1U);
     }
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t t = region_at(k, 0);
-      corner_[k] = {t, seen_from(input, corners[k], triangles_[t].halfedge).weights};
+      corner_[k] = {t, seen_from(input, corners[k], triangles_[t].side).weights};
     }
   }
 
   /// returns the triangles.
-  const Development& triangles() const { return triangles_; }
+  const Development<>& triangles() const { return triangles_; }
   /// returns the number of the last triangle.
   std::uint32_t last() const { return triangles_.last(); }
   /// returns a corner of the face.
@@ -146,20 +148,16 @@ public:
     return result;
   }
 
-  /// returns the triangle that is entered over the side of a triangle opposite a corner: itself, or another one.
-  std::optional<std::uint32_t> beyond(const Input& input, std::uint32_t t,
-                                      unsigned opposite) const {
-    if (t > 0 && opposite == 2) return t;
-    for (const std::uint32_t child : children(t))
-      if ((triangles_.side_towards(input, child) + 2) % 3 == opposite) return child;
-    return std::nullopt;
+  /// returns the triangle that is entered over the side of a triangle opposite a corner: itself, another one, or `none`.
+  std::uint32_t entered_over(std::uint32_t t, unsigned opposite) const {
+    return t > 0 && opposite == 2 ? t : triangles_[t].beyond[(opposite + 1) % 3];
   }
   /// returns the triangles that are entered from a triangle, two at most.
   boost::container::static_vector<std::uint32_t, 2> children(std::uint32_t t) const {
     boost::container::static_vector<std::uint32_t, 2> result;
     const auto branch = static_cast<std::uint32_t>(along_) + 1;
     for (const std::uint32_t child : {t + 1, branch})
-      if (child <= last() && triangles_[child].parent == t) result.push_back(child);
+      if (child <= last() && triangles_[child].parent() == t) result.push_back(child);
     return result;
   }
 
@@ -202,32 +200,12 @@ private:
     return static_cast<std::uint32_t>(along_ + curves_.cutting[k] - passed);
   }
 
-  // the input halfedges of the faces that the strip enters along its side, in order; curves from the corner opposite need
-  // not be followed
-  template <class Complex, class Coordinates>
-  void find_entered_along(const Complex& complex, const Coordinates& coordinates) {
-    entered_.resize(static_cast<std::size_t>(along_));
-    const Normal_coordinate from = fan_ < 3 ? curves_.cutting[first_] : along_,
-                            to = fan_ < 3 ? from + curves_.emanating[fan_] : along_;
-    find_entered(complex, coordinates, sides_[first_], 0, from);
-    for (Normal_coordinate i = from; i < to; ++i)
-      entered_[static_cast<std::size_t>(i)] =
-          input_halfedge(coordinates, Curve_end{sides_[fan_], i - from});
-    find_entered(complex, coordinates, sides_[first_], to, along_);
-  }
-
-  template <class Complex, class Coordinates>
-  void find_entered(const Complex& complex, const Coordinates& coordinates, std::uint32_t side,
-                    Normal_coordinate from, Normal_coordinate to) {
-    steps_ += internal::find_entered(complex, coordinates, side, from, to, entered_, stack_);
-  }
-
   std::array<std::uint32_t, 3> sides_{};
   Corner_coordinates curves_{};
   unsigned first_ = 0;          // corner from which the strip along a side starts
   unsigned fan_ = 3;            // corner opposite that side, if curves emanate from it
   Normal_coordinate along_ = 0; // number of curves across that side
-  Development triangles_;
+  Development<> triangles_;
   std::array<Corner, 3> corner_{};
   std::vector<std::uint32_t> entered_;
   std::vector<Curve_bundle> stack_;

@@ -61,8 +61,7 @@ std::optional<Place_in_face> place_in(const Face& face, const View& view,
                                       const std::array<double, 3>& weights, bool along_side,
                                       const std::optional<Surface_point>& wanted = std::nullopt) {
   const Input& input = coordinates.input();
-  if (!along_side)
-    return wanted ? face.place_at(input, *wanted, weights) : face.place(input, weights);
+  if (!along_side) return wanted ? face.place_at(input, *wanted, weights) : face.place(weights);
   const Surface_point p = location_on_side(view, coordinates, h, weights[1]);
   if (!wanted) return face.place_on_side(input, p);
   if (wanted->halfedge / 2 != p.halfedge / 2) return std::nullopt;
@@ -215,7 +214,7 @@ private:
                                     along_side);
     if (place && is_in_face(t, input, *place, along_side)) return placed(place, along_side);
     if (!place || along_side || !place->region.is_on_curve) return std::nullopt;
-    place = face.place(input, weights, Face::least_nearness);
+    place = face.place(weights, Face::least_nearness);
     if (place && is_in_face(t, input, *place, false)) return placed(place, false);
     return std::nullopt;
   }

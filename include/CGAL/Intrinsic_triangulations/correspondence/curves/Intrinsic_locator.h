@@ -235,7 +235,7 @@ private:
     while (++n < strip.faces.size() && orientation(point(0), point(1), from) >= 0) {
     }
     --n; // the last face that is entered before
-    return walk_.walk({strip.faces[n].halfedge, point(0), point(1), point(2)}, from, p);
+    return walk_.walk({strip.faces[n].side, point(0), point(1), point(2)}, from, p);
   }
 
   View view_;

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_development.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/development/Development.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -73,18 +73,17 @@ public:
   /*!
   \brief places a point of the face on the input: finds the triangle that contains it, and rounds its barycentric
   coordinates there, which then define it. A point within rounding of a curve is put on it.
-  \param input the input
   \param weights barycentric coordinates of the point in the face, approximately
   \param nearness distance from a curve within which a point is put on it, relative to the height of the triangle;
   what is represented beside it is at least `least_nearness` away
   \return the place; nothing if it is within rounding of a vertex of the input
   */
-  std::optional<Place> place(const Input& input, const std::array<double, 3>& weights,
+  std::optional<Place> place(const std::array<double, 3>& weights,
                              double nearness = usual_nearness) const {
     const Rounded p = in_face(weights);
     Place result = region_of(p);
     const std::array<double, 3> w = weights_in_triangle(result.triangle, p);
-    return rounded(input, w, nearness, result) ? std::optional(result) : std::nullopt;
+    return rounded(w, nearness, result) ? std::optional(result) : std::nullopt;
   }
 
   /*!
@@ -129,7 +128,7 @@ public:
       result.location = *p;
     }
     if (least == std::numeric_limits<double>::infinity()) return std::nullopt;
-    return at(input, result.triangle, result.location);
+    return at(result.triangle, result.location);
   }
 
   /// tells whether errors of points grow so large that what is in the middle of them may be anywhere.
@@ -200,7 +199,7 @@ private:
     face_.triangles().develop(z_, values);
   }
 
-  std::uint32_t halfedge(std::uint32_t t) const { return face_.triangles()[t].halfedge; }
+  std::uint32_t halfedge(std::uint32_t t) const { return face_.triangles()[t].side; }
   const Point& point(std::uint32_t t, std::size_t k) const {
     return z_[face_.triangles()[t].point[k]];
   }
@@ -275,7 +274,7 @@ private:
   }
 
   // a point of a triangle, from its first side on
-  std::optional<Place> at(const Input& input, std::uint32_t t, const Surface_point& p) const {
+  std::optional<Place> at(std::uint32_t t, const Surface_point& p) const {
     constexpr double inwards = 0x1p-20; // so far that the walk ends in the triangle
     std::array<double, 3> w = p.weights;
     for (double& x : w) x += inwards * (1. / 3 - x);
@@ -284,8 +283,9 @@ private:
     const auto zero = std::find(p.weights.begin(), p.weights.end(), 0.);
     if (zero != p.weights.end()) {
       const auto opposite = static_cast<unsigned>(zero - p.weights.begin());
-      const std::optional<std::uint32_t> child = face_.beyond(input, t, opposite);
-      if (!child || !put_on_curve(*child, opposite, p.weights, result)) return std::nullopt;
+      const std::uint32_t child = face_.entered_over(t, opposite);
+      if (child == Development<>::none || !put_on_curve(child, opposite, p.weights, result))
+        return std::nullopt;
       return result;
     }
     result.weights = p.weights;
@@ -307,11 +307,11 @@ private:
     return side == p.location.halfedge ? b - a : a - b;
   }
 
-  bool rounded(const Input& input, std::array<double, 3> w, double nearness, Place& result) const {
+  bool rounded(std::array<double, 3> w, double nearness, Place& result) const {
     const std::uint32_t t = result.triangle;
     if (t > 0 && w[2] < nearness) return put_on_curve(t, 2, w, result);
     for (const std::uint32_t child : face_.children(t)) {
-      const unsigned opposite = (face_.triangles().side_towards(input, child) + 2) % 3;
+      const unsigned opposite = (face_.triangles().exit_to(child) + 2) % 3;
       if (w[opposite] < nearness) return put_on_curve(child, opposite, w, result);
     }
     const std::optional<std::array<double, 3>> exact = representable_weights(w);

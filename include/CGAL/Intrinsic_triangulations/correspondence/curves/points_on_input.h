@@ -69,6 +69,25 @@ std::size_t find_entered(const View& view, const Coordinates& coordinates, std::
                        });
 }
 
+/*!
+\brief finds all of them for a side of a face; curves from the corner opposite need not be followed.
+\return the number of steps along curves
+*/
+template <class View, CurveCoordinates Coordinates>
+std::size_t find_entered_from_face(const View& view, const Coordinates& coordinates,
+                                   std::uint32_t side, std::vector<std::uint32_t>& entered,
+                                   std::vector<Curve_bundle>& stack) {
+  const Corner_coordinates c = corner_coordinates(view, coordinates, side);
+  const Normal_coordinate n = crossings(coordinates.normal_coordinate(side / 2)),
+                          from = c.emanating[2] > 0 ? c.cutting[0] : n, to = from + c.emanating[2];
+  entered.resize(static_cast<std::size_t>(n));
+  const std::uint32_t last = view.next(view.next(side));
+  for (Normal_coordinate i = from; i < to; ++i)
+    entered[static_cast<std::size_t>(i)] = input_halfedge(coordinates, Curve_end{last, i - from});
+  return find_entered(view, coordinates, side, 0, from, entered, stack) +
+         find_entered(view, coordinates, side, to, n, entered, stack);
+}
+
 /// returns all of them.
 template <class View, CurveCoordinates Coordinates>
 std::vector<std::uint32_t> find_entered(const View& view, const Coordinates& coordinates,

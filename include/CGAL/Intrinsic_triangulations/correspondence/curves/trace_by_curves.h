@@ -70,10 +70,10 @@ void add_crossings_of_strip(const View& view, const Curve_strip& strip, const Ad
   const std::vector<Point> z = strip.develop(view);
   const Straight_line line{z.front(), z.back()};
   for (std::size_t n = 1; n < strip.faces.size(); ++n) {
-    const Development::Triangle& t = strip.faces[n];
+    const Development<>::Triangle& t = strip.faces[n];
     const Point &a = z[t.point[0]], &b = z[t.point[1]];
     const double x = line.parameter(a, b);
-    add({t.halfedge, {1 - x, x, 0}}, line.along(a + x * (b - a)));
+    add({t.side, {1 - x, x, 0}}, line.along(a + x * (b - a)));
   }
 }
 

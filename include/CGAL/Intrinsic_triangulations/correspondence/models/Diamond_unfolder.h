@@ -7,17 +7,16 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Crossing_path.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/unfold_corners.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -36,8 +35,8 @@ likewise. The curves that cross an edge are found in three ways:
 - those that cut off the corner i cross ij and ik in the same order;
 - others are followed to their end, over the faces around; side by side as long as they run so.
 
-Paths are reduced words in crossings. As a diamond holds no vertex inside, the paths to its corners make one
-tree of triangles, whatever the order in which they were found.
+Paths are reduced words in crossings: one followed by its inverse cancels. As a diamond holds no vertex inside, the
+paths to its corners make one tree of triangles, whatever the order in which they were found.
 
 Its memory stays from call to call.
 */
@@ -101,15 +100,78 @@ public:
   std::size_t take_steps() { return std::exchange(steps_, 0); }
 
 private:
-  using Side = Face_side;
+  // Crossings of input edges from face to face, each named by the input halfedge of the face that is entered.
+  using Path = std::vector<std::uint32_t>;
+
+  // where a vertex is in the plane into which the input is unfolded along a path
+  struct Corner {
+    Path path;                  // from a face to the one in which the vertex is found
+    std::uint32_t halfedge = 0; // an input halfedge that starts there, unless it was inserted
+    std::array<double, 3> weights{1, 0,
+                                  0}; // barycentric coordinates, from the start of the halfedge on
+
+    bool is_inserted() const { return weights[0] != 1; }
+    bool is_end_of(const Input& input, std::uint32_t h) const {
+      return !is_inserted() && (halfedge == h || halfedge == input.next(h));
+    }
+    // makes the path as short as it can be: an end of the last edge crossed is seen before crossing it
+    void trim(const Input& input) {
+      while (!path.empty() && is_end_of(input, path.back())) {
+        const std::uint32_t to = path.back(), from = to ^ 1U;
+        halfedge = halfedge == to ? input.next(from) : from;
+        path.pop_back();
+      }
+    }
+  };
 
   const Input& input() const { return coordinates_->input(); }
 
   const Unfolded_diamond& unfold_from_common_base() {
-    for (Developed_corner& c : corners_) c.trim();
-    while (internal::move_base(corners_)) {
+    for (Corner& c : corners_) c.trim(input());
+    std::size_t base = 0;
+    while (moves_base(base)) ++base;
+    return unfold(base);
+  }
+
+  // Moves the base of paths, given by how many crossings it has passed, across an edge that all cross, but for those to
+  // ends of that edge, if there is one.
+  bool moves_base(std::size_t base) {
+    const auto longest =
+        std::max_element(corners_.begin(), corners_.end(), [](const Corner& a, const Corner& b) {
+          return a.path.size() < b.path.size();
+        });
+    if (longest->path.size() <= base) return false;
+    const std::uint32_t to = longest->path[base], from = to ^ 1U;
+    for (const Corner& c : corners_)
+      if (c.path.size() <= base ? !c.is_end_of(input(), from) : c.path[base] != to) return false;
+    for (Corner& c : corners_)
+      if (c.path.size() <= base) c.halfedge = c.halfedge == from ? input().next(to) : to;
+    return true;
+  }
+
+  // joins the paths from the base on into one tree
+  const Unfolded_diamond& unfold(std::size_t base = 0) {
+    Unfolded_diamond::Triangles& triangles = diamond_.triangles;
+    const auto& [path, halfedge, weights] = corners_[0];
+    const std::uint32_t first = path.size() > base ? path[base] ^ 1U : halfedge;
+    triangles.start({input().face(first), 0});
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::uint32_t t = 0;
+      for (std::size_t n = base; n < corners_[i].path.size(); ++n) {
+        const std::uint32_t x = corners_[i].path[n], exit = from_first_side(t, x ^ 1U);
+        const std::uint32_t known = triangles[t].beyond[exit];
+        t = known != Unfolded_diamond::Triangles::none
+                ? known
+                : triangles.enter(t, exit, input_side(input(), x));
+      }
+      diamond_.corners[i] = {t, from_first_side(t, corners_[i].halfedge), corners_[i].weights};
     }
-    return unfold();
+    return diamond_;
+  }
+  // which side of a triangle a halfedge of its face is
+  std::uint32_t from_first_side(std::uint32_t triangle, std::uint32_t halfedge) const {
+    const Face_side& first = diamond_.triangles[triangle].side;
+    return (input_side(input(), halfedge).slot + 3 - first.slot) % 3;
   }
 
   template <class View>
@@ -130,43 +192,38 @@ private:
     return coordinates_->fans().halfedge(coordinates_->roundabout(h));
   }
 
-  Side side(std::uint32_t input_halfedge) const { return input_side(input(), input_halfedge); }
-
-  // the crossing by which the face of an input halfedge is entered over it
-  Crossing entering(std::uint32_t input_halfedge) const {
-    return {side(input_halfedge ^ 1U), side(input_halfedge)};
+  static void append(Path& path, std::uint32_t entered) {
+    if (!path.empty() && path.back() == (entered ^ 1U))
+      path.pop_back();
+    else
+      path.push_back(entered);
   }
 
   // The source of an intrinsic halfedge, in the input face in which it starts; beside the halfedge, on its
   // left or right, if it runs along a curve.
   template <class View>
-  Developed_corner corner(const View& view, std::uint32_t h, bool on_left) const {
+  Corner corner(const View& view, std::uint32_t h, bool on_left) const {
     const std::uint32_t v = view.source(h), slot = coordinates_->roundabout(h);
     const bool is_inserted = coordinates_->is_inserted(v);
     if (slot == Gluing::none) return inserted(v, false); // inside a face
     const std::uint32_t c = coordinates_->fans().halfedge(slot);
     const std::uint32_t in_face = is_along_curve(h) && on_left ? c : c ^ 1U;
     if (is_inserted) return inserted(v, in_face != coordinates_->location(v).halfedge);
-    return {{}, side(in_face == c ? c : input().next(in_face))};
+    return {{}, in_face == c ? c : input().next(in_face)};
   }
 
   // An inserted vertex, in the face of the halfedge of its location or in the opposite one.
-  Developed_corner inserted(std::uint32_t vertex, bool is_opposite) const {
+  Corner inserted(std::uint32_t vertex, bool is_opposite) const {
     const Surface_point& p = coordinates_->location(vertex);
     std::array<double, 3> weights = representable_weights(p.weights).value_or(p.weights);
     if (is_opposite) std::swap(weights[0], weights[1]);
-    return {{}, side(is_opposite ? p.halfedge ^ 1U : p.halfedge), weights};
+    return {{}, is_opposite ? p.halfedge ^ 1U : p.halfedge, weights};
   }
 
   // a corner at the end of the path that has been found
-  static void end_at(Developed_corner& c, const Developed_corner& end) {
-    c.side = end.side;
+  static void end_at(Corner& c, const Corner& end) {
+    c.halfedge = end.halfedge;
     c.weights = end.weights;
-  }
-
-  const Unfolded_diamond& unfold() {
-    unfolder_(corners_);
-    return unfolder_.result();
   }
 
   // finds i and j: from i, crosses the curves that cross ij
@@ -174,66 +231,34 @@ private:
   void reach_ends(const View& view, const Integer_coordinates& coordinates, std::uint32_t h) {
     coordinates_ = &coordinates;
     left_ = corner_coordinates(view, coordinates, h);
-    cross_edge(view, h);
-    for (Developed_corner& c : corners_) c.path.clear();
+    steps_ += internal::find_entered_from_face(view, coordinates, h, crossed_, stack_);
+    for (Corner& c : corners_) c.path.clear();
     end_at(corners_[0], corner(view, h, true));
-    for (const std::uint32_t x : crossed_) append(corners_[1].path, entering(x));
+    for (const std::uint32_t x : crossed_) append(corners_[1].path, x);
     end_at(corners_[1], corner(view, h ^ 1U, false));
-  }
-
-  // finds the curves that cross ij, as the input halfedges over which faces are entered
-  template <class View>
-  void cross_edge(const View& view, std::uint32_t h) {
-    const Normal_coordinate n = crossings(coordinates_->normal_coordinate(h / 2));
-    crossed_.resize(index(n));
-    if (n == 0) return;
-    const std::uint32_t ki = last(view, h);
-    const Normal_coordinate from = left_.cutting[0], to = from + left_.emanating[2];
-    for (Normal_coordinate p = from; p < to; ++p) // from k, on the left
-      crossed_[index(p)] = curve(ki, p - from);
-    follow(view, {h, 0, from, 0}, crossed_);
-    follow(view, {h, to, n - to, to}, crossed_);
-  }
-
-  // The input halfedges over which curves across a halfedge are crossed. They end on its right; the way
-  // back runs from right to left.
-  template <class View>
-  void follow(const View& view, const Curve_bundle& bundle, std::vector<std::uint32_t>& crossed) {
-    if (coordinates_->knows_crossings()) {
-      for (Normal_coordinate i = 0; i < bundle.count; ++i)
-        crossed[index(bundle.number + i)] =
-            coordinates_->entered_by(bundle.halfedge, bundle.position + i);
-      return;
-    }
-    steps_ += follow_curves(view, *coordinates_, bundle, stack_,
-                            [&](Normal_coordinate number, const Curve_end& end) {
-                              crossed[index(number)] = input_halfedge(*coordinates_, end) ^ 1U;
-                            });
   }
 
   // appends the crossings of a halfedge from number `from` on
   template <class View>
-  void append_followed(const View& view, std::uint32_t h, Normal_coordinate from,
-                       Crossing_path& path) {
-    const Normal_coordinate n = crossings(coordinates_->normal_coordinate(h / 2)) - from;
-    if (n <= 0) return;
+  void append_followed(const View& view, std::uint32_t h, Normal_coordinate from, Path& path) {
+    const Normal_coordinate n = crossings(coordinates_->normal_coordinate(h / 2));
+    if (n <= from) return;
     others_.resize(index(n));
-    follow(view, {h, from, n, 0}, others_);
-    for (const std::uint32_t x : others_) append(path, entering(x));
+    steps_ += internal::find_entered(view, *coordinates_, h, from, n, others_, stack_);
+    for (Normal_coordinate i = from; i < n; ++i) append(path, others_[index(i)]);
   }
 
   // finds k: turns counterclockwise about i, crosses the curves that cut off i, emanate from j, cut off k
   template <class View>
   void reach_left(const View& view, std::uint32_t h, std::uint32_t ki) {
-    Developed_corner& k = corners_[2];
-    for (Normal_coordinate c = 0; c < left_.emanating[0]; ++c)
-      append(k.path, entering(curve(h, c)));
+    Corner& k = corners_[2];
+    for (Normal_coordinate c = 0; c < left_.emanating[0]; ++c) append(k.path, curve(h, c));
     if (!is_along_curve(ki)) {
       const std::uint32_t jk = view.next(h);
       Normal_coordinate p = 0;
-      for (; p < left_.cutting[0]; ++p) append(k.path, entering(crossed_[index(p)]));
+      for (; p < left_.cutting[0]; ++p) append(k.path, crossed_[index(p)]);
       for (Normal_coordinate c = left_.emanating[1]; c-- > 0; ++p)
-        append(k.path, entering(curve(jk, c) ^ 1U));
+        append(k.path, curve(jk, c) ^ 1U);
       append_followed(view, ki ^ 1U, p, k.path);
     }
     end_at(k, corner(view, ki, true));
@@ -242,16 +267,15 @@ private:
   // finds m: turns clockwise about i, crosses the curves that cut off i, emanate from j, cut off m
   template <class View>
   void reach_right(const View& view, std::uint32_t h) {
-    Developed_corner& m = corners_[3];
+    Corner& m = corners_[3];
     const std::uint32_t o = h ^ 1U, im = view.next(o);
-    const auto turn_across = [&](std::uint32_t c) { append(m.path, {side(c), side(c ^ 1U)}); };
+    const auto turn_across = [&](std::uint32_t c) { append(m.path, c ^ 1U); };
     if (is_along_curve(h)) turn_across(first_curve(h));
     for (Normal_coordinate c = right_.emanating[1]; c-- > 0;) turn_across(curve(im, c));
     if (!is_along_curve(im)) {
       Normal_coordinate p = 0;
-      for (; p < right_.cutting[1]; ++p) append(m.path, entering(crossed_[index(p)]));
-      for (Normal_coordinate c = 0; c < right_.emanating[0]; ++c, ++p)
-        append(m.path, entering(curve(o, c)));
+      for (; p < right_.cutting[1]; ++p) append(m.path, crossed_[index(p)]);
+      for (Normal_coordinate c = 0; c < right_.emanating[0]; ++c, ++p) append(m.path, curve(o, c));
       append_followed(view, im, p, m.path);
     }
     end_at(m, corner(view, im ^ 1U, false));
@@ -263,9 +287,9 @@ private:
   Corner_coordinates left_, right_;                  // corners i, j, k and j, i, m
   std::vector<std::uint32_t> crossed_, others_;
   std::vector<Curve_bundle> stack_;
-  std::array<Developed_corner, 4> corners_;
+  std::array<Corner, 4> corners_;
   std::size_t steps_ = 0;
-  internal::Corner_unfolder unfolder_{std::numeric_limits<std::size_t>::max()};
+  Unfolded_diamond diamond_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

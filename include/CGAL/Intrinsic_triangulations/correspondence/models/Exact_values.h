@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Flat_parts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
@@ -305,8 +304,7 @@ private:
     if (!parts) parts.emplace(input);
     // where flips have gone on among faces that are not known, those that they made are not known either
     if (parts->number_of_searches() == input.number_of_faces() / 8) find_all_parts(input, *parts);
-    return parts->part(input, d.f, d.g,
-                       [&]() -> const Unfolded_diamond& { return unfolded(d); });
+    return parts->part(input, d.f, d.g, [&]() -> const Unfolded_diamond& { return unfolded(d); });
   }
 
   void find_all_parts(const Input& input, Flat_parts& parts) const {
@@ -330,7 +328,7 @@ private:
   // the halfedge of an edge in a face, where the next one is on another given edge
   std::uint32_t halfedge(std::uint32_t face, std::uint32_t edge, std::uint32_t next) const {
     return view_.face(2 * edge) == face && view_.next(2 * edge) / 2 == next ? 2 * edge
-                                                                           : 2 * edge + 1;
+                                                                            : 2 * edge + 1;
   }
 
   const Triangulation& t_;

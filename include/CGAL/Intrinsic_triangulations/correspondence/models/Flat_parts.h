@@ -47,12 +47,11 @@ public:
     return part_[f] == part_[g] ? part_[f] : none;
   }
   // the part in which all triangles are
-  std::uint32_t part_of(const Input& input,
-                        const std::vector<Unfolded_diamond::Triangle>& triangles) {
-    const std::uint32_t first = triangles.front().face;
+  std::uint32_t part_of(const Input& input, const Unfolded_diamond::Triangles& triangles) {
+    const std::uint32_t first = triangles[0].side.face;
     if (part_of_input_[first] == unknown) find_part(input, first);
     const bool is_flat = std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
-      return part_of_input_[t.face] == part_of_input_[first];
+      return part_of_input_[t.side.face] == part_of_input_[first];
     });
     return is_flat ? part_of_input_[first] : none;
   }
@@ -106,11 +105,11 @@ struct Exact_memory {
   Diamond_unfolder unfolder;
   std::optional<Flat_parts> flat_parts;
   std::optional<bool> are_lengths_positive; // of the input; not known yet
-  std::size_t steps = 0;        // taken for single elements since the last move or pass
-  std::size_t enough_steps = 0; // to ask for all, if there is no list of flips; or more
-  unsigned passes = 0;          // over all elements
-  bool are_sharp = false;       // all faces, since the last move
-  bool are_weighed = false;     // all edges, since the last move
+  std::size_t steps = 0;                    // taken for single elements since the last move or pass
+  std::size_t enough_steps = 0;             // to ask for all, if there is no list of flips; or more
+  unsigned passes = 0;                      // over all elements
+  bool are_sharp = false;                   // all faces, since the last move
+  bool are_weighed = false;                 // all edges, since the last move
   std::vector<std::pair<std::uint32_t, std::optional<double>>> weights; // of edges, if so
 
   // follows moves: what is done next must not depend on what was asked before them

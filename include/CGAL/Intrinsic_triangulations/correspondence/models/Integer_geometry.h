@@ -126,16 +126,14 @@ public:
     Unfolded_diamond strip = exact_.strip(face);
     const auto z = strip.positions<FT>(intervals());
     const auto i = strip.position(0, z), ij = strip.position(1, z) - i;
-    for (std::uint32_t t = 1; t < strip.triangles.size(); ++t) {
-      const Unfolded_diamond::Triangle &triangle = strip.triangles[t],
-                                       &last = strip.triangles[t - 1];
-      for (const bool on_left : {true, false}) {
-        const std::uint32_t point = on_left ? triangle.start() : triangle.end();
-        if (t > 1 && point == (on_left ? last.start() : last.end())) continue;
-        std::optional<Sign> s = certain_sign(cross(ij, z[point] - i));
-        strip.corners[2] = {t, on_left ? triangle.entry : (triangle.entry + 1) % 3};
+    for (std::uint32_t t = 1; t < strip.size(); ++t) {
+      const auto &ends = strip.triangles[t].point, &last = strip.triangles[t - 1].point;
+      for (const std::uint32_t end : {0U, 1U}) { // on the left, and on the right
+        if (t > 1 && ends[end] == last[end]) continue;
+        std::optional<Sign> s = certain_sign(cross(ij, z[ends[end]] - i));
+        strip.corners[2] = {t, end};
         if (!s) s = exact_area_sign(strip);
-        if (*s != (on_left ? POSITIVE : NEGATIVE)) return false;
+        if (*s != (end == 0 ? POSITIVE : NEGATIVE)) return false;
       }
     }
     return true;

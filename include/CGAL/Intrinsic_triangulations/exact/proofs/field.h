@@ -8,9 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/thresholds.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flat_diamond.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/without_corner.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
@@ -61,8 +60,8 @@ private:
                                                      std::optional<typename Asked::Figure>& part) {
     if constexpr (std::is_same_v<typename Asked::Figure, Unfolded_diamond>) {
       const Zero_meaning zero = q.expression.zero_meaning();
-      if (zero == Zero_meaning::collinear_at_source) part = without_corner(q.figure, 1);
-      if (zero == Zero_meaning::collinear_at_target) part = without_corner(q.figure, 0);
+      if (zero == Zero_meaning::collinear_at_source) part = q.figure.without(1);
+      if (zero == Zero_meaning::collinear_at_target) part = q.figure.without(0);
     }
     return part ? *part : q.figure;
   }

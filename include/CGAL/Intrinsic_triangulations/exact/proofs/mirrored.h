@@ -13,7 +13,6 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Mpzf.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -30,15 +29,7 @@ plane has that reflection too, since it is developed from nothing else.
 class Strip_reflection {
 public:
   Strip_reflection(const Input_metric& input, const Unfolded_diamond& diamond)
-      : input_(input), diamond_(diamond), neighbor_(diamond.triangles.size(), {none, none, none}) {
-    for (std::uint32_t t = 1; t < diamond.triangles.size(); ++t) {
-      const Unfolded_diamond::Triangle& child = diamond.triangles[t];
-      const auto& p = diamond.triangles[child.parent].point;
-      const std::uint32_t exit = p[0] == child.end() ? 0 : p[1] == child.end() ? 1 : 2;
-      neighbor_[t][child.entry] = child.parent;
-      neighbor_[child.parent][exit] = t;
-    }
-  }
+      : input_(input), diamond_(diamond) {}
 
   // whether there is one that takes corners i to a and j to b, hence a to i and b to j
   bool exchanges(std::size_t a, std::size_t b) {
@@ -47,14 +38,14 @@ public:
     for (std::uint32_t t = 0; t < diamond_.triangles.size(); ++t)
       for (std::uint32_t k = 0; k < 3; ++k)
         if (diamond_.triangles[t].point[k] == to_i &&
-            maps_all({start.triangle, t, (start.slot + k) % 3}) && image_[i] == to_i &&
+            maps_all({start.triangle, t, (start.corner + k) % 3}) && image_[i] == to_i &&
             image_[j] == diamond_.point(b) && image_[to_i] == i && image_[diamond_.point(b)] == j)
           return true;
     return false;
   }
 
 private:
-  static constexpr std::uint32_t none = 0xffffffffU;
+  static constexpr std::uint32_t none = Unfolded_diamond::Triangles::none;
 
   // corner c of triangle `from` is mapped to corner `sum` - c of triangle `to`
   struct Step {
@@ -75,7 +66,8 @@ private:
       is_done[s.from] = true;
       for (std::uint32_t k = 0; k < 3; ++k) {
         image_[diamond_.triangles[s.from].point[k]] = diamond_.triangles[s.to].point[s.corner(k)];
-        const std::uint32_t next = neighbor_[s.from][k], to = neighbor_[s.to][s.side(k)];
+        const std::uint32_t next = diamond_.triangles[s.from].beyond[k],
+                            to = diamond_.triangles[s.to].beyond[s.side(k)];
         if ((next == none) != (to == none)) return false;
         if (next == none || is_done[next]) continue;
         stack.push_back({next, to, (side_to(next, s.from) + side_to(to, s.to) + 1) % 3});
@@ -86,14 +78,18 @@ private:
   }
 
   std::uint32_t side_to(std::uint32_t t, std::uint32_t neighbor) const {
-    return neighbor_[t][0] == neighbor ? 0 : neighbor_[t][1] == neighbor ? 1 : 2;
+    const auto& beyond = diamond_.triangles[t].beyond;
+    return beyond[0] == neighbor ? 0 : beyond[1] == neighbor ? 1 : 2;
   }
 
   // whether the sides have the same lengths
   bool are_mirrored(const Step& s) const {
-    const std::uint32_t f = diamond_.triangles[s.from].face, g = diamond_.triangles[s.to].face;
+    const auto side = [this](std::uint32_t t, std::uint32_t k) -> Face_side {
+      const Face_side& first = diamond_.triangles[t].side;
+      return {first.face, (first.slot + k) % 3};
+    };
     for (std::uint32_t k = 0; k < 3; ++k)
-      if (!have_same_length({f, k}, {g, s.side(k)})) return false;
+      if (!have_same_length(side(s.from, k), side(s.to, s.side(k)))) return false;
     return true;
   }
   bool have_same_length(Face_side a, Face_side b) const {
@@ -121,8 +117,7 @@ private:
 
   const Input_metric& input_;
   const Unfolded_diamond& diamond_;
-  std::vector<std::array<std::uint32_t, 3>> neighbor_; // across each side
-  std::vector<std::uint32_t> image_;                   // of each point
+  std::vector<std::uint32_t> image_; // of each point
 };
 
 } // namespace internal

@@ -69,10 +69,10 @@ public:
                                                     {{1, 0, -1, 0}, {0, 1, 0, -1}, {1, -1, 1, -1}},
                                                     {{1, 0, 0, -1}, {0, 1, -1, 0}, {1, -1, -1, 1}}};
     return std::any_of(std::begin(pairings), std::end(pairings), [this](const auto& p) {
-             const auto& [base, opposite, both] = p;
-             return (x_vanishes(base) && x_vanishes(opposite) && y_vanishes(both)) ||
-                    (x_vanishes(both) && y_vanishes(base) && y_vanishes(opposite));
-           });
+      const auto& [base, opposite, both] = p;
+      return (x_vanishes(base) && x_vanishes(opposite) && y_vanishes(both)) ||
+             (x_vanishes(both) && y_vanishes(base) && y_vanishes(opposite));
+    });
   }
 
   // Whether three corners are proven to be collinear: x_a (y_b - y_c) + x_b (y_c - y_a) + x_c (y_a
@@ -127,14 +127,13 @@ private:
 
   // puts the next triangle into its panel; false if it is folded along another line, or has no area
   bool add(const Unfolded_diamond::Triangle& t) {
-    const Vector& start = points_[t.start()];
-    const Vector side = difference(points_[t.end()], start),
-                 apex = difference(points_[t.point[(t.entry + 2) % 3]], start),
-                 normal = cross(side, apex);
+    const Vector& start = points_[t.point[0]];
+    const Vector side = difference(points_[t.point[1]], start),
+                 apex = difference(points_[t.point[2]], start), normal = cross(side, apex);
     if (is_zero(normal)) return false;
     Roots height_of_base;
     if (!panels_.empty()) {
-      const std::uint32_t p = panel_[t.parent];
+      const std::uint32_t p = panel_[t.parent()];
       const Vector& n = panels_[p].normal;
       const bool may_be_flat = product(apex, n).is_zero(); // modulo 2^(64 words)
       if (may_be_flat && wide_product(apex, n).is_zero() && wide_product(normal, n).sign() > 0) {
@@ -145,10 +144,10 @@ private:
         ruling_ = side;
       else if (!is_zero(cross(side, ruling_)))
         return false;
-      height_of_base = height(p, t.start());
+      height_of_base = height(p, t.point[0]);
     }
     panel_.push_back(static_cast<std::uint32_t>(panels_.size()));
-    panels_.push_back({normal, t.start(), height_of_base});
+    panels_.push_back({normal, t.point[0], height_of_base});
     return true;
   }
 
@@ -200,11 +199,12 @@ private:
 class Strip_points {
 public:
   Strip_points(const Input_metric& input, const Unfolded_diamond& diamond) {
-    const Input_metric::Sides& first = input.sides(diamond.triangles.front().face);
-    add(input.points()[first[0]]);
-    add(input.points()[first[1]]);
-    for (const Unfolded_diamond::Triangle& t : diamond.triangles)
-      add(input.points()[input.sides(t.face)[(t.entry + 2) % 3]]);
+    const auto add_corner = [&](const Face_side& s, std::uint32_t k) {
+      add(input.points()[input.sides(s.face)[(s.slot + k) % 3]]);
+    };
+    add_corner(diamond.triangles[0].side, 0);
+    add_corner(diamond.triangles[0].side, 1);
+    for (const Unfolded_diamond::Triangle& t : diamond.triangles) add_corner(t.side, 2);
   }
 
   int width() const { return range_.width(); }
@@ -215,8 +215,7 @@ public:
     const auto integer = [this](const Binary_double& x) {
       return x.template scaled<Word_integer<words>>(range_.lowest);
     };
-    for (const auto& [x, y, z] : points_)
-      result.push_back({integer(x), integer(y), integer(z)});
+    for (const auto& [x, y, z] : points_) result.push_back({integer(x), integer(y), integer(z)});
     return result;
   }
 

@@ -5,7 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_UNFOLDED_DIAMOND_H
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Complex_ball.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
@@ -21,12 +23,10 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a tree of input triangles, to be unfolded into a plane, that reaches all corners of a
-diamond.
+\brief is a diamond over the input triangles that reach its corners, unfolded into a plane.
 
-Points 0 and 1 are the ends of side 0 of the first triangle. Triangle number n adds point n + 2, the
-corner opposite the side by which it is entered. With that side from z_t to z_u, squared lengths
-L_t of the side, L_u of the next and L_v of the last, and D = 4 L_t L_v - p^2, p = L_t + L_v - L_u,
+With the first side of a triangle from z_t to z_u, squared lengths L_t of the side, L_u of the next and L_v of the last,
+and D = 4 L_t L_v - p^2, p = L_t + L_v - L_u, its apex is
 
     z_v = z_t + (z_u - z_t) w,     w = (p + sqrt(-D)) / (2 L_t),
 
@@ -36,47 +36,27 @@ not depend on the flips that made the diamond.
 A vertex that was inserted is a combination of the points of one triangle, with rational weights.
 */
 struct Unfolded_diamond {
-  /// An input triangle in the tree.
-  struct Triangle {
-    std::uint32_t face;                 ///< input face
-    std::uint32_t entry;                ///< slot of the side by which it is entered; 0 in the first
-    std::uint32_t parent;               ///< triangle on the other side of it; itself in the first
-    std::array<std::uint32_t, 3> point; ///< points in the corners, where sides 0, 1, 2 start
-
-    /// returns the point where the entry starts.
-    std::uint32_t start() const { return point[entry]; }
-    /// returns the point where the entry ends.
-    std::uint32_t end() const { return point[(entry + 1) % 3]; }
-  };
+  /// The input triangles.
+  using Triangles = Development<Face_side>;
+  /// An input triangle.
+  using Triangle = Triangles::Triangle;
 
   /// A corner of the diamond.
   struct Corner {
     std::uint32_t triangle = 0;             ///< triangle in the tree
-    std::uint32_t slot = 0;                 ///< corner of the triangle
+    std::uint32_t corner = 0;               ///< corner of the triangle, from its first side on
     std::array<double, 3> weights{1, 0, 0}; ///< barycentric coordinates there, from that corner on
     /// tells whether it is a vertex that was inserted, not the corner of the triangle.
     bool is_inserted() const { return weights[0] != 1; }
   };
 
-  /// The tree, parents first.
-  std::vector<Triangle> triangles;
+  /// The tree.
+  Triangles triangles;
   /// Corners i, j, k, m of the diamond.
   std::array<Corner, 4> corners;
 
   /// returns the number of triangles.
   std::size_t size() const { return triangles.size(); }
-
-  /// returns the triangle that is glued along slot `entry` to slot `exit` of triangle `parent`, to
-  /// be added to the tree.
-  Triangle beyond(std::uint32_t parent, std::uint32_t exit, std::uint32_t face,
-                  std::uint32_t entry) const {
-    const std::array<std::uint32_t, 3>& p = triangles[parent].point;
-    Triangle t{face, entry, parent, {}};
-    t.point[entry] = p[(exit + 1) % 3];
-    t.point[(entry + 1) % 3] = p[exit];
-    t.point[(entry + 2) % 3] = static_cast<std::uint32_t>(triangles.size()) + 2;
-    return t;
-  }
 
   /// tells whether a corner is a vertex that was inserted.
   bool has_inserted_corners() const {
@@ -87,16 +67,16 @@ struct Unfolded_diamond {
   bool is_in_space(const Input_metric& input) const {
     return input.is_in_space() ||
            std::all_of(triangles.begin(), triangles.end(),
-                       [&input](const auto& t) { return input.is_in_space(t.face); });
+                       [&input](const auto& t) { return input.is_in_space(t.side.face); });
   }
-  /// returns the numbers of the points of the triangle of a corner, from its slot on.
+  /// returns the numbers of the points of the triangle of a corner, from it on.
   std::array<std::uint32_t, 3> points(const Corner& c) const {
     const std::array<std::uint32_t, 3>& p = triangles[c.triangle].point;
-    return {p[c.slot], p[(c.slot + 1) % 3], p[(c.slot + 2) % 3]};
+    return {p[c.corner], p[(c.corner + 1) % 3], p[(c.corner + 2) % 3]};
   }
   /// returns the number of the point in corner `c` of the diamond. \pre it was not inserted
   std::uint32_t point(std::size_t c) const {
-    return triangles[corners[c].triangle].point[corners[c].slot];
+    return triangles[corners[c].triangle].point[corners[c].corner];
   }
 
   /// A point of the plane into which the triangles are unfolded, where point 0 is the origin and point 1 is (1, 0).
@@ -117,7 +97,9 @@ struct Unfolded_diamond {
     if constexpr (requires { typename internal::Enclosure_parts<FT>::Center; })
       return enclosed_positions<FT>(input);
     Positions<FT> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
-    for (const Triangle& t : triangles) z.push_back(apex(t, z, input(t.face)));
+    triangles.carry(z, [&](const Triangle& t, const Position<FT>& from, const Position<FT>& to) {
+      return apex_between(from, to, t.side.slot, input(t.side.face));
+    });
     return z;
   }
 
@@ -139,7 +121,7 @@ struct Unfolded_diamond {
   Diamond_values<FT> values(const Input_values& input) const {
     const Positions<FT> z = positions<FT>(input);
     return values_of<FT>({position(0, z), position(1, z), position(2, z), position(3, z)},
-                         input(triangles.front().face).first[0]);
+                         squared_unit<FT>(input));
   }
 
   /// returns the values of a diamond with given corners. \param unit the squared length of (1, 0)
@@ -162,18 +144,52 @@ struct Unfolded_diamond {
   FT squared_length(const Input_values& input) const {
     const Positions<FT> z = positions<FT>(input);
     const Position<FT> e = position(1, z) - position(0, z);
-    return input(triangles.front().face).first[0] * dot(e, e);
+    return squared_unit<FT>(input) * dot(e, e);
+  }
+
+  /*!
+  \brief returns the part that reaches all corners but one, which is put where corner k is.
+
+  Three corners may be near to each other and the fourth across hundreds of triangles. What depends on the three alone is
+  decided over the part.
+  \param corner the corner that is left out, not k: 0 for i, 1 for j, 3 for m
+  \complexity linear
+  */
+  Unfolded_diamond without(std::size_t corner) const {
+    Unfolded_diamond part{{}, corners};
+    part.corners[corner] = corners[2];
+    std::vector<unsigned> below(size(), 0); // corners in the triangle and beyond
+    for (const Corner& c : part.corners) ++below[c.triangle];
+    std::uint32_t root = triangles.last(); // the last triangle from which all are reached
+    for (; below[root] < 4; --root) below[triangles[root].parent()] += below[root];
+    std::vector<std::uint32_t> number(size(), Triangles::none);
+    part.triangles.start(triangles[root].side);
+    number[root] = 0;
+    for (std::uint32_t n = root + 1; n < size(); ++n)
+      if (const std::uint32_t parent = number[triangles[n].parent()];
+          below[n] > 0 && parent != Triangles::none)
+        number[n] = part.triangles.enter(parent, triangles.exit_to(n), triangles[n].side);
+    for (Corner& c : part.corners) c.triangle = number[c.triangle];
+    return part;
   }
 
 private:
-  // the apex of a triangle, from the positions of its other corners
+  // the squared length of the first side of the first triangle
+  template <class FT, class Input_values>
+  FT squared_unit(const Input_values& input) const {
+    const Face_side& s = triangles[0].side;
+    return input(s.face).first[s.slot];
+  }
+
+  // the apex of a triangle, from the ends of its first side
   template <class FT, class Face>
-  static Position<FT> apex(const Triangle& t, const Positions<FT>& z, const Face& face) {
+  static Position<FT> apex_between(const Position<FT>& from, const Position<FT>& to,
+                                   std::uint32_t slot, const Face& face) {
     const auto& [l, area] = face;
-    const Position<FT>& a = z[t.start()];
-    return a + FT(FT(1) / (l[t.entry] + l[t.entry])) *
-                   ((z[t.end()] - a) *
-                    scaled_corner(l[t.entry], l[(t.entry + 1) % 3], l[(t.entry + 2) % 3], area));
+    const FT& first = l[slot];
+    return from +
+           FT(FT(1) / (first + first)) *
+               ((to - from) * scaled_corner(first, l[(slot + 1) % 3], l[(slot + 2) % 3], area));
   }
 
   // Sides follow from each other along the tree, so that their errors relative to their lengths only add up; differences of
@@ -185,31 +201,24 @@ private:
   Positions<FT> enclosed_positions(const Input_values& input) const {
     using Vector = Complex_ball<FT>;
     for (const Triangle& t : triangles) // half of the time is spent on waiting for memory otherwise
-      __builtin_prefetch(&input(t.face));
+      __builtin_prefetch(&input(t.side.face));
     Positions<FT> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
-    boost::container::small_vector<std::array<Vector, 3>, 16>
-        sides; // of triangles, from slot to slot
-    for (const Triangle& t : triangles) {
-      const auto& [l, area] = input(t.face);
-      const std::size_t next = (t.entry + 1) % 3, last = (t.entry + 2) % 3;
-      const Vector side = sides.empty() ? Vector() : -sides[t.parent][exit_to(t)];
-      const FT twice = l[t.entry] + l[t.entry];
-      const Vector to_apex = side * Vector(l[t.entry] + l[last] - l[next], area, twice);
-      sides.emplace_back();
-      sides.back()[t.entry] = side;
-      sides.back()[next] = side * Vector(l[last] - l[t.entry] - l[next], area, twice);
-      sides.back()[last] = -to_apex;
-      const Position<FT>& a = z[t.start()];
+    boost::container::small_vector<std::array<Vector, 3>, 16> sides; // of triangles
+    for (std::uint32_t n = 0; n < size(); ++n) {
+      const Triangle& t = triangles[n];
+      const std::uint32_t slot = t.side.slot;
+      const auto& [l, area] = input(t.side.face);
+      const FT &first = l[slot], &next = l[(slot + 1) % 3], &last = l[(slot + 2) % 3];
+      const Vector side = n == 0 ? Vector() : -sides[t.parent()][triangles.exit_to(n)];
+      const FT twice = first + first;
+      const Vector to_apex = side * Vector(first + last - next, area, twice);
+      sides.push_back({side, side * Vector(last - first - next, area, twice), -to_apex});
+      const Position<FT>& a = z[t.point[0]];
       z.push_back(z.size() < few_points
-                      ? apex(t, z, input(t.face))
+                      ? apex_between(a, z[t.point[1]], slot, input(t.side.face))
                       : Position<FT>{a.x + to_apex.real(), a.y + to_apex.imaginary()});
     }
     return z;
-  }
-  // the slot of the parent at which a triangle is glued to it
-  std::size_t exit_to(const Triangle& t) const {
-    const std::array<std::uint32_t, 3>& p = triangles[t.parent].point;
-    return p[1] == t.start() && p[0] == t.end() ? 0 : p[2] == t.start() && p[1] == t.end() ? 1 : 2;
   }
 };
 

@@ -8,7 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 /*!
@@ -34,6 +36,17 @@ struct Input_diamond {
     return {side(left, 0),  side(left, 1),           side(left, 2),           side(right, 1),
             side(right, 2), input(left.face).second, input(right.face).second};
   }
+};
+
+/// A diamond that lies in the plane of an input face in space, with the same orientation.
+struct Flat_diamond {
+  /// A corner, a convex combination of points of the input.
+  struct Corner {
+    std::array<std::uint32_t, 3> points; ///< the points
+    std::array<double, 3> weights;       ///< their weights
+  };
+  std::uint32_t face;            ///< an input face in the plane
+  std::array<Corner, 4> corners; ///< corners i, j, k, m
 };
 
 /// Faces that are unfolded, each the left one of its diamond.

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_DEVELOPMENT_DEVELOPMENT_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_DEVELOPMENT_DEVELOPMENT_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DEVELOPMENT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DEVELOPMENT_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
@@ -23,18 +23,45 @@ namespace CGAL::Intrinsic_triangulations {
 The first side of the first triangle runs from point 0 to point 1, and triangle number n adds point n + 2. Which
 triangles these are is one thing, what is carried along them another: positions in the plane, in any field, or whatever
 else follows at the apex of a triangle from the ends of its first side. Memory stays from tree to tree.
+\tparam Side_ names a side of a triangle of the surface: a halfedge, or a `Face_side`
 */
+template <class Side_ = std::uint32_t>
 class Development {
 public:
-  /// A triangle.
+  /// Type of names of sides.
+  using Side = Side_;
+  /// No triangle.
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// A triangle; its sides and corners are counted from its first side on.
   struct Triangle {
-    std::uint32_t halfedge; ///< its first side, over which it is entered
-    std::uint32_t parent;   ///< the triangle on the other side of it; itself in the first
+    Side side;                          ///< its first side, over which it is entered
     std::array<std::uint32_t, 3> point; ///< where the first side starts, where it ends, the apex
+    /// the triangles beyond its sides, `none` where there is none; a parent comes before its children
+    std::array<std::uint32_t, 3> beyond;
+
+    /// returns the triangle from which it is entered. \pre it is not the first triangle
+    std::uint32_t parent() const { return beyond[0]; }
   };
 
-  /// starts a tree with the face of a halfedge, which is its first side.
-  void start(std::uint32_t halfedge) { triangles_.assign(1, {halfedge, 0, {0, 1, 2}}); }
+  /// starts a tree with a triangle.
+  void start(const Side& side) { triangles_.assign(1, {side, {0, 1, 2}, {none, none, none}}); }
+
+  /*!
+  \brief adds a triangle.
+  \param parent the triangle that it is glued to
+  \param exit the side of the parent along which
+  \param side its first side
+  \return its number
+  */
+  std::uint32_t enter(std::uint32_t parent, unsigned exit, const Side& side) {
+    const auto number = static_cast<std::uint32_t>(size());
+    Triangle& p = triangles_[parent];
+    p.beyond[exit] = number;
+    const std::uint32_t start = p.point[(exit + 1) % 3], end = p.point[exit];
+    triangles_.push_back({side, {start, end, number + 2}, {parent, none, none}});
+    return number;
+  }
 
   /*!
   \brief adds the face of a halfedge, which is entered over it.
@@ -44,46 +71,50 @@ public:
   \param halfedge the halfedge
   */
   template <class Complex>
-  void enter(const Complex& complex, std::uint32_t parent, std::uint32_t halfedge) {
-    const unsigned side = side_of(complex, parent, halfedge ^ 1U);
-    const std::array<std::uint32_t, 3>& p = triangles_[parent].point;
-    const auto apex = static_cast<std::uint32_t>(size() + 2);
-    triangles_.push_back({halfedge, parent, {p[(side + 1) % 3], p[side], apex}});
+  std::uint32_t enter(const Complex& complex, std::uint32_t parent, std::uint32_t halfedge) {
+    const std::uint32_t first = triangles_[parent].side, exit = halfedge ^ 1U;
+    return enter(parent, exit == first ? 0U : exit == complex.next(first) ? 1U : 2U, halfedge);
   }
 
   /// returns the number of triangles.
   std::size_t size() const { return triangles_.size(); }
   /// returns the number of the triangle that was added last.
   std::uint32_t last() const { return static_cast<std::uint32_t>(size() - 1); }
-  /// returns a triangle; parents come before those that are glued to them.
+  /// returns a triangle.
   const Triangle& operator[](std::size_t n) const { return triangles_[n]; }
+  /// returns the first triangle.
+  auto begin() const { return triangles_.begin(); }
+  /// returns what comes after the last triangle.
+  auto end() const { return triangles_.end(); }
 
-  /// returns the side of its parent over which a triangle is entered: 0 for the first side.
-  template <class Complex>
-  unsigned side_towards(const Complex& complex, std::uint32_t child) const {
-    return side_of(complex, triangles_[child].parent, triangles_[child].halfedge ^ 1U);
+  /// returns the side of its parent over which a triangle is entered.
+  unsigned exit_to(std::uint32_t child) const {
+    const auto& b = triangles_[triangles_[child].parent()].beyond;
+    return b[2] == child ? 2 : b[1] == child ? 1 : 0;
   }
 
   /*!
   \brief carries values from point to point.
-  \tparam Step a functor from the number of a triangle, and the values where its first side starts and ends, to that at
-  its apex
+  \tparam Values a sequence, such as `std::vector`
+  \tparam Step a functor from a triangle, and the values where its first side starts and ends, to that at its apex
   \param at values at the first points: two at least; those at others are added
   \param step the functor
   \param count number of triangles whose apex is wanted
   */
-  template <class Value, class Step>
-  void carry(std::vector<Value>& at, const Step& step,
+  template <class Values, class Step>
+  void carry(Values& at, const Step& step,
              std::size_t count = std::numeric_limits<std::size_t>::max()) const {
     count = std::min(count, size());
     at.reserve(count + 2);
-    for (std::size_t n = at.size() - 2; n < count; ++n)
-      at.push_back(step(n, at[triangles_[n].point[0]], at[triangles_[n].point[1]]));
+    for (std::size_t n = at.size() - 2; n < count; ++n) {
+      const Triangle& t = triangles_[n];
+      at.push_back(step(t, at[t.point[0]], at[t.point[1]]));
+    }
   }
 
   /*!
   \brief develops the triangles into the plane.
-  \tparam Values a functor from a halfedge to the `Face_values<FT>` of its face, from the halfedge on
+  \tparam Values a functor from a side to the `Face_values<FT>` of its face, from that side on
   \param z positions of the first two points at least, or none: then they are 0 and 1; those of others are added
   \param values the functor
   \param count see `carry()`
@@ -91,27 +122,21 @@ public:
   template <class FT, class Values>
   void develop(std::vector<Plane_vector<FT>>& z, const Values& values,
                std::size_t count = std::numeric_limits<std::size_t>::max()) const {
-    const auto place = [&](std::size_t n) {
-      const Face_values<FT> v = values(triangles_[n].halfedge);
+    const auto place = [&](const Triangle& t) {
+      const Face_values<FT> v = values(t.side);
       return apex(v.squared_lengths[0], v.squared_lengths[1], v.squared_lengths[2],
                   v.quadruple_area);
     };
-    if (z.empty()) z = {{FT(0), FT(0)}, {FT(1), FT(0)}, place(0)};
+    if (z.empty()) z = {{FT(0), FT(0)}, {FT(1), FT(0)}, place(triangles_.front())};
     carry(
         z,
-        [&](std::size_t n, const Plane_vector<FT>& from, const Plane_vector<FT>& to) {
-          return from + (to - from) * place(n);
+        [&](const Triangle& t, const Plane_vector<FT>& from, const Plane_vector<FT>& to) {
+          return from + (to - from) * place(t);
         },
         count);
   }
 
 private:
-  template <class Complex>
-  unsigned side_of(const Complex& complex, std::uint32_t triangle, std::uint32_t halfedge) const {
-    const std::uint32_t first = triangles_[triangle].halfedge;
-    return halfedge == first ? 0 : halfedge == complex.next(first) ? 1 : 2;
-  }
-
   std::vector<Triangle> triangles_;
 };
 
@@ -137,4 +162,4 @@ struct Straight_line {
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_DEVELOPMENT_DEVELOPMENT_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DEVELOPMENT_H

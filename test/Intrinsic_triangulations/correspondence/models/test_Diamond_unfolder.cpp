@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/unfold_corners.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 
 #include "gallery.h"
 #include "meshes.h"
@@ -220,7 +220,7 @@ std::size_t check_all_diamonds(const Walk& walk) {
   return result;
 }
 
-TEST(unfold_corners, agrees_exactly_with_repeated_moves_on_meshes) {
+TEST(Diamond_unfolder, agrees_exactly_with_repeated_moves_on_meshes) {
   std::size_t checked = 0;
   for (unsigned seed = 1; seed <= 4; ++seed)
     for (const meshes::Mesh& m : {meshes::box(1, 1, 1), meshes::integer_height_field(2, 3, seed)}) {
@@ -233,7 +233,7 @@ TEST(unfold_corners, agrees_exactly_with_repeated_moves_on_meshes) {
   EXPECT_GT(checked, 200U);
 }
 
-TEST(unfold_corners, agrees_exactly_with_repeated_moves_on_Delta_complexes) {
+TEST(Diamond_unfolder, agrees_exactly_with_repeated_moves_on_Delta_complexes) {
   std::size_t checked = 0;
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
@@ -247,7 +247,7 @@ TEST(unfold_corners, agrees_exactly_with_repeated_moves_on_Delta_complexes) {
 }
 
 // an insertion on an edge, and one that is as near to it as weights allow
-TEST(unfold_corners, lets_the_field_tell_a_straight_angle_from_one_that_is_bent_by_an_ulp) {
+TEST(Diamond_unfolder, lets_the_field_tell_a_straight_angle_from_one_that_is_bent_by_an_ulp) {
   std::array<std::size_t, 2> straight{};
   for (const bool is_bent : {false, true}) {
     Walk walk(meshes::integer_height_field(2, 3, 11).input(), 11);
@@ -262,9 +262,8 @@ TEST(unfold_corners, lets_the_field_tell_a_straight_angle_from_one_that_is_bent_
     places::Unfolded<Exact> unfolded(t);
     for (const Halfedge e : walk.inner_edges()) {
       const IT::Convexity_at_source_expression expression;
-      const auto answer =
-          proof(IT::Question{t.input().metric(), unfolded.diamond(e.index),
-                             IT::recorded(expression)});
+      const auto answer = proof(
+          IT::Question{t.input().metric(), unfolded.diamond(e.index), IT::recorded(expression)});
       const bool expected = expression(t.correspondence().values(t.diamond(e))).is_zero();
       EXPECT_EQ(answer, expected ? IT::Answer::zero : IT::Answer::not_zero);
       ++(expected ? zeros : others);
