@@ -5,6 +5,7 @@
 #define INTRINSIC_LOAD_H
 
 #include "constraints.h"
+#include "file_formats.h"
 #include "metric.h"
 #include "options.h"
 #include "support/naming_file.h"
@@ -62,7 +63,7 @@ Surface_choice surface_of(const Options& options);
 
 /// tells whether a file name has the extension of intrinsic triangulations.
 inline bool is_triangulation_file(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".idt";
+  return is_file_of(Contents::triangulation, path);
 }
 
 /// returns the number of faces of the user that an input was made of, as far as it has parts of them.

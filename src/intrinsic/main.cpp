@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands.h"
+#include "file_formats.h"
 #include "option_groups.h"
 #include "options.h"
 #include "output_files.h"
@@ -40,7 +41,7 @@ void add_refine(CLI::App& app, Options& options, Command& chosen) {
   command
       .add_option("--laplacian", options.laplacian,
                   "write the Laplacian of the refined triangulation in Matrix Market format")
-      ->check(program::matrix_file());
+      ->check(program::file_of({program::Contents::matrix}));
   program::add_matrix_options(command, options);
   command.callback([&options, &chosen] {
     options.refines = true;
@@ -55,7 +56,7 @@ void add_laplacian(CLI::App& app, Options& options, Command& chosen) {
   program::add_constraint_options(command, options);
   program::add_metric_option(command, options);
   command.add_option("-o", options.laplacian, "write the Laplacian in Matrix Market format")
-      ->check(program::matrix_file());
+      ->check(program::file_of({program::Contents::matrix}));
   program::add_matrix_options(command, options);
   command.add_flag("--no-flip", options.no_flip, "take the triangulation as it is");
   command.callback([&options, &chosen] {
@@ -82,7 +83,7 @@ void add_transfer(CLI::App& app, Options& options, Command& chosen) {
       ->check(CLI::IsMember({"L2", "pointwise"}));
   command
       .add_option("-o", options.output, "write values (.txt) or the common subdivision (.ply .vtp)")
-      ->check(program::text_or_mesh());
+      ->check(program::file_of({program::Contents::values, program::Contents::valued_subdivision}));
   CLI::Option* const refine = command.add_flag(
       "--refine", options.refines, "refine the triangulation, as the command refine does");
   program::add_constraint_options(command, options);
@@ -167,7 +168,7 @@ void add_field(CLI::App& app, Options& options, Command& chosen) {
   command
       .add_option("--singularities", options.application.singularities,
                   "write the singularities: points with their index (.vtp .obj .ply)")
-      ->check(program::polyline_file());
+      ->check(program::file_of({program::Contents::points}));
   command
       .add_option("--align", options.application.alignment,
                   "follow the directions of principal curvature, so strongly; 0: as smoothly as it "

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "option_groups.h"
+#include "file_formats.h"
 #include "geodesic/asked_curves.h"
-
-#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 
 #include <algorithm>
 #include <array>
@@ -19,32 +17,6 @@ namespace program {
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
-
-CLI::Validator triangulation_or_mesh() {
-  return CLI::Validator(
-      [](std::string& path) {
-        const std::string extension = std::filesystem::path(path).extension().string();
-        return extension == ".idt" || IT::is_common_subdivision_extension(extension)
-                   ? std::string()
-                   : path + ": the format is not offered; write the common subdivision to .ply, "
-                            ".obj, .off, .stl or .vtp, or the intrinsic triangulation to .idt";
-      },
-      "FILE");
-}
-
-CLI::Validator curve_file() {
-  return CLI::Validator(
-      [](std::string& path) {
-        const std::string extension = std::filesystem::path(path).extension().string();
-        return IT::is_polyline_extension(extension) ||
-                       IT::is_common_subdivision_extension(extension) || extension == ".idt"
-                   ? std::string()
-                   : path + ": the format is not offered; write curves to .vtp, .obj or .ply, with "
-                            "--subdivision the common subdivision to .ply, .obj, .off, .stl or "
-                            ".vtp, or the intrinsic triangulation to .idt";
-      },
-      "FILE");
-}
 
 CLI::Validator curve_points(std::size_t least) {
   return CLI::Validator([least](std::string& text) { return curve_points_misuse(text, least); },
@@ -105,54 +77,16 @@ bool has_other_correspondence(const Options& o) {
 
 // What is wrong with the file of curves.
 std::string curve_output_misuse(const Options& o) {
-  const std::string extension = std::filesystem::path(o.output).extension().string();
   const bool is_subdivision = o.geodesic.writes_subdivision;
   if (is_subdivision && !is_mesh_output(o))
-    return "--subdivision needs -o with .ply, .obj, .off, .stl or .vtp";
-  if (!is_subdivision && is_mesh_output(o) && !IT::is_polyline_extension(extension))
-    return "curves cannot be written to " + extension +
-           "; write .vtp, .obj or .ply, or the common subdivision with --subdivision";
+    return "--subdivision needs -o with " + extensions_of(Contents::subdivision);
+  if (!is_subdivision && is_mesh_output(o) && !is_file_of(Contents::curves, o.output))
+    return o.output + ": write curves to " + extensions_of(Contents::curves) +
+           ", or the common subdivision with --subdivision";
   return {};
 }
 
 } // namespace
-
-CLI::Validator matrix_file() { return extension(".mtx", "matrices in Matrix Market format"); }
-
-CLI::Validator polyline_file() {
-  return CLI::Validator(
-      [](std::string& path) {
-        return IT::is_polyline_extension(std::filesystem::path(path).extension().string())
-                   ? std::string()
-                   : path + ": the format is not offered; write points to .vtp, .obj or .ply";
-      },
-      "FILE");
-}
-
-CLI::Validator text_or_mesh() {
-  return CLI::Validator(
-      [](std::string& path) {
-        const std::string extension = std::filesystem::path(path).extension().string();
-        return extension == ".txt" || extension == ".ply" || extension == ".vtp"
-                   ? std::string()
-                   : path +
-                         ": write values to .txt, or the common subdivision with them to .ply or "
-                         ".vtp";
-      },
-      "FILE");
-}
-
-CLI::Validator text_or_surface() {
-  return CLI::Validator(
-      [](std::string& path) {
-        const std::string extension = std::filesystem::path(path).extension().string();
-        return extension == ".txt" ||
-                       CGAL::Intrinsic_triangulations::is_common_subdivision_extension(extension)
-                   ? std::string()
-                   : path + ": write values to .txt, or the surface to .ply .obj .off .stl .vtp";
-      },
-      "FILE");
-}
 
 void add_common_options(CLI::App& command, Options& options) {
   command
@@ -301,7 +235,7 @@ void add_adaptive_options(CLI::App& command, Options& options) {
 void add_matrix_options(CLI::App& command, Options& options) {
   const auto matrix = [&command](const char* name, std::string& path, const char* what) {
     command.add_option(name, path, std::string("write ") + what + " in Matrix Market format")
-        ->check(matrix_file());
+        ->check(file_of({Contents::matrix}));
   };
   matrix("--mass", options.mass, "the mass matrix");
   command.add_option("--mass-kind", options.mass_kind, "lumped (diagonal, default) or galerkin")
@@ -322,7 +256,7 @@ void add_correspondence_options(CLI::App& command, Options& options) {
       .add_option("-o", options.output,
                   "write the common subdivision (.ply .obj .off .stl .vtp) or the intrinsic "
                   "triangulation (.idt)")
-      ->check(triangulation_or_mesh());
+      ->check(file_of({Contents::subdivision, Contents::triangulation}));
   command.add_option("--view", options.view, "write a page that shows the triangulation")
       ->type_name("FILE");
 }
@@ -381,7 +315,7 @@ void add_curve_output_options(CLI::App& command, Options& options) {
   command
       .add_option("-o", options.output,
                   "write curves (.vtp .obj .ply) or the intrinsic triangulation (.idt)")
-      ->check(curve_file());
+      ->check(file_of({Contents::curves, Contents::subdivision, Contents::triangulation}));
   command.add_flag("--subdivision", options.geodesic.writes_subdivision,
                    "-o writes the common subdivision, with the number of the curve at its vertices "
                    "(.ply .obj .off .stl .vtp)");
@@ -404,7 +338,7 @@ void add_application_options(CLI::App& command, Options& options, bool has_sourc
   command
       .add_option("-o", options.output,
                   "write values (.txt), or the surface with them (.ply .obj .off .stl .vtp)")
-      ->check(text_or_surface());
+      ->check(file_of({Contents::values, Contents::subdivision}));
   command
       .add_option("--on", options.application.on,
                   "where they are written: on the common subdivision (default), the input, or the "

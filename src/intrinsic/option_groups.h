@@ -13,16 +13,6 @@
 
 namespace program {
 
-/// returns a check that a file is one of a matrix.
-CLI::Validator matrix_file();
-/// returns a check that a file is one of values, or of the common subdivision with values.
-CLI::Validator text_or_mesh();
-/// files of curves and points
-CLI::Validator polyline_file();
-
-/// returns a check that a file is one of values, or of a surface.
-CLI::Validator text_or_surface();
-
 /// adds the input, and what all commands take.
 void add_common_options(CLI::App& command, Options& options);
 /// adds edges that are kept.

@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "options.h"
-
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
-
-#include <filesystem>
+#include "file_formats.h"
 
 namespace program {
 
 bool is_mesh_output(const Options& options) {
-  return !options.output.empty() && CGAL::Intrinsic_triangulations::is_common_subdivision_extension(
-                                        std::filesystem::path(options.output).extension().string());
+  return is_file_of(Contents::subdivision, options.output);
 }
 
 bool has_constraints(const Options& options) {

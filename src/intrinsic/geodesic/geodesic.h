@@ -5,6 +5,7 @@
 #define INTRINSIC_GEODESIC_GEODESIC_H
 
 #include "../delaunay.h"
+#include "../file_formats.h"
 #include "Geodesic_curves.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
@@ -96,10 +97,10 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   if (!options.output.empty() && !options.geodesic.writes_subdivision) {
     progress.show("writing");
     files.write(options.output, [&](std::ostream& out) {
-      const std::string extension = std::filesystem::path(options.output).extension().string();
-      if (IT::is_polyline_extension(extension)) {
+      if (is_file_of(Contents::curves, options.output)) {
         expect_points(loaded, options);
-        IT::write_polylines(out, extension, curves.shortened());
+        IT::write_polylines(out, std::filesystem::path(options.output).extension().string(),
+                            curves.shortened());
       } else {
         IT::write_intrinsic_triangulation(out, t);
       }

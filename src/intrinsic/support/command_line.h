@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <sstream>
 #include <string>
 
@@ -20,18 +19,6 @@ namespace program {
 
 /// Longest word of a command line that messages repeat.
 constexpr std::size_t longest_argument = 60;
-
-/// returns a check of the extension of a file, which is all that can be written of `what`.
-inline CLI::Validator extension(const std::string& wanted, const std::string& what) {
-  return CLI::Validator(
-      [=](std::string& path) {
-        return std::filesystem::path(path).extension() == wanted
-                   ? std::string()
-                   : path + ": this version writes " + what + ", to a file with extension " +
-                         wanted + " only";
-      },
-      "FILE" + wanted);
-}
 
 /// returns a check that a number is in a range, which NaN is not.
 inline CLI::Validator between(double least, double most) {

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "file_formats.h"
+
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace program {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+struct Format {
+  std::string_view words;
+  std::span<const std::string_view> extensions; // without the dot
+};
+
+constexpr std::array<std::string_view, 1> triangulation{"idt"};
+constexpr std::array<std::string_view, 1> values{"txt"};
+constexpr std::array<std::string_view, 2> with_values{"ply", "vtp"};
+constexpr std::array<std::string_view, 1> matrix{"mtx"};
+
+// in the order of `Contents`
+constexpr std::array<Format, 7> formats{
+    {{"the intrinsic triangulation", triangulation},
+     {"the common subdivision", IT::common_subdivision_extensions},
+     {"curves", IT::polyline_extensions},
+     {"points", IT::polyline_extensions},
+     {"values", values},
+     {"the common subdivision with values", with_values},
+     {"matrices in Matrix Market format", matrix}}};
+
+const Format& format(Contents contents) { return formats[static_cast<std::size_t>(contents)]; }
+
+// "a, b or c"
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  return text;
+}
+
+} // namespace
+
+bool is_file_of(Contents contents, const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  if (extension.empty()) return false;
+  std::ranges::transform(extension, extension.begin(), [](char c) {
+    return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return std::ranges::count(format(contents).extensions, std::string_view(extension).substr(1)) !=
+         0;
+}
+
+std::string extensions_of(Contents contents) {
+  std::vector<std::string> words;
+  for (const std::string_view extension : format(contents).extensions)
+    words.push_back("." + std::string(extension));
+  return listed(words);
+}
+
+CLI::Validator file_of(std::vector<Contents> offered) {
+  return CLI::Validator(
+      [offered = std::move(offered)](std::string& path) {
+        std::vector<std::string> words;
+        for (const Contents contents : offered) {
+          if (is_file_of(contents, path)) return std::string();
+          words.push_back(std::string(format(contents).words) + " to " + extensions_of(contents));
+        }
+        return path + ": the format is not offered; write " + listed(words);
+      },
+      "FILE");
+}
+
+} // namespace program
