@@ -27,7 +27,7 @@ the comments in the headers, and a test checks that it is up to date. All names 
 """
 PACKAGES = ("Intrinsic_triangulations", "Intrinsic_geodesics", "Intrinsic_operators")
 GROUP = re.compile(r'^  group\["([^"]+)"\]\s*= "(\w+)"$', re.MULTILINE)
-TOPIC = re.compile(r"\\defgroup (\w+) ([^\n]+)\n\\ingroup page_reference\n\\brief ([^\n]+)")
+TOPIC = re.compile(r"\\defgroup (\w+) ([^\n]+)\n\\ingroup page_reference\n\\brief (.*?)(?=\n\n|\n\*/)", re.DOTALL)
 INTERNAL = re.compile(r"^namespace internal \{$.*?^\} // namespace internal$", re.MULTILINE | re.DOTALL)
 # A comment of an entity in a namespace: others are indented.
 ENTITY = re.compile(r"^(?:/\*!\n\\brief (.*?)\*/\n|((?:/// [^\n]*\n)+))(?!#|$)(.*?)(?:\{|;)", re.MULTILINE | re.DOTALL)
@@ -66,7 +66,8 @@ def brief(comment):
 def topics():
     """The topics that programs use, in their order: their names, titles and briefs."""
     text = (ROOT / "doc/Intrinsic_triangulations/groups.h").read_text(encoding="utf-8")
-    return [t for t in TOPIC.findall(text) if not t[1].startswith("Inside") and t[0] != "ref_concepts"]
+    return [(name, title, " ".join(text.split())) for name, title, text in TOPIC.findall(text)
+            if not title.startswith("Inside") and name != "ref_concepts"]
 
 
 def topic_of(header, groups):

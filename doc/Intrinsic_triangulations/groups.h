@@ -1,20 +1,21 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Read by doxygen only: the topics of the reference manual, in the order in which it lists them. Which header
-// belongs to which is in doc/group_header.py.
+// Read by doxygen only: the topics of the reference manual, in the order in which it lists them.
+// doc/group_header.awk says which header belongs to which topic.
 
 /*!
 \defgroup page_reference Reference manual
 \brief All names, by topic.
 
-All names are in the namespace `CGAL::Intrinsic_triangulations` unless they say otherwise. `#include
-<CGAL/Intrinsic_triangulations.h>` has what most programs need. Headers to be included besides are those of `operators/`, of
-OpenMesh and `CGAL::Polyhedron_3` in `connectivity/adaptors/`, of `.idt` files in `IO/idt/` and pages in `IO/view/`, and of
-incidence matrices and validity in `connectivity/`; the page of each name says which header it is in.
+All names are in the namespace `CGAL::Intrinsic_triangulations` unless they say otherwise. Each of
+the three packages has one header with what most programs need: `CGAL/Intrinsic_triangulations.h`,
+`CGAL/Intrinsic_geodesics.h` and `CGAL/Intrinsic_operators.h`, which needs Eigen. A few names need
+their own header: the adaptors of OpenMesh and `CGAL::Polyhedron_3` in `connectivity/adaptors/`,
+`.idt` files in `IO/idt/`, pages in `IO/view/`. The page of each name says which header it is in.
 
 Names that programs use come first. Read the topics whose names begin with *Inside* if you write a
-model of a concept, or want to know how something works. The comments cite sections, figures and
+model of a concept, or want to know how the package works. The comments cite sections, figures and
 equations of the course *Geometry Processing with Intrinsic Triangulations* (Sharp, Gillespie, Crane
 2021).
 */
@@ -22,16 +23,16 @@ equations of the course *Geometry Processing with Intrinsic Triangulations* (Sha
 /*!
 \defgroup ref_concepts Concepts
 \ingroup page_reference
-\brief What template parameters must be: meaning, cost, and which operation needs which function.
+\brief Requirements on template parameters: meaning, cost, and which operation needs which function.
 
 A C++20 concept of the same name, in `CGAL::Intrinsic_triangulations`, checks the syntax of each.
 
 Concepts of CGAL that pages name:
-[Field](https://doc.cgal.org/latest/Algebraic_foundations/classField.html) (numbers with the four operations),
-[FaceListGraph](https://doc.cgal.org/latest/BGL/classFaceListGraph.html),
+[Field](https://doc.cgal.org/latest/Algebraic_foundations/classField.html) (numbers with the four
+operations), [FaceListGraph](https://doc.cgal.org/latest/BGL/classFaceListGraph.html),
 [HalfedgeListGraph](https://doc.cgal.org/latest/BGL/classHalfedgeListGraph.html) and
-[MutableFaceGraph](https://doc.cgal.org/latest/BGL/classMutableFaceGraph.html) (meshes by way of the BGL). *An instance of*
-a class template is that template with any arguments.
+[MutableFaceGraph](https://doc.cgal.org/latest/BGL/classMutableFaceGraph.html) (meshes by way of the
+BGL). *An instance of* a class template is that template with any arguments.
 */
 
 /*!
@@ -47,7 +48,8 @@ results on the input.
 /*!
 \defgroup ref_input Input
 \ingroup page_reference
-\brief What a triangulation is built from, and remembers: meshes, arrays, lengths; names; treatment of degenerate faces.
+\brief What a triangulation is built from, and remembers: meshes, arrays, lengths; names; treatment
+of degenerate faces.
 */
 
 /*!
@@ -65,13 +67,14 @@ results on the input.
 /*!
 \defgroup ref_measures Measures
 \ingroup page_reference
-\brief Of a surface, its vertices and edges: area, curvature, weights.
+\brief Area, curvature and weights of a surface, its vertices and edges.
 */
 
 /*!
 \defgroup ref_refinement Refinement and optimization
 \ingroup page_reference
-\brief Vertices inserted until faces are good, or where an error is large; moved to an optimal Delaunay triangulation.
+\brief Vertices inserted until faces are good, or where an error is large; moved to an optimal
+Delaunay triangulation.
 */
 
 /*!
@@ -101,19 +104,20 @@ results on the input.
 /*!
 \defgroup ref_curves Geodesic curves
 \ingroup page_reference
-\brief Paths, loops and networks along edges, made geodesic by flips (chapter 5 of the course), and the geodesics between points.
+\brief Paths, loops and networks along edges, made geodesic by flips (chapter 5 of the course), and
+the geodesics between points.
 */
 
 /*!
 \defgroup ref_operators Operators
 \ingroup page_reference
-\brief Matrices, solutions, estimates of their errors, and transfer. Headers in `operators/`; they need Eigen.
+\brief Matrices, solvers, estimates of errors, and transfer. They need Eigen.
 */
 
 /*!
 \defgroup ref_applications Applications
 \ingroup page_reference
-\brief Distances, vectors, maps to the plane, editing: what is solved with the operators. Headers in `applications/`; they need Eigen.
+\brief Distances by heat, vectors, maps to the plane, editing. They need Eigen.
 */
 
 /*!
@@ -121,13 +125,13 @@ results on the input.
 \ingroup page_reference
 \brief Meshes in; triangulations, subdivisions and pages out.
 
-What is in the files: \ref page_file_format, \ref page_output_formats, \ref page_viewer.
+These pages describe the files: \ref page_file_format, \ref page_output_formats, \ref page_viewer.
 */
 
 /*!
 \defgroup ref_connectivity Connectivity
 \ingroup page_reference
-\brief Triangles that are glued together, made of meshes and made into meshes; validity, topology, orientation.
+\brief Triangles that are glued together, from meshes and to meshes; topology, orientation.
 */
 
 /*!
@@ -157,15 +161,15 @@ What is in the files: \ref page_file_format, \ref page_output_formats, \ref page
 /*!
 \defgroup ref_exact Inside exact arithmetic
 \ingroup page_reference
-\brief How a sign is found where intervals leave it open.
+\brief How exact arithmetic finds a sign that intervals leave open.
 
-| step | done by |
+| step | where |
 |---|---|
 | the question | expressions such as \itc{Delaunay_expression}, models of \itc{DiamondExpression} |
-| its evaluation beyond intervals of doubles | \itc{Recorded_diamond_expression}, \itc{Recorded_face_expression} |
+| the record of its steps, to evaluate it beyond intervals of doubles | \itc{Recorded_diamond_expression}, \itc{Recorded_face_expression} |
 | what decides, in which order | \itc{Exact_ladder}, ladder.h |
-| on what | \itc{Unfolded_diamond}: input triangles under a diamond; \itc{Replayed_faces}: flips that made faces |
-| what a proof is | \itc{Question}, \itc{ProofOf} |
+| the figure that it decides on | \itc{Unfolded_diamond}: input triangles under a diamond; \itc{Replayed_faces}: flips that made faces |
+| the interface of a proof | \itc{Question}, \itc{ProofOf} |
 | two input faces, in integers of fixed size | \itc{Input_integers_proof} |
 | diamonds in one plane | \itc{Flat_proof} |
 | cylinders and prisms | \itc{Prism_proof}, \itc{Prism_in_field_proof} |
@@ -182,5 +186,5 @@ What is in the files: \ref page_file_format, \ref page_output_formats, \ref page
 /*!
 \defgroup ref_numbers Inside numbers
 \ingroup page_reference
-\brief Square roots of rationals, finite fields, numbers of fixed precision with a bound on their error.
+\brief Square roots of rationals, and numbers of fixed precision with a bound on their error.
 */

@@ -7,8 +7,9 @@
 \class CorrespondingTriangulation CorrespondingTriangulation.h <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 \cgalConcept
 
-The concept `CorrespondingTriangulation` describes a triangulation that knows where it is on its input. The same queries
-answer for every correspondence: integer coordinates, explicit crossings, signposts.
+The concept `CorrespondingTriangulation` describes a triangulation with a correspondence, which says
+where it is on its input. The same queries serve every correspondence: integer coordinates, explicit
+crossings, signposts.
 
 \cgalRefines{\ref ::NumberedTriangulation}
 
@@ -25,7 +26,7 @@ answer for every correspondence: integer coordinates, explicit crossings, signpo
 
 \cgalHeading{Invariants}
 
-What the correspondence says is true of the mesh and the metric as they are.
+The correspondence describes the mesh and the metric as they are.
 
 \cgalHeading{Complexity}
 
@@ -42,15 +43,16 @@ public:
     static bool is_exact;
   };
 
-  /// returns the sign of an expression in the values of faces, which decides on which side of a curve a point lies; see
-  /// \ref ::IntrinsicMetric.
+  /// returns the sign of an expression in the values of faces, which decides on which side of a
+  /// curve a point lies; see \ref ::IntrinsicMetric.
   template <class Expression>
   CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
                   const Expression& expression) const;
   /// makes what is stored of faces as accurate as it can be.
   void sharpen(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces) const;
 
-  /// returns the correspondence: a model of \ref ::CurveCoordinates, or a class with `input()` and a member template
-  /// `queries(t)`, which returns an object with the functions of \itc{Curve_queries}.
+  /// returns the correspondence: a model of \ref ::CurveCoordinates, or a class with `input()` and
+  /// a member template `queries(t)`, which returns an object with the functions of
+  /// \itc{Curve_queries}.
   unspecified_type correspondence() const;
 };

@@ -7,12 +7,12 @@
 \class CurveCoordinates CurveCoordinates.h <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 \cgalConcept
 
-The concept `CurveCoordinates` describes a correspondence that knows, as integers, how the input's edges run over the
-intrinsic triangulation: they are *curves* on it (§3.5 of the course).
+The concept `CurveCoordinates` describes a correspondence that stores, as integers, how the input's
+edges run over the intrinsic triangulation: they are *curves* on it (§3.5 of the course).
 
-All that asks where things are on the other triangulation is written over this concept.
-\itc{Signposts} is not a model, but
-\itf{integer_coordinates} makes one from it by tracing, which may fail, and says so.
+All queries about places on the other triangulation need only this concept. \itc{Signposts} is not a
+model, but \itf{integer_coordinates} makes one from it by tracing. Tracing may fail; then the
+function says so.
 
 \cgalRefines{\ref ::IntrinsicCorrespondence}
 
@@ -21,7 +21,7 @@ All that asks where things are on the other triangulation is written over this c
 
 \cgalHeading{Types}
 
-\itc{Normal_coordinate}, a signed integer. Elements are named by numbers.
+\itc{Normal_coordinate}, a signed integer. Numbers name elements.
 
 \cgalHeading{Which operation needs what}
 
@@ -29,17 +29,18 @@ All that asks where things are on the other triangulation is written over this c
 |---|---|
 | \itf{follow_curve}, \itf{corner_coordinates} | `normal_coordinate` |
 | \itf{edge_crossings} | also `number_of_edges` |
-| \itf{trace_edge} | `input`, `normal_coordinate`; the list of crossings, where there is one |
+| \itf{trace_edge} | `input`, `normal_coordinate`; the list of crossings, if there is one |
 | \itf{common_subdivision}, \itf{locate_on_input}, \itf{locate_on_intrinsic} | all |
 | \itf{tangent_to_input}, \itf{tangent_to_intrinsic} | `input`, `fans`, `normal_coordinate`, `roundabout` |
 | \itc{Face_vector_transfer} | `input` |
 
 \cgalHeading{Invariants}
 
-- In every face the normal coordinates of the sides are those of curves that do not cross each other and do not turn
-  back: what the corner coordinates of Eq. 9 and 10 of the course count is not negative and whole.
+- In every face the normal coordinates of the sides are those of curves that do not cross each other
+  and do not turn back: the corner coordinates of Eq. 9 and 10 of the course are nonnegative
+  integers.
 - An edge along which a curve runs has coordinate -1, and no curve crosses it.
-- Roundabouts of the halfedges about a vertex of the input come in the order of its curves.
+- Roundabouts of the halfedges about a vertex of the input are in the order of its curves.
 
 \cgalHeading{Complexity}
 
@@ -57,7 +58,8 @@ public:
   std::uint32_t number_of_edges() const;
   /// returns how many curves cross an intrinsic edge; -1 if one runs along it.
   CGAL::Intrinsic_triangulations::Normal_coordinate normal_coordinate(std::uint32_t edge) const;
-  /// returns the slot in `fans()` of the first curve counterclockwise from an intrinsic halfedge, itself included.
+  /// returns the slot in `fans()` of the first curve counterclockwise from an intrinsic halfedge,
+  /// itself included.
   std::uint32_t roundabout(std::uint32_t halfedge) const;
   /// tells whether a vertex was inserted.
   bool is_inserted(std::uint32_t vertex) const;

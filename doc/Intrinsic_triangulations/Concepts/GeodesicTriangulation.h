@@ -7,8 +7,8 @@
 \class GeodesicTriangulation GeodesicTriangulation.h <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
 \cgalConcept
 
-The concept `GeodesicTriangulation` describes a triangulation in which curves along edges can be made geodesic: angles at a vertex are
-compared with pi, and flips can be taken back.
+The concept `GeodesicTriangulation` describes a triangulation in which algorithms can make curves
+along edges geodesic: it compares angles at a vertex with pi, and takes flips back.
 
 \cgalRefines{IntrinsicTriangulation, NumberedTriangulation}
 
@@ -26,7 +26,8 @@ compared with pi, and flips can be taken back.
 
 \cgalHeading{Complexity}
 
-Flips as of \ref ::IntrinsicTriangulation. A comparison of an angle is linear in the number of faces it consists of, as a rule.
+Flips take the time of those of \ref ::IntrinsicTriangulation. A comparison of an angle usually
+takes time linear in the number of its faces.
 */
 class GeodesicTriangulation {
 public:
@@ -38,7 +39,8 @@ public:
   public:
     /// What is needed to take a flip back.
     typedef unspecified_type Before_flip;
-    /// compares the angle at the target of `h` from `h` to `g`, on the left of `h`, with pi. \pre no border is in between
+    /// compares the angle at the target of `h` from `h` to `g`, on the left of `h`, with pi.
+    /// \pre no border is in between
     Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const;
     /// tells whether an edge can be flipped, and if not, why: `done` means that it can.
     Move_status flip_status(halfedge_descriptor h) const;
@@ -46,7 +48,8 @@ public:
     Move_status flip_convex_edge(halfedge_descriptor h);
     /// returns what a flip of an edge will replace.
     Before_flip before_flip(halfedge_descriptor h) const;
-    /// takes back the flip of `h`, the last move. \pre `before` is what `before_flip(h)` returned before it
+    /// takes back the flip of `h`, the last move.
+    /// \pre `before` is what `before_flip(h)` returned before it
     void undo_flip(halfedge_descriptor h, const Before_flip& before);
   };
 };

@@ -10,10 +10,11 @@
 The concept `IntrinsicMetric` describes the store of a cone metric on a triangulation: one squared
 length per edge, one quadruple area per face, and the predicates and constructions of moves on them.
 
-Whatever must be right is asked here, by numbers of edges and faces, whatever number type is behind it.
+Algorithms ask the metric for everything that must be right, by numbers of edges and faces. So they
+do not depend on the number type.
 
-\cgalRefines{`DefaultConstructible`\, `MoveConstructible` and `MoveAssignable` of the C++ standard; also copyable\,
-if triangulations are to be copied}
+\cgalRefines{`DefaultConstructible`\, `MoveConstructible` and `MoveAssignable` of the C++ standard;
+also copyable\, if triangulations are to be copied}
 
 \cgalHasModel{\itc{Euclidean_metric}\,
 \itc{Tolerant_metric}\,
@@ -22,13 +23,13 @@ if triangulations are to be copied}
 
 \cgalHeading{Types}
 
-`FT`, `Scope` and `Flipped`, below. Edges and faces are named by numbers from 0, which flips do not change. Faces and
-edges at an edge are passed as a \itc{Diamond}, those at a vertex as a
-\itc{Vertex_star} or a \itc{Border_star}. Values are in scaled
-units: lengths of the input times 2 to the power of `scale_exponent()`.
+`FT`, `Scope` and `Flipped`, below. Numbers from 0 name edges and faces; flips do not change them. A
+\itc{Diamond} has the faces and edges at an edge, a \itc{Vertex_star} or a \itc{Border_star} those
+at a vertex. Values are in scaled units: lengths of the input times 2 to the power of
+`scale_exponent()`.
 
-Predicates and all functions that read are const. Values that a metric keeps to decide faster, and
-what it counts, are not part of its value.
+Predicates and all functions that read are const. Caches and counters of a metric are not part of
+its value.
 
 \cgalHeading{Which operation needs what}
 
@@ -47,18 +48,21 @@ what it counts, are not part of its value.
 | \itf{locate_on_input}, insertion with \itc{Integer_coordinates} and \itc{Explicit_crossings} | also `sign` of faces |
 | \itf{cotangent_laplacian}, \itf{measure_quality} | `cotangent_weight` |
 
-A metric decides alone, or by the input: such a metric takes what knows exact values as one more argument of `is_locally_delaunay`,
-`sign` and `cotangent_weight`, from the triangulation that owns it. \itc{Exact_euclidean_metric} does.
+A metric decides alone, or by the input. A metric that decides by the input takes one more argument
+in `is_locally_delaunay`, `sign` and `cotangent_weight`: the triangulation that owns it passes an
+object with exact values. \itc{Exact_euclidean_metric} does this.
 
-The C++20 concept asks for what flips and Laplacians need; \ref ::RefinableMetric for what moves of vertices need.
+The C++20 concept has the requirements of flips and Laplacians; \ref ::RefinableMetric has those of
+moves of vertices.
 
 \cgalHeading{Invariants}
 
 - Areas and squared lengths are not negative.
-- The quadruple area of a face belongs to the squared lengths of its sides, up to the accuracy of `FT`.
+- The quadruple area of a face agrees with the squared lengths of its sides, up to the accuracy of
+  `FT`.
 - If `is_exact`, predicates decide on the exact values, and `compute_flip()` never refuses.
-- Where `is_locally_delaunay()` is false and a flip is stored, it is true for the flipped edge:
-  else its test would fail after flips that are done.
+- If `is_locally_delaunay()` is false and a flip is stored, it is true for the flipped edge.
+  Otherwise the test could fail after the last flip.
 
 \cgalHeading{Complexity}
 
@@ -86,12 +90,13 @@ public:
   IntrinsicMetric(const CGAL::Intrinsic_triangulations::Gluing_map& mesh,
                   const CGAL::Intrinsic_triangulations::Input_metric& input);
 
-  /// tells whether the angles opposite the edge sum to at most pi; ties do.
+  /// tells whether the angles opposite the edge sum to at most pi; true for ties.
   bool is_locally_delaunay(const CGAL::Intrinsic_triangulations::Diamond& d) const;
   /*!
   \brief returns the sign of an expression in the values of a diamond.
   \tparam Expression a model of the C++20 concept \itc{DiamondExpression}: a functor with a template
-    `operator()(const Diamond_values<Number>&)` that uses field operations only, such as \itc{Delaunay_expression},
+    `operator()(const Diamond_values<Number>&)` that uses field operations only, such as
+    \itc{Delaunay_expression},
     \itc{Convexity_at_source_expression}, \itc{Convexity_at_target_expression}
   */
   template <class Expression>
@@ -101,7 +106,7 @@ public:
   typedef unspecified_type Flipped;
   /*!
   \brief computes the values that a flip makes; nothing changes.
-  \return the values; nothing if the number type does not make areas that are positive
+  \return the values; nothing if the number type yields an area that is not positive
   \pre the diamond is strictly convex
   */
   std::optional<Flipped> compute_flip(const CGAL::Intrinsic_triangulations::Diamond& d) const;

@@ -7,11 +7,12 @@
 \class IntrinsicTriangulation concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 \cgalConcept
 
-The concept `IntrinsicTriangulation` describes what algorithms that flip edges need of a triangulation:
-its mesh, numbers for its edges, predicates in a `Const_session` and flips in a `Session`.
+The concept `IntrinsicTriangulation` describes what algorithms need to flip edges of a
+triangulation: its mesh, numbers for its edges, predicates in a `Const_session` and flips in a
+`Session`.
 
-The concept does not mention a metric. So models may store none, may triangulate hyperbolic
-surfaces, or may define Delaunay edges in another way.
+The concept asks for no lengths. So models may store none, may triangulate hyperbolic surfaces, or
+may define Delaunay edges in another way.
 
 \cgalHasModel{\itc{Intrinsic_triangulation}\, \itc{Integer_only_triangulation}}
 
@@ -39,7 +40,7 @@ surfaces, or may define Delaunay edges in another way.
 
 \cgalHeading{Complexity}
 
-Constant time for everything, as far as that of the arithmetic is.
+All functions take constant time, if the arithmetic does.
 */
 class IntrinsicTriangulation {
 public:
@@ -67,8 +68,8 @@ public:
     auto suspended(Function f) const;
   };
 
-  /// Decides predicates, as `Const_session` does, and makes flips; constructed from a reference to the
-  /// triangulation.
+  /// Decides predicates, as `Const_session` does, and makes flips; constructed from a reference to
+  /// the triangulation.
   class Session : public Const_session {
   public:
     /*!

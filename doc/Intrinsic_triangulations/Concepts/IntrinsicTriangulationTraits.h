@@ -10,14 +10,16 @@
 The concept `IntrinsicTriangulationTraits` chooses the arithmetic of an intrinsic triangulation: the
 number type of the stored values, and the metric that stores them and decides.
 
-Unlike traits of CGAL's planar triangulations it has no functors on points, as there are no points. What an operation
-computes it computes through `Metric`, by the numbers of edges and faces; so the page of \ref ::IntrinsicMetric says
-which operation needs which function, and there is one thing to write: a metric.
+Traits of CGAL's planar triangulations have functors on points. This concept has none, since there
+are no points. Operations compute through `Metric`, by the numbers of edges and faces. So the page
+of
+\ref ::IntrinsicMetric says which operation needs which function, and you write only one class: a
+metric.
 
 \cgalHasModel{\itc{Exact_euclidean_traits}\,
 \itc{Euclidean_traits}\,
 \itc{Tolerant_traits}\,
-\itc{Interval_traits}; traits of one's own: own_traits.cpp among the examples}
+\itc{Interval_traits}; your own traits: own_traits.cpp among the examples}
 
 \cgalHeading{Types}
 
@@ -25,7 +27,7 @@ which operation needs which function, and there is one thing to write: a metric.
 
 \cgalHeading{Operations}
 
-None: objects of the class are never made.
+None: the package never makes objects of the class.
 
 \cgalHeading{Which operation needs what}
 

@@ -7,8 +7,8 @@
 \class MeasuredTriangulation MeasuredTriangulation.h <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 \cgalConcept
 
-The concept `MeasuredTriangulation` describes a triangulation whose edges and faces have lengths, areas and cotangents: what
-measures shapes, and what matrices are assembled from. No edge is flipped.
+The concept `MeasuredTriangulation` describes a triangulation whose edges and faces have lengths,
+areas and cotangents. Measures of shapes and matrices need these. The concept asks for no flips.
 
 \cgalHasModel{\itc{Intrinsic_triangulation}}
 
@@ -27,7 +27,8 @@ measures shapes, and what matrices are assembled from. No edge is flipped.
 
 \cgalHeading{Invariants}
 
-Those of \ref ::IntrinsicMetric on values. Rows of different vertices differ and are below `number_of_vertices()`.
+Those of \ref ::IntrinsicMetric on values. Rows of different vertices differ and are below
+`number_of_vertices()`.
 
 \cgalHeading{Complexity}
 
@@ -61,7 +62,8 @@ public:
   /// Constructed from a reference to the triangulation.
   class Const_session {
   public:
-    /// returns half the sum of the cotangents of the angles opposite an edge, one of them on the border.
+    /// returns half the sum of the cotangents of the angles opposite an edge, one of them on the
+    /// border.
     double cotangent_weight(edge_descriptor e) const;
   };
 
@@ -75,16 +77,19 @@ public:
   std::uint32_t index(face_descriptor f) const;
   /// returns the area of a face, in the units of the input.
   double area(face_descriptor f) const;
-  /// returns the row of a vertex in matrices: its number in the user's mesh, or one that follows those.
+  /// returns the row of a vertex in matrices: its number in the user's mesh, or one that follows
+  /// those.
   std::uint32_t input_vertex(vertex_descriptor v) const;
   /// returns the number of vertices, which is that of rows.
   std::uint32_t number_of_vertices() const;
-  /// returns what defines the surface that the triangulation was built from, for the names of its elements.
+  /// returns what defines the surface that the triangulation was built from, for the names of its
+  /// elements.
   const CGAL::Intrinsic_triangulations::Input_definition& input() const;
   /// returns the squared length of an edge, in the units of the input.
   double squared_length(edge_descriptor e) const;
   /// returns the metric.
   const Metric& metric() const;
-  /// returns an object with members `edge_capacity(mesh)`, `face_capacity(mesh)`: bounds of numbers.
+  /// returns an object with members `edge_capacity(mesh)`, `face_capacity(mesh)`: bounds of
+  /// numbers.
   unspecified_type numbers() const;
 };

@@ -7,18 +7,19 @@
 \class NumberedComplex NumberedComplex.h <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
 \cgalConcept
 
-The concept `NumberedComplex` describes a triangulated surface with a metric that is read by the numbers of its
-elements: a Delta-complex whose halfedges `2e` and `2e + 1` are the sides of edge `e`.
+The concept `NumberedComplex` describes a triangulated surface with a metric, which algorithms read
+by the numbers of its elements: a Delta-complex whose halfedges `2e` and `2e + 1` are the sides of
+edge `e`.
 
-Both triangulations of a surface, the input and the intrinsic one, have this interface. So what walks over one can
-walk over the other: geodesics, circumcenters and balls are written once.
+Both triangulations of a surface, the input and the intrinsic one, have this interface. So the same
+functions for geodesics, circumcenters and balls walk over either of them.
 
 \cgalHasModel{\itc{Input}\,
 \itc{Intrinsic_view}}
 
 \cgalHeading{Types}
 
-All elements are numbers of type `std::uint32_t`; \itc{Gluing::none} is no element. Values
+All elements are numbers of type `std::uint32_t`; \itc{Gluing::none} stands for no element. Values
 are doubles in scaled units.
 
 \cgalHeading{Which operation needs what}
@@ -52,7 +53,8 @@ public:
   /// returns the vertex that `h` points to.
   std::uint32_t target(std::uint32_t h) const;
   /*!
-  \brief returns a halfedge that starts at vertex `v`, the one whose right side is the border if there is one.
+  \brief returns a halfedge that starts at vertex `v`, the one whose right side is the border if
+  there is one.
   \pre `v` is not isolated
   */
   std::uint32_t outgoing_halfedge(std::uint32_t v) const;

@@ -7,8 +7,8 @@
 \class NumberedTriangulation NumberedTriangulation.h <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 \cgalConcept
 
-The concept `NumberedTriangulation` describes a triangulation whose elements have numbers, and can be found by them, with
-values by number and an input that names its elements: what \itc{Intrinsic_view} reads.
+The concept `NumberedTriangulation` describes a triangulation that finds its elements and their
+values by numbers, and whose input names its elements. \itc{Intrinsic_view} reads it.
 
 \cgalHasModel{\itc{Intrinsic_triangulation}}
 
@@ -65,18 +65,20 @@ public:
   std::uint32_t index(face_descriptor f) const;
   /// returns the area of a face, in the units of the input.
   double area(face_descriptor f) const;
-  /// returns the row of a vertex in matrices: its number in the user's mesh, or one that follows those.
+  /// returns the row of a vertex in matrices: its number in the user's mesh, or one that follows
+  /// those.
   std::uint32_t input_vertex(vertex_descriptor v) const;
   /// returns the number of vertices, which is that of rows.
   std::uint32_t number_of_vertices() const;
-  /// returns what defines the surface that the triangulation was built from, for the names of its elements.
+  /// returns what defines the surface that the triangulation was built from, for the names of its
+  /// elements.
   const CGAL::Intrinsic_triangulations::Input_definition& input() const;
   /// tells whether a vertex was inserted.
   bool is_inserted(vertex_descriptor v) const;
   /// returns the metric.
   const Metric& metric() const;
-  /// returns the numbers of elements, by `vertex(v)`, `halfedge(h)`, `face(f)`; the elements with given numbers, by
-  /// `vertex_at(i)`, `halfedge_at(i)`, `face_at(i)`; and bounds: `vertex_capacity(mesh)`, `edge_capacity(mesh)`,
-  /// `face_capacity(mesh)`.
+  /// returns the numbers of elements, by `vertex(v)`, `halfedge(h)`, `face(f)`; the elements with
+  /// given numbers, by `vertex_at(i)`, `halfedge_at(i)`, `face_at(i)`; and bounds:
+  /// `vertex_capacity(mesh)`, `edge_capacity(mesh)`, `face_capacity(mesh)`.
   unspecified_type numbers() const;
 };

@@ -7,8 +7,9 @@
 \class RefinableMetric concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 \cgalConcept
 
-The concept `RefinableMetric` describes a metric that follows the insertion and removal of vertices. Without it a triangulation
-flips, and `insert_vertex()` and `remove_vertex()` do not compile.
+The concept `RefinableMetric` describes a metric that follows the insertion and removal of vertices.
+A triangulation with another metric can only flip: its `insert_vertex()` and `remove_vertex()` do
+not compile.
 
 \cgalRefines{\ref ::IntrinsicMetric}
 
@@ -16,15 +17,14 @@ flips, and `insert_vertex()` and `remove_vertex()` do not compile.
 
 \cgalHeading{What defines an inserted vertex}
 
-There are two kinds of models, which differ in the functions for insertions:
+Two kinds of models differ in the functions for insertions:
 
-- A metric that *measures* insertions computes new values from those that it has stored, and from barycentric coordinates
-  in the intrinsic face: \itc{Euclidean_metric}.
-- A metric that is *defined by places* receives the values from the part that knows where all
-  vertices are on the input: \itc{Exact_euclidean_metric}. A vertex is exactly at a point of an
-  input face whose barycentric coordinates are multiples of 2^-52, so that values depend on the
-  input alone, not on the moves that led there. The triangulation finds that point
-  within rounding of the one that was asked for.
+- A metric that *measures* insertions computes new values from stored ones, and from barycentric
+  coordinates in the intrinsic face: \itc{Euclidean_metric}.
+- A metric that is *defined by places* receives the values from the triangulation, which stores
+  where all vertices are on the input: \itc{Exact_euclidean_metric}. A vertex is exactly at a point
+  of an input face with barycentric coordinates that are multiples of 2^-52. So values depend on the
+  input alone, not on earlier moves. This point differs from the requested one by rounding.
 
 \cgalHeading{Which operation needs what}
 
@@ -36,8 +36,8 @@ There are two kinds of models, which differ in the functions for insertions:
 
 \cgalHeading{Invariants}
 
-Removing a vertex that was inserted restores the values: up to rounding if the metric measures insertions, exactly what
-places define if it is defined by these.
+The removal of an inserted vertex restores the values: up to rounding if the metric measures
+insertions, exactly if places define it.
 
 \cgalHeading{Complexity}
 
@@ -48,18 +48,23 @@ public:
   /// Number type of stored values.
   typedef unspecified_type FT;
   /*!
-  \brief computes the values at a vertex inserted in a face, and stores them, if the metric measures insertions.
-  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one are stored
+  \brief computes the values at a vertex inserted in a face, and stores them, if the metric measures
+  insertions.
+  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole
+    one are stored
   \param weights barycentric coordinates, multiples of 2^-52 that sum to 1
   \return whether it was done; if not, nothing has changed
   */
   bool insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
                       const std::array<double, 3>& weights);
-  /// stores the values of a face from which a vertex is removed, in place of the first face of the star.
+  /// stores the values of a face from which a vertex is removed, in place of the first face of the
+  /// star.
   void remove_from_face(const CGAL::Intrinsic_triangulations::Vertex_star& s);
   /*!
-  \brief computes the values at a vertex inserted on a border edge, and stores them, if the metric measures insertions.
-  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge and face
+  \brief computes the values at a vertex inserted on a border edge, and stores them, if the metric
+  measures insertions.
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
+    edge and face
   \param parameter weight of `j`
   \return whether it was done; if not, nothing has changed
   */
@@ -70,8 +75,10 @@ public:
   void insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
                       const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
   /*!
-  \brief stores the values at a vertex inserted on a border edge, if the metric is defined by places.
-  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge and face
+  \brief stores the values at a vertex inserted on a border edge, if the metric is defined by
+  places.
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
+    edge and face
   \param values those at the vertex as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip
   */
   void insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s,

@@ -7,10 +7,11 @@
 \class RefinableTriangulation RefinableTriangulation.h <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 \cgalConcept
 
-The concept `RefinableTriangulation` describes a triangulation whose vertices come and go: what algorithms need that insert,
-remove and move them. Its `Session` does that; its predicates bound the shapes of faces.
+The concept `RefinableTriangulation` describes a triangulation whose `Session` inserts, removes and
+moves vertices, and whose predicates bound the shapes of faces.
 
-\cgalRefines{\ref ::IntrinsicTriangulation\, \ref ::MeasuredTriangulation\, \ref ::NumberedTriangulation}
+\cgalRefines{\ref ::IntrinsicTriangulation\, \ref ::MeasuredTriangulation\, \ref
+::NumberedTriangulation}
 
 \cgalHasModel{\itc{Intrinsic_triangulation} with traits whose metric is a model of \ref ::RefinableMetric}
 
@@ -25,12 +26,12 @@ remove and move them. Its `Session` does that; its predicates bound the shapes o
 
 \cgalHeading{Invariants}
 
-Vertices of the input stay. Elements that a move does not remove keep their numbers; a move that is refused changes nothing
-but the direction of halfedges.
+Vertices of the input stay. Elements that a move does not remove keep their numbers. A refused move
+changes nothing but the direction of halfedges.
 
 \cgalHeading{Complexity}
 
-That of the arithmetic and, for removals, linear in the degree of the vertex.
+The cost is that of the arithmetic; removals also take time linear in the degree of the vertex.
 */
 class RefinableTriangulation {
 public:
