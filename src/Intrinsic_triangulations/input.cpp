@@ -5,6 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup_impl.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view_impl.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing_impl.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
@@ -12,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_flattener_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper_impl.h>
-#include <CGAL/Intrinsic_triangulations/input/Polygon_triangulator_impl.h>
 
 #include <array>
 #include <cstdint>

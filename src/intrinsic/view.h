@@ -8,7 +8,7 @@
 #include "options.h"
 #include "statistics.h"
 
-#include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 

@@ -7,7 +7,7 @@
 #include "../statistics.h"
 
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
-#include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 
 #include <Eigen/Core>

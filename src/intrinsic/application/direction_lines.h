@@ -7,7 +7,7 @@
 #include "../delaunay.h"
 #include "Computed.h"
 
-#include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 

@@ -12,8 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
-#include <CGAL/Intrinsic_triangulations/domains/Double_cover.h>
-#include <CGAL/Intrinsic_triangulations/domains/sort_around_edge.h>
+#include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <algorithm>
@@ -161,85 +160,6 @@ private:
   Gluing faces_;
   std::vector<std::uint32_t> edge_;
 };
-
-// Whether there are at most two different apices: then the faces at them take turns, and no angle is asked, as two go around in
-// one order only. So it is at nearly all edges of a point cloud, where each triangle is there three times.
-inline bool take_turns(const std::vector<std::uint32_t>& apices,
-                       std::vector<std::uint32_t>& order) {
-  const auto count = static_cast<std::uint32_t>(apices.size());
-  std::array<std::uint32_t, 2> next{0, 0}; // face of each apex
-  while (next[1] < count && apices[next[1]] == apices[0]) ++next[1];
-  if (next[1] == count) next[1] = 0;
-  const std::array<std::uint32_t, 2> apex{apices[0], apices[next[1]]};
-  for (const std::uint32_t v : apices)
-    if (v != apex[0] && v != apex[1]) return false;
-  order.clear();
-  while (order.size() < apices.size())
-    for (unsigned k = 0; k < 2; ++k) {
-      while (next[k] < count && apices[next[k]] != apex[k]) ++next[k];
-      if (next[k] < count) order.push_back(next[k]++);
-      if (apex[0] == apex[1]) break;
-    }
-  return true;
-}
-
-// Orders the faces at an edge by their angles, and lets those that are repeated go around once more: each is then glued to other
-// faces, as if none were repeated, and not to a copy of itself.
-inline std::vector<std::uint32_t>
-order_around_edge(const std::vector<std::array<double, 3>>& points, std::uint32_t a,
-                  std::uint32_t b, const std::vector<std::uint32_t>& apices) {
-  std::vector<std::uint32_t> order =
-      sort_around_edge(points, std::min(a, b), std::max(a, b), apices);
-  std::vector<std::uint32_t> by_apex = order, round(apices.size(), 0);
-  std::stable_sort(by_apex.begin(), by_apex.end(),
-                   [&apices](std::uint32_t i, std::uint32_t j) { return apices[i] < apices[j]; });
-  for (std::size_t i = 1; i < by_apex.size(); ++i)
-    if (apices[by_apex[i]] == apices[by_apex[i - 1]]) round[by_apex[i]] = round[by_apex[i - 1]] + 1;
-  std::stable_sort(order.begin(), order.end(),
-                   [&round](std::uint32_t i, std::uint32_t j) { return round[i] < round[j]; });
-  return order;
-}
-
-// The tufted cover of triangles, any number of which meet at an edge.
-inline Double_cover tufted_cover(const Gluing& faces, Halfedges_by_edge& sides,
-                                 const std::vector<std::array<double, 3>>& points) {
-  Double_cover cover(faces);
-  std::vector<Double_cover::Side> fan, sorted;
-  std::vector<std::uint32_t> apices, order;
-  sides.for_each_edge([&](auto first, auto last) {
-    fan.clear();
-    for (auto i = first; i != last; ++i) {
-      const std::uint32_t h = i->halfedge;
-      fan.push_back({h, faces.origin[h] < faces.origin[Gluing::next(h)]});
-    }
-    if (fan.size() > 2) {
-      apices.clear();
-      for (const Double_cover::Side& s : fan)
-        apices.push_back(faces.origin[Gluing::next(Gluing::next(s.halfedge))]);
-      const std::uint32_t h = fan[0].halfedge;
-      if (!take_turns(apices, order))
-        order = order_around_edge(points, faces.origin[h], faces.origin[Gluing::next(h)], apices);
-      sorted.clear();
-      for (const std::uint32_t i : order) sorted.push_back(fan[i]);
-      fan.swap(sorted);
-    }
-    cover.glue(fan);
-  });
-  return cover;
-}
-
-// The same without points: around an edge, faces are in the order of their entries.
-inline Double_cover tufted_cover(const Gluing_from_incidence& read) {
-  Double_cover cover(read.gluing);
-  std::vector<Double_cover::Side> fan;
-  for (std::size_t e = 0; e + 1 < read.begin_of_edge.size(); ++e) {
-    fan.clear();
-    for (std::uint32_t i = read.begin_of_edge[e]; i < read.begin_of_edge[e + 1]; ++i)
-      fan.push_back({read.sides_of_edges[i], read.is_along(read.sides_of_edges[i])});
-    cover.glue(fan);
-  }
-  return cover;
-}
 
 inline void check_size_of_cover(std::size_t faces) {
   constexpr std::size_t most = Gluing::reversed_bit / 6;

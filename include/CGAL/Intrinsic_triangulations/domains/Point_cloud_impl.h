@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
-#include <CGAL/Intrinsic_triangulations/domains/tangent_axes.h>
 #include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 
@@ -33,6 +32,37 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+using Symmetric_matrix_3 = std::array<std::array<double, 3>, 3>;
+
+// Turns axes p and q so that the entry (p, q) becomes zero.
+inline void rotate(Symmetric_matrix_3& m, Symmetric_matrix_3& axes, unsigned p, unsigned q) {
+  const double half = (m[q][q] - m[p][p]) / 2, entry = m[p][q];
+  if (entry == 0 || std::abs(entry) <= 1e-20 * (m[p][p] + m[q][q])) return; // far below rounding
+  const double tangent = entry / (half + std::copysign(std::hypot(half, entry), half));
+  const double c = 1 / std::sqrt(1 + tangent * tangent), s = c * tangent;
+  const auto turn = [c, s](double& x, double& y) {
+    const double old = x;
+    x = c * old - s * y;
+    y = s * old + c * y;
+  };
+  for (unsigned k = 0; k < 3; ++k) turn(m[k][p], m[k][q]);
+  for (unsigned k = 0; k < 3; ++k) turn(m[p][k], m[q][k]);
+  for (unsigned k = 0; k < 3; ++k) turn(axes[p][k], axes[q][k]);
+}
+
+// Two orthonormal vectors in the plane that fits points of this covariance best: eigenvectors of the largest eigenvalues, by
+// Jacobi's method, which squares the error with every round.
+inline std::array<std::array<double, 3>, 2> tangent_axes(Symmetric_matrix_3 covariance) {
+  Symmetric_matrix_3 axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (int round = 0; round < 8; ++round)
+    for (const auto& [p, q] : {std::pair(0U, 1U), {0U, 2U}, {1U, 2U}})
+      rotate(covariance, axes, p, q);
+  unsigned normal = 0;
+  for (unsigned k = 1; k < 3; ++k)
+    if (covariance[k][k] < covariance[normal][normal]) normal = k;
+  return {axes[(normal + 1) % 3], axes[(normal + 2) % 3]};
+}
 
 // Finds the triangles at points of a cloud, one point at a time.
 class Local_triangulator {

@@ -4,16 +4,219 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGLE_SOUP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGLE_SOUP_H
 
-#include <CGAL/Intrinsic_triangulations/domains/Soup_builder.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/domains/triangulate_polygons.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Collects the vertices and faces of a file, or of arrays, and refuses the first one that is unusable.
+class Soup_builder {
+public:
+  // \param file the name of the file, for messages; empty: there is none
+  // \param kind what is made of polygons that are not planar
+  explicit Soup_builder(std::string file, Nonplanar_polygons kind = Nonplanar_polygons::fan)
+      : file_(std::move(file)), kind_(kind) {}
+
+  // Line that the reader is at, from 1, for messages; 0 if the file has no lines.
+  std::size_t line = 0;
+  // Number of the first vertex in the file's own references, for messages.
+  std::int64_t first_reference = 0;
+  // Whether faces may refer to vertices that are still to come.
+  bool forward_references = false;
+  // Whether there must be faces, and whether they are taken: else vertices are points, and nothing is asked of faces.
+  bool needs_faces = true, takes_faces = true;
+
+  std::size_t number_of_vertices() const { return soup_.points.size(); }
+  std::size_t number_of_faces() const { return soup_.input_faces; }
+
+  [[noreturn]] void fail(Element_kind kind, std::size_t index, const std::string& what) const {
+    fail_at(line, kind, index, what);
+  }
+  [[noreturn]] void fail(const std::string& what) const { fail(Element_kind::none, 0, what); }
+  // The vertex or face at fault is the one to be added next; its name comes before what is said.
+  [[noreturn]] void fail_vertex(const std::string& what) const {
+    fail(Element_kind::vertex, number_of_vertices(),
+         "vertex " + std::to_string(number_of_vertices()) + what);
+  }
+  [[noreturn]] void fail_face(const std::string& what) const {
+    fail(Element_kind::face, number_of_faces(), name(number_of_faces()) + what);
+  }
+
+  void reserve(std::size_t vertices, std::size_t faces) {
+    soup_.points.reserve(vertices);
+    soup_.triangles.reserve(faces);
+  }
+
+  void add_vertex(double x, double y, double z) {
+    const std::size_t v = soup_.points.size();
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+      fail_vertex(
+          " has a coordinate that is not a finite number; correct the coordinate, or remove "
+          "the vertex and its faces");
+    if (std::max({std::abs(x), std::abs(y), std::abs(z)}) > 0x1p500)
+      fail_vertex(" has a coordinate beyond 2^500 (3e150), where areas are infinite in doubles; "
+                  "scale the mesh, "
+                  "or correct the coordinate");
+    if (v == maximal_vertices)
+      fail(Element_kind::vertex, v, "there are more than 4294967294 vertices; split the mesh");
+    soup_.points.push_back({x, y, z});
+  }
+
+  void add_face(const std::vector<std::int64_t>& face) {
+    const std::size_t f = soup_.input_faces;
+    if (!takes_faces) {
+      ++soup_.input_faces;
+      return;
+    }
+    if (face.size() < 3)
+      fail_face(" has " + std::to_string(face.size()) +
+                (face.size() == 1 ? " vertex" : " vertices") +
+                "; a face needs at least three: remove it");
+    for (const std::int64_t v : face) check_reference(f, v);
+    if (soup_.triangles.size() + face.size() - 2 > maximal_triangles)
+      fail(Element_kind::face, f, "the file has more than 715827881 triangles; split the mesh");
+    append(f, without_lines(face));
+    ++soup_.input_faces;
+  }
+
+  // Completes the soup; polygons are triangulated here.
+  Triangle_soup finish() {
+    if (latest_reference_ >= std::int64_t(soup_.points.size()) && soup_.input_faces != 0)
+      fail_at(latest_line_, Element_kind::face, latest_face_,
+              out_of_range(latest_face_, latest_reference_));
+    if (!takes_faces) soup_.input_faces = 0;
+    if (soup_.input_faces == 0 && needs_faces)
+      fail_at(0, Element_kind::none, 0,
+              "the file has no faces; give a surface mesh, or make a point cloud of its points");
+    if (soup_.input_faces != 0 && soup_.triangles.empty())
+      fail_at(0, Element_kind::none, 0,
+              "no face has three different vertices; correct the faces, or make a point cloud of "
+              "the points");
+    if (soup_.input_faces == 0 && soup_.points.empty())
+      fail_at(0, Element_kind::none, 0, "the file has no points; get a complete copy");
+    triangulate_polygons(polygons_, kind_, soup_, [this](std::size_t f, const std::string& what) {
+      fail_at(0, Element_kind::face, f, what);
+    });
+    return std::move(soup_);
+  }
+
+private:
+  static constexpr std::size_t maximal_vertices = 4294967294U;
+  static constexpr std::size_t maximal_triangles = 715827881U;
+
+  static std::string name(std::size_t f) { return "face " + std::to_string(f); }
+
+  [[noreturn]] void fail_at(std::size_t at, Element_kind kind, std::size_t index,
+                            const std::string& what) const {
+    throw Invalid_input(kind, index,
+                        file_ + (at == 0 ? "" : ":" + std::to_string(at)) +
+                            (file_.empty() ? "" : ": ") + what);
+  }
+
+  std::string out_of_range(std::size_t f, std::int64_t v) const {
+    const auto count = std::int64_t(soup_.points.size());
+    return name(f) + " refers to vertex " + std::to_string(v + first_reference) +
+           (count == 0 ? ", but the file has no vertices"
+                       : ", but vertices are numbered from " + std::to_string(first_reference) +
+                             " to " + std::to_string(count - 1 + first_reference)) +
+           "; correct the index or remove the face";
+  }
+
+  void check_reference(std::size_t f, std::int64_t v) {
+    const auto count = std::int64_t(soup_.points.size());
+    if (v < 0 || (v >= count && !forward_references) || v >= std::int64_t(maximal_vertices))
+      fail(Element_kind::face, f, out_of_range(f, v));
+    if (v >= count && v > latest_reference_) {
+      latest_reference_ = v;
+      latest_face_ = f;
+      latest_line_ = line;
+    }
+  }
+
+  // Leaves out what a face that lists a vertex twice has beside one polygon: points, and lines there and back, without area.
+  const std::vector<std::int64_t>& without_lines(const std::vector<std::int64_t>& face) {
+    if (face.size() == 3 && face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
+      return face;
+    sorted_.assign(face.begin(), face.end());
+    std::sort(sorted_.begin(), sorted_.end());
+    if (std::adjacent_find(sorted_.begin(), sorted_.end()) == sorted_.end()) return face;
+    ++soup_.faces_with_repeated_vertices;
+    std::vector<std::int64_t> way, polygon; // around the face; the part of it that is a polygon
+    std::unordered_map<std::int64_t, std::size_t> place; // of a vertex on the way
+    const auto take = [&](std::size_t first) {
+      if (way.size() - first >= 3) {
+        if (!polygon.empty()) fail_pinched(way[first]);
+        polygon.assign(way.begin() + static_cast<std::ptrdiff_t>(first), way.end());
+      }
+      for (std::size_t i = first; i < way.size(); ++i) place.erase(way[i]);
+      way.resize(first);
+    };
+    for (const std::int64_t v : face) {
+      if (const auto before = place.find(v); before != place.end()) take(before->second);
+      place[v] = way.size();
+      way.push_back(v);
+    }
+    take(0);
+    corners_ = std::move(polygon);
+    return corners_;
+  }
+
+  // Several polygons may be a face with a hole, which is no two faces.
+  [[noreturn]] void fail_pinched(std::int64_t v) const {
+    fail_face(" repeats vertex " + std::to_string(v + first_reference) +
+              ", and has area on both sides of it; cut the face there into faces that each list a "
+              "vertex once");
+  }
+
+  // From now on triangles are told which face they are of: until now each was one.
+  void name_faces(std::size_t f) {
+    if (has_names_) return;
+    has_names_ = true;
+    soup_.polygon_of_triangle.reserve(soup_.triangles.capacity());
+    for (std::size_t t = 0; t < f; ++t)
+      soup_.polygon_of_triangle.push_back(static_cast<std::uint32_t>(t));
+  }
+
+  // A polygon takes the places of its triangles and is triangulated at the end.
+  void append(std::size_t f, const std::vector<std::int64_t>& face) {
+    const auto corner = [&](std::size_t i) { return static_cast<std::uint32_t>(face[i]); };
+    if (face.size() > 3) {
+      polygons_.add(f, soup_.triangles.size());
+      for (std::size_t i = 0; i < face.size(); ++i) polygons_.corners.push_back(corner(i));
+      ++soup_.triangulated_polygons;
+    }
+    if (face.size() != 3) name_faces(f);
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      soup_.triangles.push_back({corner(0), corner(i - 1), corner(i)});
+      if (has_names_) soup_.polygon_of_triangle.push_back(static_cast<std::uint32_t>(f));
+    }
+  }
+
+  std::string file_;
+  Nonplanar_polygons kind_;
+  Triangle_soup soup_;
+  Polygons polygons_;
+  std::vector<std::int64_t> sorted_, corners_;
+  bool has_names_ = false;
+  std::int64_t latest_reference_ = -1;
+  std::size_t latest_face_ = 0, latest_line_ = 0;
+};
+
+} // namespace internal
 
 /*!
 \brief makes a soup of points and faces in arrays.

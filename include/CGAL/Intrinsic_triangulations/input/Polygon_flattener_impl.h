@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
-#include <CGAL/Intrinsic_triangulations/input/Polygon_flattener.h>
+#include <CGAL/Intrinsic_triangulations/input/Polygon_shaper.h>
 
 #include <algorithm>
 #include <array>
@@ -134,6 +134,10 @@ using Space_point = Polygon_flattener::Point;
 
 inline Space_point cross(const Space_point& a, const Space_point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline Space_point difference(const Space_point& a, const Space_point& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 inline double inner(const Space_point& a, const Space_point& b) {

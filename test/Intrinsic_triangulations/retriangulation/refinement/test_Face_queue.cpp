@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/idt/Connectivity_reader.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/Coordinates_reader.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/Input_reader.h>
-#include <CGAL/Intrinsic_triangulations/IO/idt/Text_reader.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/intrinsic_triangulation_format.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>

@@ -38,7 +38,7 @@ class Intrinsic_triangulation_writer {
 
 public:
   Intrinsic_triangulation_writer(std::ostream& out, const Triangulation& t)
-      : out_(out), t_(t), numbers_(t), mesh_(numbered_copy(t.mesh(), numbers_)) {
+      : out_(out, true), t_(t), numbers_(t), mesh_(numbered_copy(t.mesh(), numbers_)) {
     prefer_border_halfedges();
     find_coordinates();
   }
@@ -245,7 +245,7 @@ private:
     }
   }
 
-  Basic_output_buffer<true> out_; // hexadecimal, so that nothing is rounded
+  Output_buffer out_; // hexadecimal, so that nothing is rounded
   const Triangulation& t_;
   Compact_numbers<Triangulation> numbers_;
   Gluing_map mesh_; // with these numbers
@@ -285,14 +285,7 @@ a stream.
 */
 template <IntrinsicTriangulation Triangulation>
 void write_intrinsic_triangulation(const std::filesystem::path& path, const Triangulation& t) {
-  Replacing_file file(path);
-  try {
-    write_intrinsic_triangulation(file.stream(), t);
-  } catch (const std::runtime_error&) {
-    throw std::runtime_error(path.string() +
-                             ": the file cannot be written completely; is the disk full?");
-  }
-  file.commit();
+  write_file(path, [&t](std::ostream& out) { write_intrinsic_triangulation(out, t); });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_PLY_H
 
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
-#include <CGAL/Intrinsic_triangulations/domains/Soup_builder.h>
+#include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 
 #include <algorithm>
 #include <array>

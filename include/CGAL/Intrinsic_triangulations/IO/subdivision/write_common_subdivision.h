@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_H
 
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_input.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 

@@ -19,13 +19,16 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <class T>
 concept Arithmetic = std::is_arithmetic_v<T>;
 
+// How the numbers of a table are written.
+enum class Number_format { text, binary, base64 };
+
 // Writes text and binary data in blocks, whatever the locale and the byte order of the machine. Numbers are
 // decimal, the shortest that read back as the same; those with a point hexadecimal if that is asked for, as
 // C's %a writes them.
-template <bool hexadecimal>
-class Basic_output_buffer {
+class Output_buffer {
 public:
-  explicit Basic_output_buffer(std::ostream& out) : out_(out) {}
+  explicit Output_buffer(std::ostream& out, bool is_hexadecimal = false)
+      : out_(out), is_hexadecimal_(is_hexadecimal) {}
 
   // Writes values without anything between them.
   template <class... Values>
@@ -49,11 +52,36 @@ public:
   template <Arithmetic T>
   void binary(T value) {
     reserve(sizeof(T));
-    std::memcpy(buffer_ + used_, &value, sizeof(T));
-    if constexpr (std::endian::native == std::endian::big)
-      std::reverse(buffer_ + used_, buffer_ + used_ + sizeof(T));
-    used_ += sizeof(T);
+    used_ += store(value, buffer_ + used_);
   }
+  // Writes these bytes in base64, in a block that `finish_base64()` ends.
+  template <Arithmetic T>
+  void base64(T value) {
+    if (raw_used_ + sizeof(T) > sizeof(raw_)) encode_triples();
+    raw_used_ += store(value, raw_ + raw_used_);
+  }
+  // Pads a block with `=` to a multiple of four characters.
+  void finish_base64() {
+    encode_triples();
+    if (raw_used_ == 0) return;
+    std::fill(raw_ + raw_used_, raw_ + 3, '\0');
+    reserve(4);
+    encode(raw_, buffer_ + used_);
+    std::fill(buffer_ + used_ + raw_used_ + 1, buffer_ + used_ + 4, '=');
+    used_ += 4;
+    raw_used_ = 0;
+  }
+  // Writes a number of a table in the format that is set.
+  template <Arithmetic T>
+  void number(T value) {
+    if (format == Number_format::text)
+      put_word(value);
+    else if (format == Number_format::binary)
+      binary(value);
+    else
+      base64(value);
+  }
+  Number_format format = Number_format::text;
 
   // Writes what is left; false if the stream has failed.
   bool flush() {
@@ -86,17 +114,40 @@ private:
           std::to_chars(buffer_ + used_, buffer_ + sizeof(buffer_), number_and_format...).ptr -
           buffer_);
     };
-    if constexpr (hexadecimal && std::is_floating_point_v<T>) {
-      text(std::signbit(number) ? "-" : "", std::isfinite(number) ? "0x" : "");
-      write_digits(std::abs(number), std::chars_format::hex);
-    } else
-      write_digits(number);
+    if constexpr (std::is_floating_point_v<T>)
+      if (is_hexadecimal_) {
+        text(std::signbit(number) ? "-" : "", std::isfinite(number) ? "0x" : "");
+        write_digits(std::abs(number), std::chars_format::hex);
+        return;
+      }
+    write_digits(number);
   }
   template <class T>
   void put_word(const T& value) {
     if (!at_start_) put(' ');
     at_start_ = false;
     put(value);
+  }
+
+  template <class T>
+  static std::size_t store(T value, char* to) {
+    std::memcpy(to, &value, sizeof(T));
+    if constexpr (std::endian::native == std::endian::big) std::reverse(to, to + sizeof(T));
+    return sizeof(T);
+  }
+  static void encode(const char* triple, char* code) {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const auto byte = [triple](int i) { return unsigned{static_cast<unsigned char>(triple[i])}; };
+    const unsigned x = byte(0) << 16 | byte(1) << 8 | byte(2);
+    for (int i = 0; i < 4; ++i) code[i] = digits[(x >> (18 - 6 * i)) & 63];
+  }
+  void encode_triples() {
+    const std::size_t whole = raw_used_ / 3 * 3;
+    reserve(whole / 3 * 4);
+    for (std::size_t i = 0; i < whole; i += 3, used_ += 4) encode(raw_ + i, buffer_ + used_);
+    std::copy(raw_ + whole, raw_ + raw_used_, raw_);
+    raw_used_ -= whole;
   }
 
   void reserve(std::size_t n) {
@@ -108,12 +159,11 @@ private:
   }
 
   std::ostream& out_;
-  std::size_t used_ = 0;
-  bool at_start_ = true;
+  bool is_hexadecimal_, at_start_ = true;
+  std::size_t used_ = 0, raw_used_ = 0;
   char buffer_[1 << 16];
+  char raw_[3072]; // what is to be encoded
 };
-
-using Output_buffer = Basic_output_buffer<false>;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -4,7 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SUPPORT_REPLACING_FILE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUPPORT_REPLACING_FILE_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+
 #include <cerrno>
+#include <concepts>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -135,6 +138,27 @@ private:
   bool replaces_ = false, has_name_ = false;
   std::ofstream stream_;
 };
+
+/*!
+\brief writes a file that is complete or what it was before, whatever fails: see `Replacing_file`.
+\param path the file
+\param write a functor that writes to a stream
+\throws Invalid_input naming the file if `write` throws it
+\throws std::runtime_error naming the file if it cannot be written
+*/
+template <std::invocable<std::ostream&> Write>
+void write_file(const std::filesystem::path& path, const Write& write) {
+  Replacing_file file(path);
+  try {
+    write(file.stream());
+  } catch (const Invalid_input& e) {
+    throw Invalid_input(e.kind(), e.index(), path.string() + ": " + e.what());
+  } catch (const std::runtime_error&) {
+    throw std::runtime_error(path.string() +
+                             ": the file cannot be written completely; is the disk full?");
+  }
+  file.commit();
+}
 
 } // namespace CGAL::Intrinsic_triangulations
 

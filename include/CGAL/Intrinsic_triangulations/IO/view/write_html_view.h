@@ -4,19 +4,82 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_H
 
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_input.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/Html_view.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/Html_view_writer.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/find_three_js.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <array>
-#include <ostream>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iosfwd>
+#include <iterator>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief tells what a page shows besides an intrinsic triangulation, and the scripts that it needs.
+*/
+struct Html_view {
+  /// Title of the page.
+  std::string_view title;
+  /// Text under the title.
+  std::string_view description;
+  /// Text of three.js, revision 111 or near: it is copied into the page, with its licence notice.
+  /// Empty: that of `find_three_js()`.
+  std::string_view three;
+  /// Text of the classic script `TrackballControls.js` of the same distribution. Empty: that of
+  /// `find_three_js()`.
+  std::string_view trackball_controls;
+  /// Fields of numbers at vertices, one of which is shown as colours at a time.
+  std::span<const Subdivision_field> fields{};
+  /// Which of the fields is shown at first; none if there are fewer.
+  std::size_t shown_field = 0;
+  /// How many steps of the field lines of equal value show at first; 0: none.
+  unsigned isolines = 0;
+  /// A place in the plane for each vertex, to be shown by a checkerboard, not numbers where there
+  /// is none; or nothing.
+  std::span<const std::array<double, 2>> texture{};
+  bool has_edges = true;       ///< whether edges show at first
+  bool has_face_colors = true; ///< whether faces without a field have colours at first
+  /// Width of curves in pixels.
+  double curve_width = 3.5;
+  /// Curves on the surface, to be drawn in colours that their labels choose.
+  std::span<const Polyline> curves{};
+  /// What the curves were before, to be drawn thin and grey.
+  std::span<const Polyline> initial_curves{};
+  /// Points to be marked, each a polyline of one point: red where the label is positive, blue where
+  /// it is negative, else yellow.
+  std::span<const Polyline> marks{};
+  /// What the marked points are.
+  std::string_view marks_name = "points";
+};
+
+/// The scripts that pages contain.
+struct Three_js {
+  std::string three;              ///< text of three.js, revision 111 or near
+  std::string trackball_controls; ///< text of its classic script `TrackballControls.js`
+};
+
+/*!
+\brief finds three.js on this machine.
+\param directory a directory with `three.min.js` or `build/three.min.js`, and with
+  `TrackballControls.js` or `examples/js/controls/TrackballControls.js`; by default that of Debian's
+  package libjs-three
+\return the texts of both; empty ones if they are not there
+*/
+inline Three_js
+find_three_js(const std::filesystem::path& directory = "/usr/share/javascript/three") {
+  const auto text = [&](const std::filesystem::path& folder, const std::filesystem::path& name) {
+    std::ifstream file(directory / name, std::ios::binary);
+    if (!file) file = std::ifstream(directory / folder / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  return {text("build", "three.min.js"), text("examples/js/controls", "TrackballControls.js")};
+}
 
 /*!
 \brief writes a page that shows an intrinsic triangulation on the surface: one file that needs no
@@ -37,32 +100,13 @@ and a plane that cuts the surface.
 \throws std::runtime_error if the stream fails
 \complexity linear
 */
-inline void write_html_view(std::ostream& out, const Common_subdivision& s,
-                            std::span<const std::array<double, 3>> points, const Html_view& view) {
-  internal::check_output({s, points, view.fields});
-  for (const Subdivision_field& field : view.fields)
-    if (!field.is_function())
-      throw Invalid_input(Element_kind::none, 0,
-                          "the field \"" + field.name +
-                              "\" cannot be shown as colours; give a number per vertex");
-  if (!view.texture.empty() && view.texture.size() != s.number_of_vertices())
-    throw Invalid_input(Element_kind::none, 0,
-                        "the texture has " + std::to_string(view.texture.size()) +
-                            " places; give one for each of the " +
-                            std::to_string(s.number_of_vertices()) +
-                            " vertices of the common subdivision");
-  Html_view complete = view;
-  const bool has_scripts = !view.three.empty() && !view.trackball_controls.empty();
-  const Three_js found = has_scripts ? Three_js() : find_three_js();
-  if (view.three.empty()) complete.three = found.three;
-  if (view.trackball_controls.empty()) complete.trackball_controls = found.trackball_controls;
-  if (complete.three.empty() || complete.trackball_controls.empty())
-    throw Invalid_input(Element_kind::none, 0,
-                        "the page needs three.js and its TrackballControls.js; install Debian's "
-                        "package libjs-three, or give their texts, see find_three_js()");
-  internal::Html_view_writer(out, s, points, complete).write();
-}
+void write_html_view(std::ostream& out, const Common_subdivision& s,
+                     std::span<const std::array<double, 3>> points, const Html_view& view);
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_H

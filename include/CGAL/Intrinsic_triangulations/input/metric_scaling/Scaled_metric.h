@@ -5,19 +5,120 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SCALED_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
+#include <CGAL/Intrinsic_triangulations/input/scaling.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
+/*!
+\file
+Any input of the package, or a triangulation, as a gluing with squared lengths, together with the mesh by
+which its owner knows its vertices and faces.
+*/
+
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// A triangulation with a metric of its own; its points, if it ever had any, say nothing of its edges.
+template <class Mesh>
+concept Has_intrinsic_metric = requires(const Mesh& t) {
+  t.mesh();
+  t.metric().approximate_squared_length(0U);
+  t.metric().scale_exponent();
+};
+
+// The mesh that vertices and faces are named in: what descriptors belong to.
+template <class Mesh>
+const Mesh& named_mesh(const Mesh& mesh) {
+  return mesh;
+}
+template <Has_intrinsic_metric Mesh>
+const typename Mesh::Mesh& named_mesh(const Mesh& t) {
+  return t.mesh();
+}
+inline const Gluing_map& named_mesh(const Intrinsic_input& in) { return in.mesh; }
+
+// All in scaled units: lengths are 2^scale_exponent times the user's.
+struct Metric_source {
+  Intrinsic_input in; // with squared lengths, and points where it has any
+  int scale_exponent = 0;
+
+  // from the source of a halfedge to its target
+  std::array<double, 3> side_in_space(Gluing_map::Halfedge h) const {
+    const auto &p = in.points[in.mesh.source(h).index], &q = in.points[in.mesh.target(h).index];
+    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  }
+};
+
+inline double checked_squared_length(const Intrinsic_input& in, std::uint32_t e) {
+  const auto &p = in.points[in.mesh.source({2 * e}).index],
+             &q = in.points[in.mesh.target({2 * e}).index];
+  const double square = Input_metric::squared_distance<double>(p, q);
+  if (square < std::numeric_limits<double>::min() && p != q)
+    throw Invalid_input::about(Element_kind::edge, e,
+                               " is more than 2^500 times shorter than the mean edge; move its "
+                               "vertices to the same place, or apart");
+  return square;
+}
+
+// Diagonals of planar polygons are not the distances of the points.
+inline void add_planar_excess(Metric_source& s) {
+  const std::vector<std::array<double, 3>> excess =
+      planar_excess(s.in.mesh, s.in.points, s.in.names, s.in.planar_polygons, s.scale_exponent);
+  std::vector<char> is_done(s.in.squared_lengths.size(), 0);
+  for (std::uint32_t f = 0; f < excess.size(); ++f) {
+    const std::array<Gluing_map::Halfedge, 3> sides = s.in.mesh.sides({f});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t e = sides[k].index / 2;
+      if (is_done[e] == 0) s.in.squared_lengths[e] += excess[f][k];
+      is_done[e] = 1;
+    }
+  }
+}
+
+inline Metric_source read_metric(Intrinsic_input in) {
+  check_sizes(in);
+  Metric_source s{std::move(in)};
+  if (s.in.squared_lengths.empty() && !s.in.points.empty()) {
+    s.scale_exponent = scale_points(s.in.mesh, s.in.points);
+    for (std::uint32_t e = 0; e < s.in.mesh.number_of_edges(); ++e)
+      s.in.squared_lengths.push_back(checked_squared_length(s.in, e));
+    add_planar_excess(s);
+  } else {
+    s.in.points.clear(); // lengths that are given count
+    s.scale_exponent = scale_squared_lengths(s.in.squared_lengths);
+  }
+  return s;
+}
+
+template <class Mesh>
+Metric_source read_metric(const Mesh& mesh) {
+  return read_metric(Intrinsic_input(mesh));
+}
+
+template <Has_intrinsic_metric Triangulation>
+Metric_source read_metric(const Triangulation& t) {
+  Metric_source s{Intrinsic_input(gluing_map_from_face_graph(t.mesh()), std::vector<double>()),
+                  t.metric().scale_exponent()};
+  for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
+    s.in.squared_lengths.push_back(t.metric().approximate_squared_length(t.index(e)));
+  return s;
+}
+
+} // namespace internal
 
 /// What is done where new lengths violate the triangle inequality (§4.8 of the course). Faces without area
 /// may do so by rounding already: meshes that have some need `repair`.

@@ -4,10 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SCALE_METRIC_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SCALE_METRIC_H
 
-#include <CGAL/Intrinsic_triangulations/input/metric_scaling/Metric_source.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
+#include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/Scaled_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/Tensor_norm.h>
-#include <CGAL/Intrinsic_triangulations/input/metric_scaling/side_vectors.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 #include <CGAL/Intrinsic_triangulations/input/scaling.h>
 
@@ -44,6 +45,33 @@ new input, as a face and barycentric coordinates, names one of the old surface.
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+// The sides of a triangle as vectors of the plane, whatever lengths there are. They sum to zero only up to rounding: each
+// coordinate has an error of a few u times the length of its side. Where ij has length zero, jk lies on the x-axis; where
+// lengths violate the triangle inequality, or there is no area, the height of k is zero.
+inline Plane_sides planar_sides(double L_ij, double L_jk, double L_ki) {
+  if (L_ij == 0) return {{{0, 0}, {std::sqrt(L_jk), 0}, {-std::sqrt(L_ki), 0}}};
+  const double squared_area = squared_quadruple_area(L_ij, L_jk, L_ki);
+  return Intrinsic_triangulations::planar_sides(L_ij, L_jk, L_ki,
+                                                squared_area > 0 ? std::sqrt(squared_area) : 0);
+}
+
+// The same of the sides i -> j, j -> k, k -> i as vectors of space.
+using Space_sides = std::array<std::array<double, 3>, 3>;
+inline Plane_sides planar_sides(const Space_sides& s) {
+  const auto length = [](const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); };
+  const double l = length(s[0]);
+  if (l == 0) return {{{0, 0}, {length(s[1]), 0}, {-length(s[2]), 0}}};
+  const std::array<double, 3> x{s[0][0] / l, s[0][1] / l, s[0][2] / l};
+  const auto along = [&x](const std::array<double, 3>& v) {
+    return x[0] * v[0] + x[1] * v[1] + x[2] * v[2];
+  };
+  const auto across = [&x](const std::array<double, 3>& v) {
+    return std::hypot(x[1] * v[2] - x[2] * v[1], x[2] * v[0] - x[0] * v[2],
+                      x[0] * v[1] - x[1] * v[0]);
+  };
+  return {{{l, 0}, {along(s[1]), across(s[1])}, {along(s[2]), -across(s[2])}}};
+}
 
 // The value at `x` of a functor or of a property map.
 template <class Field, class Descriptor>
@@ -220,7 +248,7 @@ Scaled_metric scale_by_norm(const Mesh& mesh, const Norm& norm,
   const bool embedded = !source.in.points.empty();
   const auto sides = [&source, embedded](std::uint32_t f) {
     return embedded
-               ? planar_sides(internal::sides_of_face_in_space(source, f))
+               ? internal::planar_sides(internal::sides_of_face_in_space(source, f))
                : internal::planar_sides_of_face(source, f, std::is_same_v<Mesh, Intrinsic_input>);
   };
   return internal::scale_by_norm(mesh, std::move(source), sides, norm,

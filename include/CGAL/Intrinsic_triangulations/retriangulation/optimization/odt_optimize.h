@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_optimizer.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_parts.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>

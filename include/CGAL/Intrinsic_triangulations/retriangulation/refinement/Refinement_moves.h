@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/covers/Sheet_copies.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Face_queue.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>

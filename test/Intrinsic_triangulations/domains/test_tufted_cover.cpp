@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/domains/sort_around_edge.h>
+#include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>
 
 #include <CGAL/Gmpq.h>
 

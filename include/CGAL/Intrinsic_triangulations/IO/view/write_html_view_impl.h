@@ -1,15 +1,16 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_HTML_VIEW_WRITER_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_HTML_VIEW_WRITER_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/IO/curves/Polyline.h>
-#include <CGAL/Intrinsic_triangulations/IO/support/Base64_writer.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/Html_view.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/Unit_ball_scaling.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/drawn_edges.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/drawn_geometry.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
+#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
 
@@ -102,15 +103,15 @@ private:
   }
   template <class Numbers>
   void numbers(std::string_view id, const Numbers& all) {
-    data(id, [&](Base64_writer& out) {
-      for (const auto x : all) out.put(x);
+    data(id, [&](Output_buffer& out) {
+      for (const auto x : all) out.base64(x);
     });
   }
   template <class Tuples>
   void tuples(std::string_view id, const Tuples& all) {
-    data(id, [&](Base64_writer& out) {
+    data(id, [&](Output_buffer& out) {
       for (const auto& tuple : all)
-        for (const auto x : tuple) out.put(x);
+        for (const auto x : tuple) out.base64(x);
     });
   }
   void open_data(std::string_view id) {
@@ -118,9 +119,8 @@ private:
   }
   template <class Write>
   void close_data(Write write) {
-    Base64_writer base64(out_);
-    write(base64);
-    base64.finish();
+    write(out_);
+    out_.finish_base64();
     out_.text("</script>\n");
   }
 
@@ -150,22 +150,23 @@ private:
       }
     tuples("triangles", triangles);
     write_colors(polygon);
-    data("sheets", [&](Base64_writer& out) {
+    data("sheets", [&](Output_buffer& out) {
       if (!s_.sheet.empty())
-        for (const std::size_t f : polygon) out.put(s_.sheet[f]);
+        for (const std::size_t f : polygon) out.base64(s_.sheet[f]);
     });
-    data("sources", [&](Base64_writer& out) {
+    data("sources", [&](Output_buffer& out) {
       for (const std::size_t f : polygon)
-        for (const std::uint32_t source : {s_.intrinsic_face[f], s_.input_face[f]}) out.put(source);
+        for (const std::uint32_t source : {s_.intrinsic_face[f], s_.input_face[f]})
+          out.base64(source);
     });
   }
 
   // The colour of each triangle, of a polygon each.
   void write_colors(const std::vector<std::size_t>& polygon) {
     const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
-    data("colors", [&](Base64_writer& out) {
+    data("colors", [&](Output_buffer& out) {
       for (const std::size_t f : polygon)
-        for (const std::uint8_t c : colors[s_.intrinsic_face[f]]) out.put(c);
+        for (const std::uint8_t c : colors[s_.intrinsic_face[f]]) out.base64(c);
     });
   }
 
@@ -179,18 +180,19 @@ private:
 
   // What is told of a vertex: its kind, its intrinsic element, and its input element.
   void write_vertices() {
-    data("kinds", [&](Base64_writer& out) {
+    data("kinds", [&](Output_buffer& out) {
       for (std::size_t v = 0; v < s_.number_of_vertices(); ++v)
-        out.put(static_cast<std::uint8_t>(s_.kind(v)));
+        out.base64(static_cast<std::uint8_t>(s_.kind(v)));
     });
-    data("labels", [&](Base64_writer& out) {
+    data("labels", [&](Output_buffer& out) {
       for (const Common_subdivision::Vertex& v : s_.vertices) {
-        out.put(v.intrinsic);
-        out.put(v.kind == Subdivision_vertex_kind::input ? v.on_input.vertices[0] : v.input_face);
+        out.base64(v.intrinsic);
+        out.base64(v.kind == Subdivision_vertex_kind::input ? v.on_input.vertices[0]
+                                                            : v.input_face);
       }
       for (const Common_subdivision::Crossing& x : s_.crossings) {
-        out.put(x.on_intrinsic.edge);
-        out.put(x.on_input.edge);
+        out.base64(x.on_intrinsic.edge);
+        out.base64(x.on_input.edge);
       }
     });
   }
@@ -223,11 +225,11 @@ private:
     out_.text(" data-name=\"");
     escaped(field.name);
     out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\">");
-    close_data([&](Base64_writer& out) {
+    close_data([&](Output_buffer& out) {
       for (const double x : field.values)
-        out.put(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()
-                : range > 0       ? static_cast<float>((x / 2 - least / 2) / range)
-                                  : 0.f);
+        out.base64(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()
+                   : range > 0       ? static_cast<float>((x / 2 - least / 2) / range)
+                                     : 0.f);
     });
   }
 
@@ -244,37 +246,36 @@ private:
         greatest[c] = std::max(greatest[c], p[c]);
       }
     const double size = std::max(greatest[0] - least[0], greatest[1] - least[1]);
-    data("texture", [&](Base64_writer& out) {
+    data("texture", [&](Output_buffer& out) {
       for (const std::array<double, 2>& p : view_.texture)
         for (std::size_t c = 0; c < 2; ++c)
-          out.put(!is_place(p) ? std::numeric_limits<float>::quiet_NaN()
-                  : size > 0   ? static_cast<float>((p[c] - least[c]) / size)
-                               : 0.f);
+          out.base64(!is_place(p) ? std::numeric_limits<float>::quiet_NaN()
+                     : size > 0   ? static_cast<float>((p[c] - least[c]) / size)
+                                  : 0.f);
     });
   }
 
   // Both ends of each line, and its label.
-  void write_curves(std::string_view id, std::span<const Polyline> curves) {
+  void write_curves(const std::string& id, std::span<const Polyline> curves) {
     std::vector<std::array<float, 3>> ends;
     std::vector<std::int32_t> labels;
     for (const Polyline& curve : curves)
       for (std::size_t i = 0; i < curve.number_of_segments(); ++i) {
-        ends.push_back(scaling_(curve.points[i]));
-        ends.push_back(scaling_(curve.points[(i + 1) % curve.points.size()]));
+        for (const std::size_t k : {i, (i + 1) % curve.points.size()})
+          ends.push_back(scaling_(curve.points[k]));
         labels.push_back(curve.label);
       }
     tuples(id, ends);
-    numbers(std::string(id) + "-labels", labels);
+    numbers(id + "-labels", labels);
   }
 
   void write_marks() {
     std::vector<std::array<float, 3>> places;
     std::vector<std::int32_t> labels;
-    for (const Polyline& mark : view_.marks)
-      for (const Point& p : mark.points) {
-        places.push_back(scaling_(p));
-        labels.push_back(mark.label);
-      }
+    for (const Polyline& mark : view_.marks) {
+      for (const Point& p : mark.points) places.push_back(scaling_(p));
+      labels.insert(labels.end(), mark.points.size(), mark.label);
+    }
     tuples("marks", places);
     numbers("marks-labels", labels);
   }
@@ -310,6 +311,33 @@ private:
 
 } // namespace internal
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+write_html_view(std::ostream& out, const Common_subdivision& s,
+                std::span<const std::array<double, 3>> points, const Html_view& view) {
+  internal::check_output({s, points, view.fields});
+  for (const Subdivision_field& field : view.fields)
+    if (!field.is_function())
+      throw Invalid_input(Element_kind::none, 0,
+                          "the field \"" + field.name +
+                              "\" cannot be shown as colours; give a number per vertex");
+  if (!view.texture.empty() && view.texture.size() != s.number_of_vertices())
+    throw Invalid_input(Element_kind::none, 0,
+                        "the texture has " + std::to_string(view.texture.size()) +
+                            " places; give one for each of the " +
+                            std::to_string(s.number_of_vertices()) +
+                            " vertices of the common subdivision");
+  Html_view complete = view;
+  const bool has_scripts = !view.three.empty() && !view.trackball_controls.empty();
+  const Three_js found = has_scripts ? Three_js() : find_three_js();
+  if (view.three.empty()) complete.three = found.three;
+  if (view.trackball_controls.empty()) complete.trackball_controls = found.trackball_controls;
+  if (complete.three.empty() || complete.trackball_controls.empty())
+    throw Invalid_input(Element_kind::none, 0,
+                        "the page needs three.js and its TrackballControls.js; install Debian's "
+                        "package libjs-three, or give their texts, see find_three_js()");
+  internal::Html_view_writer(out, s, points, complete).write();
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_HTML_VIEW_WRITER_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_IMPL_H

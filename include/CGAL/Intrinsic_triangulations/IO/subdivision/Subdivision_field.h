@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_INPUT_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_INPUT_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_SUBDIVISION_FIELD_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_SUBDIVISION_FIELD_H
 
+#include <CGAL/Intrinsic_triangulations/IO/support/columns.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
@@ -28,8 +29,8 @@ struct Subdivision_field {
     faces     ///< each face
   };
 
-  std::string name;           ///< letters, digits and `_.-`; no name that files use themselves
-  std::vector<double> values; ///< `components` for each vertex or face
+  std::string name;              ///< letters, digits and `_.-`; no name that files use themselves
+  std::vector<double> values;    ///< `components` for each vertex or face
   Place place = Place::vertices; ///< what the values belong to
   unsigned components = 1;       ///< 1: numbers; 3: vectors in space
 
@@ -70,50 +71,51 @@ struct Subdivision_output {
 // below 2^31.
 inline std::int32_t signed_label(std::uint32_t i) { return static_cast<std::int32_t>(i); }
 
-/*!
-Visits what files tell of each vertex besides its position. The visitor takes a name, that of a component
-(which a number follows, where there are several) and a functor from vertices to arrays of components.
-*/
-template <class Visit>
-void for_each_vertex_label(const Common_subdivision& s, Visit visit) {
+// What files tell of each vertex besides its position.
+inline std::vector<Column> vertex_labels(const Common_subdivision& s) {
   constexpr std::uint32_t none = Common_subdivision::none;
-  const auto label = [&](std::string_view name, auto value) {
-    visit(name, name, [=](std::size_t v) { return std::array{value(v)}; });
-  };
-  const auto vertices = []<std::size_t n>(const Weighted_vertices& w,
-                                          std::array<std::int32_t, n> all) {
-    for (std::size_t i = 0; i < n; ++i) all[i] = signed_label(i < w.size ? w.vertices[i] : none);
+  const std::size_t n = s.number_of_vertices(), m = s.vertices.size(); // crossings follow
+  const auto vertices = []<std::size_t k>(const Weighted_vertices& w,
+                                          std::array<std::int32_t, k> all) {
+    for (std::size_t i = 0; i < k; ++i) all[i] = signed_label(i < w.size ? w.vertices[i] : none);
     return all;
   };
-  const auto weights = []<std::size_t n>(const Weighted_vertices& w, std::array<double, n> all) {
-    for (std::size_t i = 0; i < n; ++i) all[i] = i < w.size ? w.weights[i] : 0;
+  const auto weights = []<std::size_t k>(const Weighted_vertices& w, std::array<double, k> all) {
+    for (std::size_t i = 0; i < k; ++i) all[i] = i < w.size ? w.weights[i] : 0;
     return all;
   };
-  const std::size_t m = s.vertices.size(); // crossings follow
-  label("kind", [&s](std::size_t v) { return static_cast<std::uint8_t>(s.kind(v)); });
-  label("input_face",
-        [&s, m](std::size_t v) { return signed_label(v < m ? s.vertices[v].input_face : none); });
-  label("input_edge", [&s, m](std::size_t v) {
-    return signed_label(v < m ? none : s.crossings[v - m].on_input.edge);
-  });
-  label("intrinsic_edge", [&s, m](std::size_t v) {
-    return signed_label(v < m ? none : s.crossings[v - m].on_intrinsic.edge);
-  });
+  const auto numbered = [](const std::string& name, std::size_t k) {
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < k; ++i) result.push_back(name + std::to_string(i));
+    return result;
+  };
   using std::array;
-  visit("input_vertices", "input_vertex_",
-        [&](std::size_t v) { return vertices(s.on_input(v), array<std::int32_t, 3>()); });
-  visit("input_weights", "input_weight_",
-        [&](std::size_t v) { return weights(s.on_input(v), array<double, 3>()); });
-  visit("intrinsic_vertices", "intrinsic_vertex_",
-        [&](std::size_t v) { return vertices(s.on_intrinsic(v), array<std::int32_t, 2>()); });
-  visit("intrinsic_weights", "intrinsic_weight_",
-        [&](std::size_t v) { return weights(s.on_intrinsic(v), array<double, 2>()); });
-}
-
-// The name of a component of a label.
-inline std::string component_name(std::string_view component, std::size_t i,
-                                  std::size_t components) {
-  return std::string(component) + (components == 1 ? "" : std::to_string(i));
+  return {
+      numbers("kind", n, [&s](std::size_t v) { return static_cast<std::uint8_t>(s.kind(v)); }),
+      numbers(
+          "input_face", n,
+          [&s, m](std::size_t v) { return signed_label(v < m ? s.vertices[v].input_face : none); }),
+      numbers("input_edge", n,
+              [&s, m](std::size_t v) {
+                return signed_label(v < m ? none : s.crossings[v - m].on_input.edge);
+              }),
+      numbers("intrinsic_edge", n,
+              [&s, m](std::size_t v) {
+                return signed_label(v < m ? none : s.crossings[v - m].on_intrinsic.edge);
+              }),
+      tuples("input_vertices", numbered("input_vertex_", 3), n,
+             [&s, vertices](std::size_t v) {
+               return vertices(s.on_input(v), array<std::int32_t, 3>());
+             }),
+      tuples("input_weights", numbered("input_weight_", 3), n,
+             [&s, weights](std::size_t v) { return weights(s.on_input(v), array<double, 3>()); }),
+      tuples("intrinsic_vertices", numbered("intrinsic_vertex_", 2), n,
+             [&s, vertices](std::size_t v) {
+               return vertices(s.on_intrinsic(v), array<std::int32_t, 2>());
+             }),
+      tuples(
+          "intrinsic_weights", numbered("intrinsic_weight_", 2), n,
+          [&s, weights](std::size_t v) { return weights(s.on_intrinsic(v), array<double, 2>()); })};
 }
 
 // The names of the numbers of a field where each has its own: `v` or `v_x`, `v_y`, `v_z`.
@@ -129,13 +131,8 @@ inline bool is_label_name(std::string_view name, Subdivision_field::Place place)
       "sheet",          "red",        "green",          "blue"};
   if (place == Subdivision_field::Place::faces) return std::ranges::count(of_faces, name) != 0;
   bool is_taken = name == "x" || name == "y" || name == "z";
-  const Common_subdivision none;
-  for_each_vertex_label(none, [&](std::string_view label, std::string_view component, auto values) {
-    constexpr std::size_t components = std::tuple_size_v<decltype(values(0))>;
-    is_taken = is_taken || name == label;
-    for (std::size_t i = 0; i < components; ++i)
-      is_taken = is_taken || name == component_name(component, i, components);
-  });
+  for (const Column& column : vertex_labels(Common_subdivision()))
+    is_taken = is_taken || name == column.name || std::ranges::count(column.components, name) != 0;
   return is_taken;
 }
 
@@ -196,4 +193,4 @@ inline void check_output(const Subdivision_output& o) {
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_INPUT_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_SUBDIVISION_FIELD_H
