@@ -22,8 +22,9 @@ HEAD = """\
 The names that programs use, for readers without doxygen. `doc/list_members.py` makes this page from
 the comments in the headers, and a test checks that it is up to date. All names are in the namespace
 `CGAL::Intrinsic_triangulations`. Names marked with * are in the header of their package:
-`CGAL/Intrinsic_triangulations.h`, `CGAL/Intrinsic_geodesics.h` or `CGAL/Intrinsic_operators.h`. The links lead to the headers, which describe parameters, results and costs; the
-[user manual](Intrinsic_triangulations/user_manual.md) says what to use when.
+`CGAL/Intrinsic_triangulations.h`, `CGAL/Intrinsic_geodesics.h` or `CGAL/Intrinsic_operators.h`. The
+links lead to the headers, which describe parameters, results and costs. The
+[user manual](Intrinsic_triangulations/user_manual.md) says what to use for which task.
 """
 PACKAGES = ("Intrinsic_triangulations", "Intrinsic_geodesics", "Intrinsic_operators")
 GROUP = re.compile(r'^  group\["([^"]+)"\]\s*= "(\w+)"$', re.MULTILINE)
