@@ -6,42 +6,50 @@ import math
 from drawing import BLUE, GREY, INK, RED, Drawing
 
 LAYERS = [
-    ("IO/", "files, pages to look at", "#e8eef7"),
-    ("operators/", "matrices, transfer (Eigen)", "#e8eef7"),
+    ("Intrinsic_operators/", "matrices, solvers, heat, vectors, maps (Eigen)", "#e8eef7"),
+    ("Intrinsic_geodesics/", "curves, shortest paths, exact distances", "#e8eef7"),
+    ("IO/", "files, pages to look at", "#dbe7f5"),
+    ("domains/", "surfaces from any faces", "#dbe7f5"),
     ("retriangulation/", "flips to Delaunay, refinement, ODT, quality", "#dbe7f5"),
-    ("Intrinsic_triangulation", "owns a mesh and what is green, and alone changes them", "#f7ead0"),
+    ("Intrinsic_triangulation", "owns a mesh and the green parts; only it changes them", "#f7ead0"),
     ("correspondence/", "where intrinsic edges run on the input", "#e3f1df"),
     ("triangulation/, tracing/", "records of moves, sessions; straight lines", "#eeeeee"),
     ("metric/, exact/", "lengths, areas, exact decisions", "#e3f1df"),
     ("input/, formulas/", "the surface before all moves; one triangle, one diamond", "#eeeeee"),
     ("connectivity/", "gluings, mesh types, moves without geometry", "#e3f1df")]
-CONCEPTS = {2: "IntrinsicTriangulation", 4: "IntrinsicCorrespondence",
-            6: "IntrinsicTriangulationTraits", 8: "MutableDeltaComplex"}
+CONCEPTS = {0: "MeasuredTriangulation", 1: "GeodesicTriangulation", 4: "IntrinsicTriangulation",
+            6: "IntrinsicCorrespondence", 8: "IntrinsicTriangulationTraits",
+            10: "MutableDeltaComplex"}
 MODELS = {
-    2: ["Intrinsic_triangulation,", "Integer_only_triangulation"],
-    4: ["No_correspondence, Integer_coordinates,", "Explicit_crossings, Signposts"],
-    6: ["Exact_euclidean_traits, Interval_traits,", "Euclidean_traits&lt;FT&gt;, Tolerant_traits&lt;FT, T&gt;"],
-    8: ["Gluing_map, Surface_mesh,", "Polyhedron_3, OpenMesh"]}
+    0: ["Intrinsic_triangulation"],
+    1: ["Intrinsic_triangulation"],
+    4: ["Intrinsic_triangulation,", "Integer_only_triangulation"],
+    6: ["No_correspondence, Integer_coordinates,", "Explicit_crossings, Signposts"],
+    8: ["Exact_euclidean_traits, Interval_traits,",
+        "Euclidean_traits&lt;FT&gt;, Tolerant_traits&lt;FT, T&gt;"],
+    10: ["Gluing_map, Surface_mesh,", "Polyhedron_3, OpenMesh"]}
 
 
 def layers(file):
-    d = Drawing(760, 498)
+    d = Drawing(780, 664)
     mono = 'font-family="monospace" font-weight="bold"'
-    places = [(10, 10, 195), (215, 10, 195)] + [(10, 70 + 62 * k, 400) for k in range(7)]
+    d.rectangle(10, 140, 420, 514, "#fafafa", GREY) # the rooms of triangulations
+    d.text(20, 158, "Intrinsic_triangulations/", 13, INK, "start", mono)
+    places = [(10, 10, 420), (10, 72, 420), (20, 168, 195), (225, 168, 195)]
+    places += [(20, 230 + 62 * k, 400) for k in range(7)]
     for (name, what, fill), (x, y, w) in zip(LAYERS, places):
         d.rectangle(x, y, w, 46, fill)
         d.text(x + w / 2, y + 20, name, 13, style=mono)
         d.text(x + w / 2, y + 37, what, 11.5, GREY)
-    d.lines([[(107, 56), (107, 70)], [(312, 56), (312, 70)]] +
-            [[(210, 116 + 62 * k), (210, 132 + 62 * k)] for k in range(6)], arrow=True)
-    d.text(430, 24, "concept", 12, GREY, "start")
+    d.lines([[(220, 56), (220, 72)], [(220, 118), (220, 140)], [(117, 214), (117, 230)],
+             [(322, 214), (322, 230)]] +
+            [[(220, 276 + 62 * k), (220, 292 + 62 * k)] for k in range(6)], arrow=True)
     for k, name in CONCEPTS.items():
         y = places[k][1]
-        models = MODELS.get(k, [])
-        d.lines([[(410, y + 23), (424, y + 23)]], GREY, dash="8 8")
-        d.text(430, y + (27 if not models else 12), name, 12, BLUE, "start")
-        for i, line in enumerate(models):
-            d.text(440, y + 28 + 14 * i, line, 11.5, INK, "start")
+        d.lines([[(places[k][0] + places[k][2], y + 23), (444, y + 23)]], GREY, dash="8 8")
+        d.text(450, y + 12, name, 12, BLUE, "start")
+        for i, line in enumerate(MODELS[k]):
+            d.text(460, y + 28 + 14 * i, line, 11.5, INK, "start")
     d.write(file)
 
 
