@@ -43,7 +43,6 @@ class Cli_test(unittest.TestCase):
     """Runs the program in a directory of its own."""
 
     program = None
-    data = None
 
     def setUp(self):
         self._directory = tempfile.TemporaryDirectory()
@@ -177,8 +176,6 @@ def main():
     """Runs the tests of the calling script; the options are those that ctest gives."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--intrinsic", required=True)
-    parser.add_argument("--data", required=True)
     options, rest = parser.parse_known_args()
     Cli_test.program = os.path.abspath(options.intrinsic)
-    Cli_test.data = os.path.abspath(options.data)
     unittest.main(argv=[sys.argv[0]] + rest, verbosity=2)
