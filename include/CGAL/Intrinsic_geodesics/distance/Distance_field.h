@@ -61,13 +61,20 @@ struct Distance_field {
       face_sources; ///< sources in faces: the i-th has the number of vertices plus i
   std::vector<std::uint32_t>
       sources_by_face;    ///< the indices of sources in faces, in the order of their faces
-  Stored_windows windows; ///< what looks into faces
+  Stored_windows windows; ///< what looks into faces, if it is kept: points in faces need it
   double radius = 0;      ///< distances up to this one are known
 
   /// starts without sources.
   explicit Distance_field(Corner_table t)
-      : table(std::move(t)), vertices(table.first_corner.size()), windows(table.corners.size()) {}
+      : table(std::move(t)), vertices(table.first_corner.size()) {}
 
+  /// forgets what was found, and has sources no more.
+  void clear() {
+    vertices.assign(vertices.size(), {});
+    face_sources.clear();
+    sources_by_face.clear();
+    radius = 0;
+  }
   /// returns how far the source of a window is from the nearest true one.
   double offset(std::uint32_t source) const {
     return source < vertices.size() ? vertices[source].distance : 0;
@@ -108,7 +115,7 @@ struct Distance_field {
             {weights[1] * face.base.length + weights[2] * face.apex.x, weights[2] * face.apex.y},
             weights};
   }
-  /// finds the distance of a point of a face.
+  /// finds the distance of a point of a face. \pre windows are kept
   Distance_and_arrival at(const Point_in_face& p) const {
     Distance_and_arrival best;
     const auto go_straight = [&](std::uint32_t side, Plane_vector<double> image, std::uint32_t source,

@@ -24,6 +24,8 @@
 #include <cstdint>
 #include <limits>
 #include <ranges>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -70,7 +72,9 @@ At a vertex that is not manifold, paths pass from any fan of faces to any other.
 copies of a vertex are one point: paths start, end and pass from one side to the other there.
 
 The search is that of Chen and Han (1990), by distance and pruned as by Xin and Wang (2009): intervals of edges that a source
-sees, *windows*, spread over the faces, 32 bytes each.
+sees, *windows*, spread over the faces, those of an edge together as by Qin et al. (2016). Distances of vertices, and paths to
+them, need no windows once they are found. Those of points in faces do: the first question about one repeats the search, and
+keeps the windows, 32 bytes each.
 
 \tparam Triangulation a model of `NumberedTriangulation`
 */
@@ -95,8 +99,8 @@ public:
     - `visitor(v)`: see `Polyhedral_distance_visitor`
   \pre points are in faces, and their weights are not negative
   \complexity O(n^2 log n) for n faces that shortest paths cross once, as they do in space (Chen and Han; Xin and Wang); about
-    n^1.5 in practice. Memory: 32 bytes per window, 6 to
-    12 windows per halfedge as a rule, and 40 bytes per halfedge
+    n^1.5 in practice. Memory: 56 bytes per halfedge, and 40 per vertex; where windows are kept, which targets in faces ask for,
+    32 bytes for each of 6 to 12 per halfedge
   */
   template <class Sources, NamedParameters NP = parameters::Parameters<>>
   Polyhedral_distance(const Triangulation& t, const Sources& sources,
@@ -104,19 +108,19 @@ public:
       : t_(&t), field_(internal::corner_table(t)) {
     using namespace internal::tags;
     internal::expect_names<maximum_distance, targets, maximum_number, visitor>(np);
-    internal::Window_propagation propagation(field_);
-    for_each_place(sources, [&](const auto& p) { propagation.add_source(p); });
+    for_each_place(sources, [&](const auto& p) { add_source(p); });
     internal::Propagation_limits limits;
     limits.radius = internal::value_or<maximum_distance>(np, limits.radius) / field_.table.unit;
     limits.windows = internal::value_or<maximum_number>(np, field_.default_cap());
     for_each_place(internal::object_or<targets>(np, std::array<Surface_point, 0>()),
                    [&](const auto& p) { limits.add_target(p); });
+    if (!limits.points.empty()) field_.windows.keep(field_.table.corners.size());
     auto stored_visitor = internal::object_or<visitor>(np, Polyhedral_distance_visitor());
     auto& observed = internal::unwrapped(stored_visitor);
-    status_ = propagation.run(limits, [&](std::uint64_t windows, double distance) {
-      return observed.progress(windows, distance * field_.table.unit);
-    });
-    number_of_windows_ = propagation.number_of_windows();
+    std::tie(status_, number_of_windows_) =
+        search(limits, [&](std::uint64_t windows, double distance) {
+          return observed.progress(windows, distance * field_.table.unit);
+        });
   }
 
   /// returns `done`, `cap` or `cancelled`; distances up to `reached_distance()` are known in any case.
@@ -131,11 +135,13 @@ public:
   /// returns the distance of a vertex, in the units of the input; infinity if it cannot be reached, or
   /// was not looked for so far away.
   double distance(vertex_descriptor v) const {
-    return known(field_.vertices[t_->index(v)].distance);
+    return distance_of(t_->index(v));
   }
-  /// returns the distance of a point. \complexity linear in the number of windows of its face
+  /// returns the distance of a point. \complexity linear in the number of windows of its face, once they are kept
   double distance(const Surface_point& p) const {
-    return known(field_.at(point_in_face(p)).distance);
+    double result = 0;
+    for_each_place(p, [&](const auto& place) { result = distance_of(place); });
+    return result;
   }
   /// returns the distances of all vertices, by their rows, see
   /// `Intrinsic_triangulation::input_vertex()`.
@@ -155,7 +161,9 @@ public:
   /// returns a shortest path to a point from the nearest source. \complexity linear in the number of its points and of the
   /// windows of its face
   Shortest_path shortest_path(const Surface_point& p) const {
-    return path_to(point_in_face(p), distance(p));
+    Shortest_path result;
+    for_each_place(p, [&](const auto& place) { result = path_to(place, distance_of(place)); });
+    return result;
   }
 
   /// returns the vector at the nearest source along the shortest path to a vertex, as long as the
@@ -167,11 +175,43 @@ public:
   }
   /// returns the vector at the nearest source along the shortest path to a point; see above.
   Tangent_vector logarithm(const Surface_point& p) const {
-    return departure_to(point_in_face(p), distance(p));
+    Tangent_vector result;
+    for_each_place(p, [&](const auto& place) { result = departure_to(place, distance_of(place)); });
+    return result;
   }
 
 private:
   using Halfedge = typename Triangulation::halfedge_descriptor;
+
+  void add_source(std::uint32_t v) { source_vertices_.push_back(v); }
+  void add_source(const internal::Point_in_face& p) { source_points_.push_back(p); }
+
+  // Finds distances; returns the status and the number of windows.
+  template <class Progress>
+  std::pair<Status, std::uint64_t> search(const internal::Propagation_limits& limits,
+                                          const Progress& progress) const {
+    internal::Window_propagation propagation(field_);
+    for (const std::uint32_t v : source_vertices_) propagation.add_source(v);
+    for (const internal::Point_in_face& p : source_points_) propagation.add_source(p);
+    const Status status = propagation.run(limits, progress);
+    return {status, propagation.number_of_windows()};
+  }
+
+  // What a search with windows finds, as far as the first search went.
+  const internal::Distance_field& field_with_windows() const {
+    if (field_.windows.are_kept()) return field_;
+    internal::Propagation_limits limits;
+    limits.radius = field_.radius;
+    field_.clear();
+    field_.windows.keep(field_.table.corners.size());
+    search(limits, [](std::uint64_t, double) { return true; });
+    return field_;
+  }
+
+  double distance_of(std::uint32_t v) const { return known(field_.vertices[v].distance); }
+  double distance_of(const internal::Point_in_face& p) const {
+    return known(field_with_windows().at(p).distance);
+  }
 
   double known(double scaled_distance) const {
     return scaled_distance <= field_.radius ? scaled_distance * field_.table.unit
@@ -235,7 +275,9 @@ private:
   }
 
   const Triangulation* t_;
-  internal::Distance_field field_;
+  std::vector<std::uint32_t> source_vertices_;
+  std::vector<internal::Point_in_face> source_points_;
+  mutable internal::Distance_field field_;
   Status status_ = Status::done;
   std::uint64_t number_of_windows_ = 0;
 };

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -33,15 +32,21 @@ public:
     std::uint32_t next;         ///< another window of the side, or `Gluing::none`
   };
 
-  /// has no windows yet.
-  explicit Stored_windows(std::size_t sides) : first_(sides, Gluing::none) {}
-
+  /// forgets all windows, and makes room for those of a number of sides.
+  void keep(std::size_t sides) {
+    blocks_.clear();
+    first_.assign(sides, Gluing::none);
+    size_ = 0;
+  }
+  /// tells whether windows are kept.
+  bool are_kept() const { return !first_.empty(); }
   /// adds a window to a side with a length.
-  void add(const Window& w, double length) {
-    if (size_ % block_size == 0) blocks_.push_back(std::make_unique<Record[]>(block_size));
-    at(size_) = {w.image, rounded(std::floor(w.begin / length * units)),
-                 rounded(std::ceil(w.end / length * units)), w.source, first_[w.side]};
-    first_[w.side] = size_++;
+  void add(const Window& w, std::uint32_t side, double length) {
+    if (size_ % block_size == 0)
+      blocks_.push_back(std::make_unique_for_overwrite<Record[]>(block_size));
+    at(size_) = {w.image, rounded(w.begin / length * units), rounded(w.end / length * units + 1),
+                 w.source, first_[side]};
+    first_[side] = size_++;
   }
   /// calls a function with a window after the other that look through a side.
   template <class Function>
@@ -64,7 +69,7 @@ private:
   static constexpr std::uint32_t largest = 0xffffffffU;
   static constexpr double units = largest;
 
-  static std::uint32_t rounded(double x) {
+  static std::uint32_t rounded(double x) { // downwards
     return static_cast<std::uint32_t>(std::clamp(x, 0.0, units));
   }
   Record& at(std::uint32_t i) const { return blocks_[i / block_size][i % block_size]; }

@@ -37,15 +37,29 @@ struct Window {
   double end;                 ///< where it ends
   Plane_vector<double> image; ///< the source, in the frame of the side
   double offset;              ///< distance of the source from the nearest true one
-  double begin_distance;      ///< from the image to the begin
-  double end_distance;        ///< from the image to the end
-  std::uint32_t side;         ///< a corner: the side of the face into which the window looks
   std::uint32_t source;       ///< number of the source: a vertex, or one in a face
 
+  /// returns the square of the distance from the image to a place on the side.
+  double squared_distance(double place) const {
+    return (place - image.x) * (place - image.x) + image.y * image.y;
+  }
   /// returns the least distance of a point of the interval from a true source.
   double least_distance() const {
     if (image.x >= begin && image.x <= end) return offset - image.y;
-    return offset + std::min(begin_distance, end_distance);
+    return offset + std::sqrt(squared_distance(image.x < begin ? begin : end));
+  }
+  /// returns whether all of its paths are longer than others by way of the ends of a side with a length, whose distances are known.
+  bool is_useless(double at_source, double at_target, double length) const {
+    const double by_source = at_source + end - offset;
+    const double by_target = at_target + (length - begin) - offset;
+    return is_farther(by_source, squared_distance(end)) || is_farther(by_target, squared_distance(begin));
+  }
+
+private:
+  // whether the root of a square is larger than another way, by more than rounding makes
+  static bool is_farther(double other, double square) {
+    constexpr double least = 1 - 2 * window_distance_tolerance;
+    return other < 0 || other * other < square * least;
   }
 };
 
@@ -68,28 +82,44 @@ struct Window_face {
                                                                 left.length * base.sine} {}
 };
 
-/// How the apex of a face lies to the rays of a window.
+/// How the apex of a face lies to the rays of a window. Squares decide; only an apex that is seen takes a root.
 struct Apex_view {
-  double distance;    ///< from the image
-  double crossing;    ///< where the line from the image crosses the side
-  double tolerance;   ///< how far crossings may be apart that are not told apart
-  bool is_not_before; ///< it is not to the left of the window
-  bool is_not_after;  ///< it is not to the right of the window
-  bool is_near_begin; ///< it is on the left ray as far as can be told
-  bool is_near_end;   ///< it is on the right ray as far as can be told
+  double crossing;         ///< where the line from the image crosses the side
+  double below;            ///< the part of that line that is below the side
+  double squared_distance; ///< of the apex from the image
+  double squared_turn;     ///< of the angle that is not told apart, as a part of a distance from the image, on the side
+  bool is_not_before;      ///< it is not to the left of the window
+  bool is_not_after;       ///< it is not to the right of the window
 
-  Apex_view(const Window& w, const Window_face& f) : distance(planar_distance(w.image, f.apex)) {
-    const double height = f.apex.y - w.image.y, below = -w.image.y / height;
-    crossing = w.image.x + (f.apex.x - w.image.x) * below;
-    const double least = window_angle_tolerance * distance / height;
-    const double at_begin = least * w.begin_distance, at_end = least * w.end_distance;
-    is_not_before = crossing >= w.begin - at_begin;
-    is_not_after = crossing <= w.end + at_end;
-    is_near_begin = crossing <= w.begin + 2 * at_begin;
-    is_near_end = crossing >= w.end - 2 * at_end;
-    tolerance = 2 * least * distance * below;
+  Apex_view(const Window& w, const Window_face& f) {
+    const Plane_vector<double> up = f.apex - w.image;
+    below = -w.image.y / up.y;
+    crossing = w.image.x + up.x * below;
+    squared_distance = dot(up, up);
+    squared_turn =
+        window_angle_tolerance * window_angle_tolerance * squared_distance / (up.y * up.y);
+    is_not_before = is_positive(crossing - w.begin, w.squared_distance(w.begin));
+    is_not_after = is_positive(w.end - crossing, w.squared_distance(w.end));
   }
   bool is_seen() const { return is_not_before && is_not_after; }
+  /// whether it is on the left ray as far as can be told
+  bool is_near_begin(const Window& w) const {
+    return is_positive(w.begin - crossing, 4 * w.squared_distance(w.begin));
+  }
+  /// whether it is on the right ray as far as can be told
+  bool is_near_end(const Window& w) const {
+    return is_positive(crossing - w.end, 4 * w.squared_distance(w.end));
+  }
+  /// whether its line crosses the side where another one does, as far as can be told
+  bool is_near(double other_crossing) const {
+    return is_positive(-std::abs(crossing - other_crossing), 4 * squared_distance * below * below);
+  }
+
+private:
+  // whether a difference is positive, or rounding may have made it negative at a distance from the image
+  bool is_positive(double x, double square) const {
+    return x >= 0 || x * x <= squared_turn * square;
+  }
 };
 
 // Where the ray from an image through the point x of the side hits the line that leaves the corner at the origin at an angle:
@@ -105,14 +135,11 @@ inline Plane_vector<double> turned(Plane_vector<double> image, const Face_corner
           image.y * angle.cosine - image.x * angle.sine};
 }
 
-// Sets the distances to the ends of a window. Tells whether it is one. A source on the line of the side, as in faces of
-// area zero, is put below it by as good as nothing: it sees everything through its own place, and nothing elsewhere.
-inline bool measure_window(Window& w) {
-  if (!(w.begin < w.end)) return false;
+// Tells whether a window is one. A source on the line of the side, as in faces of area zero, is put below it by as good as
+// nothing: it sees everything through its own place, and nothing elsewhere.
+inline bool is_window(Window& w) {
   w.image.y = std::min(w.image.y, -0x1p-80 * w.end);
-  w.begin_distance = planar_distance(w.image, {w.begin, 0});
-  w.end_distance = planar_distance(w.image, {w.end, 0});
-  return true;
+  return w.begin < w.end;
 }
 
 // What a window sees of the side on the left of the face, from its begin to `end`, or to the apex.
@@ -123,8 +150,7 @@ inline bool left_child(const Window& w, const Window_face& f, bool to_apex, Wind
   child.end = to_apex ? f.left.length : std::min(f.left.length, ray_hit(w.end, w.image, f.base));
   child.offset = w.offset;
   child.source = w.source;
-  child.side = f.left.opposite;
-  return measure_window(child);
+  return is_window(child);
 }
 
 // What a window sees of the side on the right of the face, from its begin or from the apex.
@@ -140,8 +166,7 @@ inline bool right_child(const Window& w, const Window_face& f, bool from_apex, W
   child.end = std::max(0.0, f.right.length - ray_hit(length - w.end, mirrored, f.right));
   child.offset = w.offset;
   child.source = w.source;
-  child.side = f.right.opposite;
-  return measure_window(child);
+  return is_window(child);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -19,7 +19,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Window_propagation::Window_propagation(Distance_field& field)
-    : field_(field), table_(field.table), split_(field.table.corners.size()),
+    : field_(field), table_(field.table), queue_(field.table.corners.size()),
+      split_(field.table.corners.size()),
       is_final_(field.vertices.size(), 0) {}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_source(std::uint32_t v) {
@@ -43,8 +44,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_source(const P
     const Window_face f(table_, side);
     reach(f.left.origin, planar_distance(q, f.apex), {q, side, source, Arrival::Kind::straight});
     if (c.opposite == Gluing::none) continue;
-    Window w{0, c.length, {c.length - q.x, -q.y}, 0, 0, 0, c.opposite, source};
-    if (measure_window(w)) add_window(w);
+    add_window(c.opposite, {0, c.length, {c.length - q.x, -q.y}, 0, source});
   }
 }
 
@@ -175,109 +175,108 @@ Window_propagation::open_wedge(std::uint32_t v, const Wedge& wedge, double from,
                       f.base.length);
   };
   const double length = f.base.length;
-  Window w{to >= wedge.angle ? 0 : length - place(to),
-           from <= 0 ? length : length - place(from),
-           {length - f.apex.x, -f.apex.y},
-           field_.vertices[v].distance,
-           0,
-           0,
-           f.base.opposite,
-           v};
-  if (measure_window(w)) add_window(w);
+  add_window(f.base.opposite, {to >= wedge.angle ? 0 : length - place(to),
+                               from <= 0 ? length : length - place(from),
+                               {length - f.apex.x, -f.apex.y},
+                               field_.vertices[v].distance,
+                               v});
 }
 
-// Whether the paths through a window are longer than others, by way of the ends of its side.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Window_propagation::is_useless(const Window& w) const {
-  constexpr double least = 1 - window_distance_tolerance;
-  const Face_corner& side = table_.corners[w.side];
-  const double source = field_.vertices[side.origin].distance;
-  if (source + w.end < (w.offset + w.end_distance) * least) return true;
-  const double target = field_.vertices[table_.corners[Corner_table::next(w.side)].origin].distance;
-  return target + (side.length - w.begin) < (w.offset + w.begin_distance) * least;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_window(const Window& w) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_window(std::uint32_t side,
+                                                                         Window w) {
+  const Face_corner& c = table_.corners[side];
+  if (!is_window(w) ||
+      w.is_useless(field_.vertices[c.origin].distance,
+                   field_.vertices[table_.corners[Corner_table::next(side)].origin].distance,
+                   c.length))
+    return;
   const double key = w.least_distance();
-  if (key <= radius_ && !is_useless(w)) queue_.push_window(key, w);
-}
-
-// A window shows the far corner. Decides to which sides it goes on. Where its line to the corner is the same as that of the
-// nearest, none of the two crosses paths of the other: it goes on to the sides where more of it is than rounding makes.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::show_apex(const Window& w,
-                                                                        const Window_face& face,
-                                                                        const Apex_view& apex,
-                                                                        bool& left, bool& right) {
-  Split& nearest = split_[w.side];
-  const double distance = w.offset + apex.distance;
-  const bool is_nearest = distance < nearest.distance;
-  reach(face.left.origin, distance, {w.image, w.side, w.source, Arrival::Kind::straight});
-  if (std::abs(apex.crossing - nearest.crossing) <= apex.tolerance) {
-    const bool is_thin = apex.is_near_begin && apex.is_near_end;
-    left = is_thin ? is_nearest : !apex.is_near_begin;
-    right = is_thin ? is_nearest : !apex.is_near_end;
-  } else if (!is_nearest) {
-    left = apex.crossing < nearest.crossing;
-    right = !left;
-  }
-  if (is_nearest) nearest = {distance, apex.crossing};
-}
-
-// What a window shows of the other sides of its face: bit 0 is set if there is something on the left, bit 1 on the right.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE unsigned
-Window_propagation::split(const Window& w, Window& left, Window& right) {
-  const Window_face face(table_, w.side);
-  const Apex_view apex(w, face);
-  bool goes_left = apex.is_not_before, goes_right = apex.is_not_after;
-  if (apex.is_seen()) show_apex(w, face, apex, goes_left, goes_right);
-  // the line from the apex to an end of the window crosses all paths to the side on the other hand
-  constexpr double least = 1 - window_distance_tolerance;
-  const double distance = field_.vertices[face.left.origin].distance;
-  if (distance < w.offset + std::max(w.begin_distance, w.end_distance)) {
-    goes_left = goes_left && distance + planar_distance(face.apex, {w.begin, 0}) >=
-                                 (w.offset + w.begin_distance) * least;
-    goes_right = goes_right && distance + planar_distance(face.apex, {w.end, 0}) >=
-                                   (w.offset + w.end_distance) * least;
-  }
-  unsigned result = 0;
-  if (goes_left && left_child(w, face, apex.is_not_after, left) && !is_useless(left)) result |= 1U;
-  if (goes_right && right_child(w, face, apex.is_not_before, right) && !is_useless(right))
-    result |= 2U;
-  return result;
+  if (key <= radius_) queue_.push_window(key, side, w);
 }
 
 // Parts a window by the ray through a source in its face, as a vertex there would do: what it shows is as empty of sources as
 // of vertices.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::part_at_sources(Window& w) {
-  for (const std::uint32_t s : field_.sources_in_face(w.side / 3)) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::part_at_sources(std::uint32_t side,
+                                                                              Window& w) {
+  for (const std::uint32_t s : field_.sources_in_face(side / 3)) {
     const Point_in_face& source = field_.face_sources[s];
-    const Plane_vector<double> p = field_.turned_to(w.side, source.point, source.side);
+    const Plane_vector<double> p = field_.turned_to(side, source.point, source.side);
     const double cut = w.image.x - (p.x - w.image.x) * (w.image.y / (p.y - w.image.y));
     if (!(cut > w.begin && cut < w.end)) continue;
     Window right = w;
     right.begin = w.end = cut;
-    right.begin_distance = w.end_distance = planar_distance(w.image, {cut, 0});
-    add_window(right);
+    add_window(side, right);
   }
 }
 
-// Looks through a window, and through what it shows as long as nothing is nearer.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::look_through(Window w) {
-  Window left, right;
-  while (!is_useless(w)) {
+// Looks into a face through the windows of a side.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::look_through(std::uint32_t side) {
+  const Window_face face(table_, side);
+  collect_views(side, face);
+  show_apex(side, face);
+  const Split nearest = split_[side];
+  for (const View& view : views_) pass_on(view, face, nearest);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Window_propagation::collect_views(std::uint32_t side, const Window_face& face) {
+  const double at_source = field_.vertices[face.base.origin].distance;
+  const double at_target = field_.vertices[face.right.origin].distance;
+  views_.clear();
+  queue_.take_windows(side, [&](Window w) {
+    if (w.is_useless(at_source, at_target, face.base.length)) return;
     ++count_;
-    if (!field_.face_sources.empty()) part_at_sources(w);
-    field_.windows.add(w, table_.corners[w.side].length);
-    const unsigned shown = split(w, left, right);
-    if (shown == 0) return;
-    if (shown == 3) add_window(right);
-    w = shown == 2 ? right : left;
-    const double key = w.least_distance();
-    if (key > radius_) return;
-    if (key > queue_.least() || count_ >= most_windows_) {
-      queue_.push_window(key, w);
-      return;
+    if (!field_.face_sources.empty()) part_at_sources(side, w);
+    if (field_.windows.are_kept()) field_.windows.add(w, side, face.base.length);
+    views_.push_back({w, Apex_view(w, face)});
+  });
+}
+
+// Finds the nearest window that shows the far corner.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::show_apex(std::uint32_t side,
+                                                                        const Window_face& face) {
+  Split& nearest = split_[side];
+  for (const auto& [w, apex] : views_) {
+    if (!apex.is_seen()) continue;
+    const double distance = w.offset + std::sqrt(apex.squared_distance);
+    if (!(distance < nearest.distance)) continue;
+    nearest = {distance, apex.crossing};
+    reach(face.left.origin, distance, {w.image, side, w.source, Arrival::Kind::straight});
+  }
+}
+
+// Passes a window on to the other sides of its face. If it shows the far corner it goes to the side where it does not cross the
+// paths of the nearest. Where its line to the corner is the same as that of the nearest, none of the two crosses paths of the
+// other: it goes on to the sides where more of it is than rounding makes.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Window_propagation::pass_on(const View& view, const Window_face& face, const Split& nearest) {
+  const auto& [w, apex] = view;
+  bool left = apex.is_not_before, right = apex.is_not_after;
+  const bool is_nearest = apex.is_seen() && apex.crossing == nearest.crossing &&
+                          w.offset + std::sqrt(apex.squared_distance) == nearest.distance;
+  if (apex.is_seen() && !is_nearest) {
+    if (!apex.is_near(nearest.crossing)) {
+      left = apex.crossing < nearest.crossing;
+      right = !left;
+    } else {
+      left = !apex.is_near_begin(w);
+      right = !apex.is_near_end(w);
     }
   }
+  const double more = field_.vertices[face.left.origin].distance - w.offset;
+  // the line from the apex to an end of the window crosses all paths to the side on the other hand
+  const auto is_useless = [&](double end) {
+    constexpr double least = 1 - window_distance_tolerance;
+    const Plane_vector<double> down = face.apex - Plane_vector<double>{end, 0};
+    const double square = w.squared_distance(end), by_apex = dot(down, down);
+    if (more >= 0 && by_apex >= square) return false; // as nearly always
+    return more + std::sqrt(by_apex) < std::sqrt(square) * least;
+  };
+  Window child;
+  if (left && !is_useless(w.begin) && left_child(w, face, apex.is_not_after, child))
+    add_window(face.left.opposite, child);
+  if (right && !is_useless(w.end) && right_child(w, face, apex.is_not_before, child))
+    add_window(face.right.opposite, child);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
@@ -292,23 +291,29 @@ Window_propagation::knows_targets(const Propagation_limits& limits) const {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Window_propagation::run(
     const Propagation_limits& limits, const std::function<bool(std::uint64_t, double)>& progress) {
+  constexpr std::uint64_t most_between_progress = 65536;
   radius_ = limits.radius;
   field_.radius = limits.radius;
   most_windows_ =
       std::min<std::uint64_t>(limits.windows, std::numeric_limits<std::uint32_t>::max() - 1);
-  Window w;
-  std::uint32_t v = 0;
+  std::uint64_t next_progress = most_between_progress;
+  std::uint32_t element = 0;
   for (std::uint64_t step = 1; !queue_.is_empty(); ++step) {
-    const bool is_known = step % 1024 == 0 && knows_targets(limits);
+    const bool is_known = step % 64 == 0 && knows_targets(limits);
     const bool is_cap = count_ >= most_windows_;
-    if (is_known || is_cap || (step % 65536 == 0 && !progress(count_, queue_.least()))) {
+    bool is_cancelled = false;
+    if (count_ >= next_progress) {
+      next_progress = count_ + most_between_progress;
+      is_cancelled = !progress(count_, queue_.least());
+    }
+    if (is_known || is_cap || is_cancelled) {
       field_.radius = std::min(limits.radius, queue_.least());
       return is_known ? Status::done : is_cap ? Status::cap : Status::cancelled;
     }
-    if (!queue_.pop(v, w))
-      look_through(w);
-    else if (is_final_[v] == 0)
-      finish(v);
+    if (!queue_.pop(element))
+      look_through(element);
+    else if (is_final_[element] == 0)
+      finish(element);
   }
   return Status::done;
 }

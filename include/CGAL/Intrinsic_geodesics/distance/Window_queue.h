@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_GEODESICS_DISTANCE_WINDOW_QUEUE_H
 
 #include <CGAL/Intrinsic_geodesics/distance/Window.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -15,10 +16,16 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*!
-\brief is what window propagation has still to look at: windows and vertices, nearest first.
+\brief is what window propagation has still to look at: vertices, and sides with the windows that wait there, nearest first.
+
+Windows of a side wait for each other, so that the queue is asked once for all of them, and that what they have in common is
+computed once: about 20 on meshes of 80,000 faces.
 */
 class Window_queue {
 public:
+  /// has no windows yet.
+  explicit Window_queue(std::size_t sides) : sides_(sides) {}
+
   /// returns the least distance in the queue, infinity if it is empty.
   double least() const {
     return heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().key;
@@ -27,31 +34,44 @@ public:
   bool is_empty() const { return heap_.empty(); }
   /// adds a vertex.
   void push_vertex(double key, std::uint32_t v) { push({key, v, true}); }
-  /// adds a window.
-  void push_window(double key, const Window& w) {
+  /// adds a window to a side.
+  void push_window(double key, std::uint32_t side, const Window& w) {
     std::uint32_t i = 0;
     if (free_.empty()) {
       i = static_cast<std::uint32_t>(pool_.size());
-      pool_.push_back(w);
+      pool_.emplace_back();
     } else {
       i = free_.back();
       free_.pop_back();
-      pool_[i] = w;
     }
-    push({key, i, false});
+    Waiting& s = sides_[side];
+    pool_[i] = {w, s.first};
+    s.first = i;
+    if (key < s.key) {
+      s.key = key;
+      push({key, side, false});
+    }
   }
-  /// takes the nearest. \return whether it is a vertex, `v` then; else it is window `w`
-  bool pop(std::uint32_t& v, Window& w) {
+  /// takes the nearest. \return whether it is a vertex; else it is a side, whose windows are to be taken
+  bool pop(std::uint32_t& element) {
     const Entry e = heap_.front();
     std::pop_heap(heap_.begin(), heap_.end());
     heap_.pop_back();
-    if (e.is_vertex) {
-      v = e.element;
-    } else {
-      w = pool_[e.element];
-      free_.push_back(e.element);
-    }
+    element = e.element;
     return e.is_vertex;
+  }
+  /// takes all windows of a side: calls a function with each. There are none where the side came before.
+  template <class Function>
+  void take_windows(std::uint32_t side, const Function& f) {
+    Waiting& s = sides_[side];
+    std::uint32_t i = s.first;
+    s = {};
+    while (i != Gluing::none) {
+      const Node node = pool_[i];
+      free_.push_back(i);
+      i = node.next;
+      f(node.window);
+    }
   }
 
 private:
@@ -64,6 +84,14 @@ private:
       return a.key > b.key || (a.key == b.key && a.is_vertex && !b.is_vertex);
     }
   };
+  struct Node {
+    Window window;
+    std::uint32_t next;
+  };
+  struct Waiting {
+    double key = std::numeric_limits<double>::infinity(); // the least of the windows
+    std::uint32_t first = Gluing::none;
+  };
 
   void push(const Entry& e) {
     heap_.push_back(e);
@@ -71,8 +99,9 @@ private:
   }
 
   std::vector<Entry> heap_;
-  std::vector<Window> pool_;
-  std::vector<std::uint32_t> free_;
+  std::vector<Waiting> sides_;
+  std::vector<Node> pool_;
+  std::vector<std::uint32_t> free_; // of the pool
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
