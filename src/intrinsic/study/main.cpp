@@ -45,6 +45,16 @@ void add_limits(CLI::App& app, Study_options& study) {
       ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 40U));
 }
 
+CLI::Validator lines_file() {
+  return CLI::Validator(
+      [](std::string& path) {
+        return std::filesystem::path(path).extension() == ".jsonl"
+                   ? std::string()
+                   : path + ": write JSON lines to a file with extension .jsonl";
+      },
+      "FILE.jsonl");
+}
+
 void add_options(CLI::App& app, Study_options& study) {
   app.set_version_flag("--version", std::string("intrinsic ") + INTRINSIC_TRIANGULATIONS_VERSION);
   app.add_option("CORPUS", study.corpus,
@@ -58,7 +68,7 @@ void add_options(CLI::App& app, Study_options& study) {
   app.add_option("-o", study.output,
                  "append results to this file, one JSON object per line, unless it has them; "
                  "default study.jsonl")
-      ->check(program::extension(".jsonl", "JSON lines"));
+      ->check(lines_file());
   app.add_option("--jobs", study.jobs, "processes at a time; default 1")
       ->check(CLI::Range(1U, 1024U));
   add_limits(app, study);
