@@ -36,10 +36,6 @@ template Sign Exact_ladder::sign(const Input_metric&, const Replayed_faces&,
                                  const Recorded_face_expression&,
                                  std::vector<Face_values<Interval_nt<false>>>&,
                                  Predicate_statistics&);
-template std::vector<Face_values<Interval_nt<false>>>
-Exact_ladder::enclosures(const Input_metric&, const Unfolded_faces&, unsigned);
-template std::vector<Face_values<Interval_nt<false>>>
-Exact_ladder::enclosures(const Input_metric&, const Replayed_faces&, unsigned);
 template std::optional<double> Exact_ladder::weight(const Input_metric&, const Unfolded_diamond&,
                                                     unsigned);
 template std::optional<double> Exact_ladder::weight(const Input_metric&, const Replayed_diamond&,

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
@@ -16,6 +17,8 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -75,12 +78,17 @@ public:
   /*!
   \brief encloses the values of faces.
   \param input the input, always the same
-  \param faces `Unfolded_faces` or `Replayed_faces`
+  \param faces the input triangles under the faces
   \param bits 53, 106, 256, or any more
   */
-  template <class Faces>
-  std::vector<Face_values<FT>> enclosures(const Input_metric& input, const Faces& faces,
+  std::vector<Face_values<FT>> enclosures(const Input_metric& input, const Unfolded_faces& faces,
                                           unsigned bits);
+
+  /// What is called with the number of a face among others, and intervals that contain its values.
+  using Visit = std::function<void(std::size_t, const Face_values<FT>&)>;
+  /// encloses the values of faces one by one; bits are 106, 256, or any more.
+  void for_each_enclosure(const Input_metric& input, const Replayed_faces& faces, unsigned bits,
+                          const Visit& visit);
 
   /// encloses the squared distance of corners i and j of a diamond that is unfolded; see above.
   FT squared_length(const Input_metric& input, const Unfolded_diamond& diamond, unsigned bits);

@@ -41,10 +41,14 @@ Diamond_values<Interval_nt<false>> intervals(const Diamond_values<FT>& d) {
           intervals(d.mj), intervals(d.area_f), intervals(d.area_g)};
 }
 template <class FT>
+Face_values<Interval_nt<false>> intervals(const Face_values<FT>& f) {
+  const auto& [l, a] = f;
+  return {{intervals(l[0]), intervals(l[1]), intervals(l[2])}, intervals(a)};
+}
+template <class FT>
 std::vector<Face_values<Interval_nt<false>>> intervals(const std::vector<Face_values<FT>>& faces) {
   std::vector<Face_values<Interval_nt<false>>> result;
-  for (const auto& [l, a] : faces)
-    result.push_back({{intervals(l[0]), intervals(l[1]), intervals(l[2])}, intervals(a)});
+  for (const Face_values<FT>& f : faces) result.push_back(intervals(f));
   return result;
 }
 

@@ -20,6 +20,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/proofs/prism.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/prism_in_field.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -76,9 +77,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_ladder::Memory& Exact_ladder::memory(
   return *memory_;
 }
 
-template <class Faces>
-std::vector<Face_values<Exact_ladder::FT>>
-Exact_ladder::enclosures(const Input_metric& input, const Faces& faces, unsigned bits) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Face_values<Exact_ladder::FT>>
+Exact_ladder::enclosures(const Input_metric& input, const Unfolded_faces& faces, unsigned bits) {
   return memory().with_numbers(
       bits, [&](auto& numbers) { return Memory::values(input, faces, numbers); },
       [](const auto& values) { return internal::intervals(values); });
@@ -96,19 +96,53 @@ Exact_ladder::squared_length(const Input_metric& input, const Unfolded_diamond& 
       [](const auto& length) { return internal::intervals(length); });
 }
 
+namespace internal {
+
+// Visits the values of faces with rounding to the nearest. Each face of the input is asked for once, and many are:
+// nothing is remembered.
+template <class Number, class Visit>
+void replay(const Input_metric& input, const Replayed_faces& faces, const Visit& visit) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  faces.for_each_face<Number>(
+      [&input](std::uint32_t f) { return Input_face_intervals<Number>::face(input, f); }, visit);
+}
+
+template <class Number>
+void replay_in_intervals(const Input_metric& input, const Replayed_faces& faces,
+                         const Exact_ladder::Visit& visit) {
+  constexpr std::size_t many = 1024; // for which rounding is changed together
+  std::vector<Face_values<Number>> some;
+  std::size_t visited = 0;
+  const auto hand_out = [&] {
+    const Protect_FPU_rounding<true> upwards;
+    for (const auto& values : some) visit(visited++, intervals(values));
+    some.clear();
+  };
+  replay<Number>(input, faces, [&](const Face_values<Number>& values) {
+    some.push_back(values);
+    if (some.size() == many) hand_out();
+  });
+  hand_out();
+}
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Exact_ladder::for_each_enclosure(const Input_metric& input, const Replayed_faces& faces,
+                                 unsigned bits, const Visit& visit) {
+  if (bits <= 106) return internal::replay_in_intervals<Ball<Double_double>>(input, faces, visit);
+  const Mpfr_precision precision(bits);
+  internal::replay_in_intervals<Ball<Mpfr_number>>(input, faces, visit);
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::optional<double>>
 Exact_ladder::weights(const Input_metric& input, const Replayed_faces& faces) {
   using Number = Ball<Double_double>;
   std::vector<std::optional<double>> result;
   std::optional<Face_values<Number>> left;
-  internal::to_nearest([&] {
-    // each face of the input is asked for once, and many are: nothing is to be remembered
-    faces.for_each_face<Number>(
-        [&input](std::uint32_t f) { return Input_face_intervals<Number>::face(input, f); },
-        [&](const Face_values<Number>& f) {
-          if (left) result.push_back(nearest_double(cotangent_weight(diamond_values(*left, f))));
-          left = left ? std::nullopt : std::optional(f);
-        });
+  internal::replay<Number>(input, faces, [&](const Face_values<Number>& f) {
+    if (left) result.push_back(nearest_double(cotangent_weight(diamond_values(*left, f))));
+    left = left ? std::nullopt : std::optional(f);
   });
   return result;
 }

@@ -91,6 +91,11 @@ public:
     const FT& x = squared_length_[edge];
     return is_narrow(x, x.sup());
   }
+  /// tells whether the quadruple area of a face is known to 2^-41 of it.
+  bool is_area_narrow(std::uint32_t face) const {
+    const FT& x = quadruple_area_[face];
+    return is_narrow(x, x.sup());
+  }
   /// tells whether a face is known precisely enough to place points by it; lengths are those of an ordinary face.
   bool is_narrow(const Indexed_face& face) const {
     const Face_values<FT> f = enclosure(face);
@@ -178,11 +183,13 @@ protected:
   /// makes the intervals of faces smaller, by others that contain the values too.
   void refine(std::span<const Indexed_face> faces,
               const std::vector<Face_values<FT>>& better) const {
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k)
-        refine_length(faces[i].edges[k], better[i].squared_lengths[k]);
-      refine_area(faces[i].face, better[i].quadruple_area);
-    }
+    for (std::size_t i = 0; i < faces.size(); ++i) refine(faces[i], better[i]);
+  }
+  /// makes the intervals of a face smaller; see above.
+  void refine(const Indexed_face& face, const Face_values<FT>& better) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      refine_length(face.edges[k], better.squared_lengths[k]);
+    refine_area(face.face, better.quadruple_area);
   }
 
   /// makes the interval of a squared length smaller; see above.

@@ -74,6 +74,15 @@ Face_values<double> accurate_values(const Triangulation& t,
   return approximate_values(t.metric(), face);
 }
 
+// The quadruple area of a face in scaled units, for users; see above.
+template <class Triangulation>
+double accurate_quadruple_area(const Triangulation& t, typename Triangulation::face_descriptor f) {
+  const std::uint32_t i = t.index(f);
+  if constexpr (Has_enclosures<typename Triangulation::Metric>)
+    if (!t.metric().is_area_narrow(i)) return accurate_values(t, f).quadruple_area;
+  return t.metric().approximate_quadruple_area(i);
+}
+
 // The squared length of an edge in scaled units, for users; see above.
 template <class Triangulation>
 double accurate_squared_length(const Triangulation& t, typename Triangulation::edge_descriptor e) {
@@ -162,7 +171,7 @@ public:
   }
   /// returns the area of a face as a double, in the units of the input; with exact traits to 1e-12 of it.
   double area(typename boost::graph_traits<Mesh>::face_descriptor f) const {
-    return std::ldexp(internal::accurate_values(self(), f).quadruple_area,
+    return std::ldexp(internal::accurate_quadruple_area(self(), f),
                       -2 * metric().scale_exponent() - 2);
   }
 

@@ -63,18 +63,21 @@ public:
     });
   }
 
-  // Intervals that contain the values of faces, computed in so many bits, or more: stored ones have
-  // gone through flips in 53.
-  std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face> faces,
-                                          unsigned bits) const {
-    if ((asks_for_faces() && !can_unfold_soon()) || !can_unfold(faces))
-      return memory_.ladder.enclosures(metric(), replayed(faces), std::max(bits, 106U));
-    std::vector<Face_values<FT>> result;
-    for (const Indexed_face& f : faces) // one by one: thousands of triangles may be under each
-      result.push_back(with_figure(std::span(&f, 1), [&](const auto& figure) {
-        return memory_.ladder.enclosures(metric(), figure, bits).front();
-      }));
-    return result;
+  // The bits in which values of faces are computed if so many are asked for: flips that are made again
+  // in 53 have gone into stored intervals already.
+  unsigned precision(std::span<const Indexed_face> faces, unsigned bits) const {
+    return makes_flips_again(faces) ? std::max(bits, 106U) : bits;
+  }
+  // calls a function with the number of each face and intervals that contain its values, in such bits
+  template <class Visit>
+  void for_each_enclosure(std::span<const Indexed_face> faces, unsigned bits,
+                          const Visit& visit) const {
+    if (makes_flips_again(faces))
+      return memory_.ladder.for_each_enclosure(metric(), replayed(faces), bits, visit);
+    for (std::size_t i = 0; i < faces.size(); ++i) // thousands of triangles may be under each
+      visit(i, with_figure(faces.subspan(i, 1), [&](const auto& figure) {
+              return enclosure(figure, bits);
+            }));
   }
 
   // Whether values of all faces are to be found at once, or weights of all edges: when single ones
@@ -107,9 +110,9 @@ public:
 
   // the same for the squared length of the first side of a face
   FT first_squared_length(const Indexed_face& face, unsigned bits) const {
-    if (!can_unfold(std::array{face.edges[0]}))
-      return enclosures(std::span(&face, 1), bits).front().squared_lengths.front();
-    return memory_.ladder.squared_length(metric(), strip(face), bits);
+    if (can_unfold(std::array{face.edges[0]}))
+      return memory_.ladder.squared_length(metric(), strip(face), bits);
+    return enclosure(replayed(std::span(&face, 1)), std::max(bits, 106U)).squared_lengths.front();
   }
 
   // The input triangles through which the first side of a face runs. \pre it can be unfolded
@@ -178,6 +181,19 @@ private:
       memory_.enough_steps += 8 * number_of_crossings(c, e);
     return memory_.steps > memory_.enough_steps;
   }
+  bool makes_flips_again(std::span<const Indexed_face> faces) const {
+    return (asks_for_faces() && !can_unfold_soon()) || !can_unfold(faces);
+  }
+  // of one face
+  Face_values<FT> enclosure(const Unfolded_faces& face, unsigned bits) const {
+    return memory_.ladder.enclosures(metric(), face, bits).front();
+  }
+  Face_values<FT> enclosure(const Replayed_faces& face, unsigned bits) const {
+    Face_values<FT> result;
+    memory_.ladder.for_each_enclosure(metric(), face, bits,
+                                      [&](std::size_t, const auto& values) { result = values; });
+    return result;
+  }
   // whether there are coordinates, or it pays to make some, which follow moves
   bool can_unfold_soon() const {
     return places_.has_coordinates(t_) || memory_.passes > few_passes;
@@ -215,6 +231,9 @@ private:
   }
 
   Replayed_faces replayed(std::span<const Indexed_face> faces) const {
+    const Input* const surface = t_.input().surface();
+    if (surface != nullptr && 2 * faces.size() >= surface->number_of_faces())
+      return {*surface, *places_.flips(), {faces.begin(), faces.end()}};
     return {t_.input(), places_.connectivity(t_), *places_.flips(), {faces.begin(), faces.end()}};
   }
 
@@ -224,7 +243,8 @@ private:
   bool can_unfold(const Elements& elements) const {
     if (places_.flips() == nullptr) return true;
     const Integer_coordinates* c = places_.coordinates(t_);
-    if (c == nullptr || !are_lengths_positive()) return false;
+    // nothing can be unfolded across an edge without length
+    if (c == nullptr || !places_.are_input_lengths_positive(t_)) return false;
     const std::size_t most = 32 + 4 * places_.flips()->size();
     std::size_t all = 0;
     for (auto i = elements.begin(); i != elements.end() && all <= most; ++i)
@@ -246,18 +266,6 @@ private:
 
   const Unfolded_diamond& unfolded(const Diamond& d) const {
     return memory_.unfolder(view_, coordinates(), halfedge(d.f, d.ij, d.jk));
-  }
-
-  // nothing can be unfolded across an edge without length
-  bool are_lengths_positive() const {
-    std::optional<bool>& known = memory_.are_lengths_positive;
-    if (!known) {
-      known = true;
-      for (std::uint32_t f = 0; f < metric().number_of_faces(); ++f)
-        for (unsigned k = 0; k < 3; ++k)
-          if (metric().template squared_length<FT>(f, k).sup() <= 0) known = false;
-    }
-    return *known;
   }
 
   // Two faces of the input, if flips alone were made and none of an edge of the diamond. Nothing else has to be known:

@@ -104,12 +104,11 @@ struct Exact_memory {
   Exact_ladder ladder;
   Diamond_unfolder unfolder;
   std::optional<Flat_parts> flat_parts;
-  std::optional<bool> are_lengths_positive; // of the input; not known yet
-  std::size_t steps = 0;                    // taken for single elements since the last move or pass
-  std::size_t enough_steps = 0;             // to ask for all, if there is no list of flips; or more
-  unsigned passes = 0;                      // over all elements
-  bool are_sharp = false;                   // all faces, since the last move
-  bool are_weighed = false;                 // all edges, since the last move
+  std::size_t steps = 0;        // taken for single elements since the last move or pass
+  std::size_t enough_steps = 0; // to ask for all, if there is no list of flips; or more
+  unsigned passes = 0;          // over all elements
+  bool are_sharp = false;       // all faces, since the last move
+  bool are_weighed = false;     // all edges, since the last move
   std::vector<std::pair<std::uint32_t, std::optional<double>>> weights; // of edges, if so
 
   // follows moves: what is done next must not depend on what was asked before them

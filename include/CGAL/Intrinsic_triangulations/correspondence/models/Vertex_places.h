@@ -106,6 +106,10 @@ public:
     if (own_) own_->after(t, move);
   }
 
+  // before the first insertion
+  static bool are_input_lengths_positive(const Triangulation& t) {
+    return t.metric().are_input_lengths_positive();
+  }
   // the connectivity by numbers; before the first insertion those of a gluing map have no gaps
   static Gluing_map connectivity(const Triangulation& t) {
     if constexpr (std::is_same_v<typename Triangulation::Mesh, Gluing_map>)
@@ -143,7 +147,7 @@ private:
 
 template <class Triangulation>
 void Vertex_places<Triangulation>::start(const Triangulation& t) const {
-  Gluing_map mesh = flips_.undone(connectivity(t), t.input(), [](auto&&...) {});
+  Gluing_map mesh = flips_.input_mesh(connectivity(t), t.input());
   own_.emplace();
   own_->start(
       Started{is_defined_by_metric(t)

@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_DOUBLE_DOUBLE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_DOUBLE_DOUBLE_H
 
+#include <boost/config.hpp>
+
 #include <cmath>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -39,32 +41,40 @@ public:
   /// tells whether the number is a double.
   bool is_double() const { return low_ == 0; }
 
+  /// returns a + b faster, with an error below 2^-104 (|a| + |b|): that of the sum of the low parts alone.
+  BOOST_FORCEINLINE static Double_double rough_sum(const Double_double& a, const Double_double& b) {
+    const Double_double s = two_sum(a.high_, b.high_);
+    return fast_two_sum(s.high_, s.low_ + (a.low_ + b.low_));
+  }
+  /// returns the product with a power of two, exactly unless it underflows.
+  Double_double scaled(double power) const { return {power * high_, power * low_}; }
+
   /// tells whether two sums are the same.
   friend bool operator==(const Double_double&, const Double_double&) = default;
   /// returns the negative.
-  friend Double_double operator-(const Double_double& a) { return {-a.high_, -a.low_}; }
+  BOOST_FORCEINLINE friend Double_double operator-(const Double_double& a) { return {-a.high_, -a.low_}; }
   /// returns the sum.
-  friend Double_double operator+(const Double_double& a, const Double_double& b) {
+  BOOST_FORCEINLINE friend Double_double operator+(const Double_double& a, const Double_double& b) {
     const Double_double s = two_sum(a.high_, b.high_), t = two_sum(a.low_, b.low_);
     const Double_double v = fast_two_sum(s.high_, s.low_ + t.high_);
     return fast_two_sum(v.high_, t.low_ + v.low_);
   }
   /// returns the difference.
-  friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + -b; }
+  BOOST_FORCEINLINE friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + -b; }
   /// returns the product.
-  friend Double_double operator*(const Double_double& a, const Double_double& b) {
+  BOOST_FORCEINLINE friend Double_double operator*(const Double_double& a, const Double_double& b) {
     const Double_double p = two_product(a.high_, b.high_);
-    return fast_two_sum(p.high_, p.low_ + std::fma(a.high_, b.low_, a.low_ * b.high_));
+    return fast_two_sum(p.high_, p.low_ + (a.high_ * b.low_ + a.low_ * b.high_));
   }
   /// returns the quotient.
-  friend Double_double operator/(const Double_double& a, const Double_double& b) {
+  BOOST_FORCEINLINE friend Double_double operator/(const Double_double& a, const Double_double& b) {
     const double q = a.high_ / b.high_;
     const Double_double p = two_product(q, b.high_);
     const double rest = (a.high_ - p.high_) - p.low_ + a.low_ - q * b.low_;
     return fast_two_sum(q, rest / b.high_);
   }
   /// returns the square root. \pre `x` is positive
-  friend Double_double sqrt(const Double_double& x) {
+  BOOST_FORCEINLINE friend Double_double sqrt(const Double_double& x) {
     const double s = std::sqrt(x.high_);
     const Double_double p = two_product(s, s);
     const double rest = (x.high_ - p.high_) - p.low_ + x.low_;
@@ -75,15 +85,15 @@ private:
   Double_double(double high, double low) : high_(high), low_(low) {}
 
   // sums and products without error
-  static Double_double two_sum(double a, double b) {
+  BOOST_FORCEINLINE static Double_double two_sum(double a, double b) {
     const double s = a + b, b_part = s - a, a_part = s - b_part;
     return {s, (a - a_part) + (b - b_part)};
   }
-  static Double_double fast_two_sum(double a, double b) { // |a| >= |b| or a = 0
+  BOOST_FORCEINLINE static Double_double fast_two_sum(double a, double b) { // |a| >= |b| or a = 0
     const double s = a + b;
     return {s, b - (s - a)};
   }
-  static Double_double two_product(double a, double b) {
+  BOOST_FORCEINLINE static Double_double two_product(double a, double b) {
     const double p = a * b;
     return {p, std::fma(a, b, -p)};
   }

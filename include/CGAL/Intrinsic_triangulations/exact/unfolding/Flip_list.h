@@ -44,26 +44,29 @@ public:
   void clear() { *this = {}; }
 
   /*!
-  \brief returns the connectivity before the flips.
+  \brief returns the connectivity before the flips. Halfedges of its faces and vertices may be others than those of the input.
   \param mesh that after the flips
-  \param input the surface, which knows the sides of its faces
   \param visit called with the number of each flip, the last one first, and the mesh after it
   \complexity linear in the number of flips and of elements
   */
   template <class Visit>
-  Gluing_map undone(Gluing_map mesh, const Input_definition& input, const Visit& visit) const {
+  Gluing_map undone(Gluing_map mesh, const Visit& visit) const {
     for (std::size_t n = size(); n-- > 0;) {
       visit(n, std::as_const(mesh));
       flip_edge_back((*this)[n], mesh);
     }
+    return mesh;
+  }
+  /// returns the connectivity of the input, where each face has its first side. \param mesh that after the flips
+  Gluing_map input_mesh(Gluing_map mesh, const Input_definition& input) const {
+    mesh = undone(std::move(mesh), [](auto&&...) {});
     for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
       mesh.set_halfedge(Gluing_map::Face{f}, first_side(mesh, {f}, input));
     choose_halfedges_of_vertices(mesh);
     return mesh;
   }
 
-private:
-  // The side that the metric names first, where the connectivity of the input is not kept.
+  /// returns the first side of a face of the input, which the metric names where the connectivity is not kept.
   static Gluing_map::Halfedge first_side(const Gluing_map& mesh, Gluing_map::Face f,
                                          const Input_definition& input) {
     if (input.surface() != nullptr) return {input.surface()->halfedge_of_face(f.index)};
@@ -78,6 +81,7 @@ private:
     throw std::logic_error("flips that were taken back do not lead to the input");
   }
 
+private:
   // those on the border, which have no choice of flips in them
   static void choose_halfedges_of_vertices(Gluing_map& mesh) {
     for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)

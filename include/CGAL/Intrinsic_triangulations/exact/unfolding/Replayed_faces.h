@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
@@ -13,12 +15,52 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief computes what `flipped()` does in 106 bits, with one radius per result in place of one per operation.
+
+With m = L_mj - L_im and k = L_jk - L_ki, so that p_k - p_m = m - k, and n = a_f m + a_g k,
+
+    L_km = ((m - k)^2 + (a_f + a_g)^2) / (4 L_ij),    areas (a_f + a_g) / 2 +- n / (2 L_ij).
+
+With e = `Double_double::rounding()`, a sum of u and v has r_u + r_v and e (|u| + |v|); a product |u| r_v + |v| r_u + r_u r_v and e |u v|;
+the quotient of s by L has (r_s + |s / L| r_L) / (L - r_L), as that of two `Ball`s, and 2 e of itself, for the inverse and the
+product. What is left out below, terms with e^2 and the rounding of radii, is less than e is larger than the errors.
+*/
+inline Flipped_values<Ball<Double_double>>
+flipped(const Diamond_values<Ball<Double_double>>& d) {
+  using Number = Double_double;
+  constexpr double e = Number::rounding(), tiny = 0x1p-1000; // what underflows
+  const auto size = [](const Number& x) { return std::abs(x.magnitude()); };
+  const auto sum = [](const Number& u, const Number& v) { return Number::rough_sum(u, v); };
+  const Number &l = d.ij.center(), &f = d.area_f.center(), &g = d.area_g.center();
+  const double r_l = d.ij.radius(), r_f = d.area_f.radius(), r_g = d.area_g.radius(),
+               least = l.magnitude() * (1 - 0x1p-48) - r_l;
+  if (!(least > 0)) return flipped<Ball<Number>>(d);
+
+  const Number m = sum(d.mj.center(), -d.im.center()), k = sum(d.jk.center(), -d.ki.center()),
+               x = sum(m, -k), y = sum(f, g), s = sum(x * x, y * y), n = sum(f * m, g * k),
+               quarter = Number(0.25) / l, km = s * quarter, half = y.scaled(0.5),
+               w = (n * quarter).scaled(2);
+  const double r_m = d.mj.radius() + d.im.radius() + e * (size(d.mj.center()) + size(d.im.center())),
+               r_k = d.jk.radius() + d.ki.radius() + e * (size(d.jk.center()) + size(d.ki.center())),
+               r_x = r_m + r_k + e * (size(m) + size(k)), r_y = r_f + r_g + e * (size(f) + size(g));
+  const double r_s = (2 * size(x) + r_x) * r_x + (2 * size(y) + r_y) * r_y + 2 * e * size(s),
+               r_n = size(f) * r_m + (size(m) + r_m) * r_f + size(g) * r_k +
+                     (size(k) + r_k) * r_g + 2 * e * (size(f) * size(m) + size(g) * size(k));
+  const double r_km = (0.25 * r_s + size(km) * r_l + tiny) / least + 2 * e * size(km),
+               r_w = (0.5 * r_n + size(w) * r_l + tiny) / least + 2 * e * size(w),
+               r_area = 0.5 * r_y + r_w + e * (size(half) + size(w));
+  return {Ball<Number>::around(km, r_km), Ball<Number>::around(sum(half, w), r_area),
+          Ball<Number>::around(sum(half, -w), r_area)};
+}
 
 /*!
 \brief knows the flips that have made some faces, or all, and makes them again in any arithmetic.
@@ -30,18 +72,18 @@ class Replayed_faces {
 public:
   /*!
   \brief finds the flips.
-  \param input the surface
+  \param input the surface; must outlive this object, and so must `flips`
   \param mesh the connectivity after all flips
-  \param flips all flips; must outlive this object
+  \param flips all flips
   \param faces the faces, each from a side on
   \complexity linear in the number of flips and of elements
   */
   Replayed_faces(const Input_definition& input, Gluing_map mesh, const Flip_list& flips,
                  std::vector<Indexed_face> faces)
-      : flips_(&flips), is_needed_(flips.size()), faces_(std::move(faces)) {
+      : input_(&input), flips_(&flips), is_needed_(flips.size()), faces_(std::move(faces)) {
     std::vector<char> is_needed(mesh.number_of_faces(), 0);
     for (const Indexed_face& f : faces_) is_needed[f.face] = 1;
-    input_ = flips.undone(std::move(mesh), input, [&](std::size_t n, const Gluing_map& after) {
+    mesh_ = flips.undone(std::move(mesh), [&](std::size_t n, const Gluing_map& after) {
       char& f = is_needed[after.face(flips[n]).index];
       char& g = is_needed[after.face(Gluing_map::opposite(flips[n])).index];
       if (f == 0 && g == 0) return;
@@ -50,6 +92,10 @@ public:
       ++size_;
     });
   }
+  /// takes all flips, since faces are most of those of a triangulation of a surface; see above.
+  Replayed_faces(const Input& surface, const Flip_list& flips, std::vector<Indexed_face> faces)
+      : input_(&surface), mesh_(surface.mesh()), flips_(&flips), is_needed_(flips.size(), true),
+        size_(flips.size()), faces_(std::move(faces)) {}
 
   /// returns the number of flips.
   std::size_t size() const { return size_; }
@@ -62,20 +108,22 @@ public:
   */
   template <class FT, class Input_values, class Visit>
   void for_each_face(const Input_values& input, const Visit& visit) const {
-    Gluing_map mesh = input_;
+    Gluing_map mesh = mesh_; // in the end only of the faces that are needed
     Known_values<FT> known(mesh);
+    const auto find = [&](std::uint32_t f) {
+      if (!known.knows(f)) known.add(f, mesh, Flip_list::first_side(mesh, {f}, *input_), input(f));
+    };
     for (std::size_t n = 0; n < flips_->size(); ++n) {
+      if (!is_needed_[n]) continue;
       const Gluing_map::Halfedge h = (*flips_)[n];
-      if (is_needed_[n]) {
-        const Diamond d = diamond(h, mesh);
-        known.find(d.f, mesh, input);
-        known.find(d.g, mesh, input);
-        known.flip(d);
-      }
+      const Diamond d = diamond(h, mesh);
+      find(d.f);
+      find(d.g);
+      known.flip(d);
       CGAL::Euler::flip_edge(h, mesh);
     }
     for (const Indexed_face& f : faces_) {
-      known.find(f.face, mesh, input);
+      find(f.face);
       visit(known.values(f));
     }
   }
@@ -90,23 +138,23 @@ public:
   }
 
 private:
-  // Values of the faces that flips have met. Before that, a face is one of the input, and its
-  // halfedge is its first side.
+  // Values of the faces that flips have met. Before that, a face is one of the input.
   template <class FT>
   class Known_values {
   public:
     explicit Known_values(const Gluing_map& mesh)
         : length_place_(mesh.number_of_edges(), 0), area_place_(mesh.number_of_faces(), 0) {}
 
-    template <class Input_values>
-    void find(std::uint32_t f, const Gluing_map& mesh, const Input_values& input) {
-      if (area_place_[f] != 0) return;
-      const auto& [lengths, area] = input(f);
-      add(area_place_[f], areas_, area);
-      const auto sides = mesh.sides({f});
-      for (std::size_t k = 0; k < 3; ++k)
-        if (std::uint32_t& place = length_place_[sides[k].index / 2]; place == 0)
-          add(place, lengths_, lengths[k]);
+    bool knows(std::uint32_t f) const { return area_place_[f] != 0; }
+    template <class Face>
+    void add(std::uint32_t f, const Gluing_map& mesh, Gluing_map::Halfedge side,
+             const Face& values) {
+      add(area_place_[f], areas_, values.second);
+      for (const FT& length : values.first) {
+        if (std::uint32_t& place = length_place_[side.index / 2]; place == 0)
+          add(place, lengths_, length);
+        side = mesh.next(side);
+      }
     }
     void flip(const Diamond& d) {
       const Flipped_values<FT> n =
@@ -143,7 +191,8 @@ private:
             mesh.face(o).index};
   }
 
-  Gluing_map input_;
+  const Input_definition* input_;
+  Gluing_map mesh_; // before the flips
   const Flip_list* flips_;
   std::vector<bool> is_needed_;
   std::size_t size_ = 0;
