@@ -3,16 +3,22 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 
 #include "meshes.h"
 
+#include <CGAL/Gmpq.h>
+
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <random>
 #include <vector>
 
 // What exact traits hand out is as good as their signs: on surfaces on which doubles that are carried along lose everything.
@@ -23,6 +29,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Exact = IT::Intrinsic_triangulation<>;
 using Counted = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
                                             IT::Integer_coordinates>;
+using CGAL::Gmpq;
 
 // a sphere, stretched along an axis that is none of the coordinates
 meshes::Mesh stretched(double factor) {
@@ -98,6 +105,95 @@ TEST(Exact_values, weights_are_zero_or_have_the_right_sign_and_repeat) {
       EXPECT_TRUE(i.row() == i.col() || i.value() <= 0);
       EXPECT_NEAR(second.coeff(i.row(), i.col()), i.value(), 1e-12 * std::abs(i.value()));
     }
+}
+
+// where a vertex is in the plane, by the points and places of inserted vertices alone
+template <class T>
+std::array<Gmpq, 2> point(const T& t, std::uint32_t v) {
+  const auto& points = t.input().metric().points();
+  if (v < points.size()) return {points[v][0], points[v][1]};
+  const IT::Integer_coordinates& places = *t.places();
+  const IT::Surface_point& place = places.location(v);
+  const auto weights = IT::representable_weights(place.weights).value_or(place.weights);
+  const std::uint32_t h = place.halfedge, next = places.input().next(h);
+  const std::array<std::uint32_t, 3> corners{
+      places.input().source(h), places.input().source(next), places.input().target(next)};
+  std::array<Gmpq, 2> sum{0, 0};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 2; ++i) sum[i] += Gmpq(weights[k]) * Gmpq(points[corners[k]][i]);
+  return sum;
+}
+
+struct Checked {
+  std::size_t narrow = 0, wide = 0;
+  void operator()(const CGAL::Interval_nt<false>& interval, double value, const Gmpq& exact) {
+    EXPECT_TRUE(Gmpq(interval.inf()) <= exact && exact <= Gmpq(interval.sup()));
+    EXPECT_LE(CGAL::abs(Gmpq(value) - exact), Gmpq(1e-12) * exact);
+    ++(interval.sup() - interval.inf() <= 0x1p-41 * interval.sup() ? narrow : wide);
+  }
+};
+
+// Asks for all values in scaled units, of a triangulation in the plane.
+template <class T>
+void check_all(const T& t, Checked& checked) {
+  const auto scaled = [&](double x) { return std::ldexp(x, 2 * t.metric().scale_exponent()); };
+  const auto& mesh = t.mesh();
+  const auto corner = [&](auto h) { return point(t, t.index(target(h, mesh))); };
+  for (const auto e : edges(mesh)) {
+    const auto p = corner(halfedge(e, mesh)), q = corner(opposite(halfedge(e, mesh), mesh));
+    const Gmpq x = p[0] - q[0], y = p[1] - q[1];
+    const double value = scaled(t.squared_length(e));
+    checked(t.metric().squared_length(t.index(e)), value, x * x + y * y);
+  }
+  for (const auto f : faces(mesh)) {
+    const auto h = halfedge(f, mesh);
+    const auto p = corner(h), q = corner(next(h, mesh)), r = corner(next(next(h, mesh), mesh));
+    const Gmpq twice = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    const double value = scaled(4 * t.area(f));
+    checked(t.metric().quadruple_area(t.index(f)), value, 2 * twice);
+  }
+}
+
+template <class T>
+void check_random_moves(std::size_t insertions) {
+  std::mt19937 random(20261124);
+  std::uniform_real_distribution<double> shift(-1e-3, 1e-3);
+  std::size_t flips = 0, inserted = 0;
+  Checked checked;
+  for (int round = 0; round < 6; ++round) {
+    meshes::Mesh m = meshes::sheared_grid(10, 10, 7);
+    if (round > 0)
+      for (auto& p : m.points) p = {p[0] + shift(random), p[1] + shift(random), 0};
+    T t(m.input());
+    for (int part = 0; part < 4; ++part) {
+      const auto any = [&] {
+        return typename T::halfedge_descriptor{
+            static_cast<std::uint32_t>(random() % t.mesh().number_of_halfedges())};
+      };
+      for (int i = 0; i < 400; ++i) flips += t.flip_edge(any()) == IT::Move_status::done ? 1U : 0U;
+      for (std::size_t i = 0; i < insertions; ++i)
+        if (const auto h = any(); !CGAL::is_border(h, t.mesh()))
+          inserted += t.insert_vertex(h, {0.25, 0.3, 0.45}).status == IT::Move_status::done;
+      if (part == 1) flips += IT::flip_to_delaunay(t).flips;
+      check_all(t, checked);
+    }
+    EXPECT_GT(t.metric().statistics().sharpenings.count(106), 0U); // in one pass
+  }
+  EXPECT_GT(flips, 3000U);
+  EXPECT_EQ(inserted > 0, insertions > 0);
+  EXPECT_GT(checked.narrow, 10000U);
+  EXPECT_EQ(checked.wide, 0U);
+}
+
+TEST(Exact_values, enclosures_hold_rational_values_after_thousands_of_flips) {
+  check_random_moves<Exact>(0);
+  check_random_moves<Counted>(0);
+}
+
+TEST(Exact_values, enclosures_hold_rational_values_after_thousands_of_flips_and_insertions) {
+  check_random_moves<Counted>(20);
+  check_random_moves<IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                 IT::Signposts>>(20);
 }
 
 } // namespace

@@ -53,13 +53,15 @@ public:
   /// constructs no values.
   Enclosed_values() = default;
 
-  /// takes intervals; the doubles are their middles.
+  /// takes intervals of the input; the doubles are their middles.
   Enclosed_values(std::vector<FT> squared_lengths, std::vector<FT> quadruple_areas)
       : squared_length_(std::move(squared_lengths)), quadruple_area_(std::move(quadruple_areas)) {
     length_.reserve(squared_length_.size());
     area_.reserve(quadruple_area_.size());
     for (const FT& x : squared_length_) length_.push_back(CGAL::to_double(x));
     for (const FT& x : quadruple_area_) area_.push_back(CGAL::to_double(x));
+    are_input_lengths_positive_ = std::all_of(squared_length_.begin(), squared_length_.end(),
+                                              [](const FT& x) { return x.sup() > 0; });
   }
 
   /// takes intervals and doubles.
@@ -72,6 +74,8 @@ public:
   bool is_degenerate(std::uint32_t f) const { return quadruple_area_[f].sup() <= 0; }
   /// tells whether the length of an edge is zero; exact for an input edge.
   bool is_zero_length(std::uint32_t e) const { return squared_length_[e].sup() <= 0; }
+  /// tells whether all edges of the input had a length. \pre the values are not restored
+  bool are_input_lengths_positive() const { return are_input_lengths_positive_; }
   /// returns an interval that contains the squared length of an edge, in scaled units.
   const FT& squared_length(std::uint32_t e) const { return squared_length_[e]; }
   /// returns an interval that contains the quadruple area of a face, in scaled units.
@@ -279,6 +283,7 @@ private:
   mutable std::vector<FT> quadruple_area_;
   mutable std::vector<double> length_; // squared
   mutable std::vector<double> area_;   // quadruple
+  bool are_input_lengths_positive_ = true;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -22,7 +22,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -59,10 +58,7 @@ public:
   \complexity linear
   */
   Exact_euclidean_metric(const Gluing_map& mesh, const Input_metric& input)
-      : Enclosed_values(enclose(mesh, input)), scale_exponent_(input.scale_exponent()) {
-    for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
-      if (is_zero_length(e)) are_input_lengths_positive_ = false;
-  }
+      : Enclosed_values(enclose(mesh, input)), scale_exponent_(input.scale_exponent()) {}
 
   /// restores a metric. \pre the intervals contain the values that the input defines
   Exact_euclidean_metric(int scale_exponent, Enclosed_values values)
@@ -207,8 +203,6 @@ public:
     forget_signs(s);
   }
 
-  /// tells whether all edges of the input had a length. \pre the metric is not restored
-  bool are_input_lengths_positive() const { return are_input_lengths_positive_; }
   /// returns s, where coordinates are scaled by 2^s.
   int scale_exponent() const { return scale_exponent_; }
   /// returns how predicates were decided, which may be reset.
@@ -263,7 +257,6 @@ private:
   Sign exact_delaunay_sign(const Diamond& d, const Exact& exact) const;
 
   int scale_exponent_ = 0;
-  bool are_input_lengths_positive_ = true;
   mutable Remembered_signs signs_; // of `Delaunay_expression`
   mutable Predicate_statistics statistics_;
 };
@@ -274,17 +267,13 @@ void Exact_euclidean_metric::sharpen(std::span<const Indexed_face> faces,
   const auto is_narrow = [this](const Indexed_face& f) { return Enclosed_values::is_narrow(f); };
   std::vector<Indexed_face> wide(faces.begin(), faces.end());
   std::erase_if(wide, is_narrow);
-  unsigned last = 0;
-  for (const unsigned bits : precisions) {
-    if (wide.empty()) return;
-    if (bits <= last) continue;
-    last = exact.precision(wide, bits);
-    statistics().sharpenings[last] += wide.size();
-    exact.for_each_enclosure(wide, last, [&](std::size_t i, const Face_values<FT>& better) {
-      refine(wide[i], better);
-    });
-    std::erase_if(wide, is_narrow);
-  }
+  for (unsigned last = 0; const unsigned bits : precisions)
+    if (bits > last && !wide.empty()) {
+      last = exact.for_each_enclosure(
+          wide, bits, [&](std::size_t i, const auto& better) { refine(wide[i], better); });
+      statistics().sharpenings[last] += wide.size();
+      std::erase_if(wide, is_narrow);
+    }
 }
 
 template <class Exact>

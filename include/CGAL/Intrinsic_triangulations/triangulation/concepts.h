@@ -23,9 +23,7 @@
 
 #include <array>
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -140,9 +138,7 @@ struct Any_exact_values {
             Predicate_statistics&) const;
   Sign sign(std::span<const Indexed_face>, const Recorded_face_expression&,
             std::vector<Face_values<FT>>&, Predicate_statistics&) const;
-  unsigned precision(std::span<const Indexed_face>, unsigned) const;
-  void for_each_enclosure(std::span<const Indexed_face>, unsigned,
-                          const std::function<void(std::size_t, const Face_values<FT>&)>&) const;
+  unsigned for_each_enclosure(std::span<const Indexed_face>, unsigned, const auto& visit) const;
   FT first_squared_length(const Indexed_face&, unsigned) const;
   double nonzero_weight(const Diamond&, Predicate_statistics&) const;
 };

@@ -7,6 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
@@ -22,6 +24,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -74,6 +77,46 @@ TEST(Replayed_faces, reproduces_all_values_after_four_flips_exactly) {
     const auto after = evaluate<Rational_input, Gmpq>(walk, h);
     random_history::expect_same(before, after);
   }
+}
+
+// whether a ball contains a number, exactly
+bool contains(const IT::Ball<IT::Double_double>& ball, const Gmpq& x) {
+  const double high = ball.center().to_double();
+  const IT::Double_double low = ball.center() - IT::Double_double(high);
+  return CGAL::abs(Gmpq(high) + Gmpq(low.to_double()) - x) <= Gmpq(ball.radius());
+}
+
+TEST(Replayed_faces, in_106_bits_have_one_radius_per_flip_which_contains_exact_values) {
+  using Number = IT::Ball<IT::Double_double>;
+  std::mt19937 random(4);
+  std::size_t flips = 0, values = 0;
+  double widest = 0;
+  for (const meshes::Mesh& m :
+       {meshes::box(3, 2, 2), meshes::sheared_grid(6, 6, 4), meshes::stairs(4, 3)}) {
+    Walk walk = walk_on(m);
+    IT::Input_face_intervals<Number> memory;
+    const auto input = memory.of(walk.input);
+    for (int round = 0; round < 4; ++round) {
+      walk.run(1000, random);
+      for (const Map::Halfedge h : walk.inner_edges()) {
+        const auto x = walk.replayed(h).values<Number>(input);
+        const auto y = evaluate<Rational_input, Gmpq>(walk, h);
+        using Pair = std::pair<Number, Gmpq>;
+        for (const auto& [ball, exact] :
+             {Pair(x.ij, y.ij), Pair(x.jk, y.jk), Pair(x.ki, y.ki), Pair(x.im, y.im),
+              Pair(x.mj, y.mj), Pair(x.area_f, y.area_f), Pair(x.area_g, y.area_g)}) {
+          if (!(ball.radius() < 0x1p100)) continue; // too many flips for 106 bits
+          EXPECT_TRUE(contains(ball, exact));
+          widest = std::max(widest, ball.radius() / ball.to_double());
+          ++values;
+        }
+      }
+    }
+    flips += walk.flips.size();
+  }
+  EXPECT_GT(flips, 2000U);
+  EXPECT_GT(values, 5000U);
+  EXPECT_GT(widest, 0x1p-80); // flips have made some wide
 }
 
 TEST(Replayed_faces, overlaps_unfolding_in_balls_of_256_bits_after_hundreds_of_flips) {

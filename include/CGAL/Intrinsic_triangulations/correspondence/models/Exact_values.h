@@ -63,21 +63,21 @@ public:
     });
   }
 
-  // The bits in which values of faces are computed if so many are asked for: flips that are made again
-  // in 53 have gone into stored intervals already.
-  unsigned precision(std::span<const Indexed_face> faces, unsigned bits) const {
-    return makes_flips_again(faces) ? std::max(bits, 106U) : bits;
-  }
-  // calls a function with the number of each face and intervals that contain its values, in such bits
+  // Calls a function with the number of each face and intervals that contain its values, computed in so
+  // many bits, or more: in 53 flips have gone into stored intervals already. Returns the bits.
   template <class Visit>
-  void for_each_enclosure(std::span<const Indexed_face> faces, unsigned bits,
-                          const Visit& visit) const {
-    if (makes_flips_again(faces))
-      return memory_.ladder.for_each_enclosure(metric(), replayed(faces), bits, visit);
-    for (std::size_t i = 0; i < faces.size(); ++i) // thousands of triangles may be under each
-      visit(i, with_figure(faces.subspan(i, 1), [&](const auto& figure) {
-              return enclosure(figure, bits);
-            }));
+  unsigned for_each_enclosure(std::span<const Indexed_face> faces, unsigned bits,
+                              const Visit& visit) const {
+    if ((asks_for_faces() && !can_unfold_soon()) || !can_unfold(faces)) {
+      bits = std::max(bits, 106U);
+      memory_.ladder.for_each_enclosure(metric(), replayed(faces), bits, visit);
+    } else {
+      for (std::size_t i = 0; i < faces.size(); ++i) // thousands of triangles may be under each
+        visit(i, with_figure(faces.subspan(i, 1), [&](const auto& figure) {
+                return enclosure(figure, bits);
+              }));
+    }
+    return bits;
   }
 
   // Whether values of all faces are to be found at once, or weights of all edges: when single ones
@@ -180,9 +180,6 @@ private:
     for (std::uint32_t e = 0; e < c.number_of_edges(); ++e)
       memory_.enough_steps += 8 * number_of_crossings(c, e);
     return memory_.steps > memory_.enough_steps;
-  }
-  bool makes_flips_again(std::span<const Indexed_face> faces) const {
-    return (asks_for_faces() && !can_unfold_soon()) || !can_unfold(faces);
   }
   // of one face
   Face_values<FT> enclosure(const Unfolded_faces& face, unsigned bits) const {
