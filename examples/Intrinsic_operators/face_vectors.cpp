@@ -6,9 +6,9 @@
 // differential form, and takes the vectors back to the faces of the mesh.
 
 #include <CGAL/Intrinsic_operators/operators/Face_gradient.h>
-#include <CGAL/Intrinsic_operators/operators/Face_vector_transfer.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/hodge_stars.h>
+#include <CGAL/Intrinsic_operators/operators/transfer.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>

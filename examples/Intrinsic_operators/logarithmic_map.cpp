@@ -5,7 +5,6 @@
 // centre of three points.
 
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
-#include <CGAL/Intrinsic_operators/vectors/exponential_map.h>
 #include <CGAL/Intrinsic_operators/vectors/karcher_mean.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations.h>

@@ -12,12 +12,11 @@ Geodesic curves, paths, loops, networks and trees, Bezier curves, exact distance
 
 #include <CGAL/Intrinsic_geodesics/bezier/bezier_point.h>
 #include <CGAL/Intrinsic_geodesics/bezier/make_bezier_curve.h>
-#include <CGAL/Intrinsic_geodesics/curves/curve_labels.h>
+#include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
 #include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
-#include <CGAL/Intrinsic_geodesics/curves/insert_traced_path.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
-#include <CGAL/Intrinsic_geodesics/queries/insert_geodesic.h>
+#include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>

@@ -19,7 +19,6 @@ they are on, `CGAL/Intrinsic_triangulations.h`. Needs Eigen. Eigenfunctions need
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.h>
 #include <CGAL/Intrinsic_operators/elements/quadratic.h>
 #include <CGAL/Intrinsic_operators/operators/Face_gradient.h>
-#include <CGAL/Intrinsic_operators/operators/Face_vector_transfer.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/hodge_stars.h>
@@ -32,7 +31,6 @@ they are on, `CGAL/Intrinsic_triangulations.h`. Needs Eigen. Eigenfunctions need
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
-#include <CGAL/Intrinsic_operators/parametrization/injective_harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
@@ -41,7 +39,6 @@ they are on, `CGAL/Intrinsic_triangulations.h`. Needs Eigen. Eigenfunctions need
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
-#include <CGAL/Intrinsic_operators/vectors/exponential_map.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_operators/vectors/karcher_mean.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>

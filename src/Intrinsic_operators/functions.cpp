@@ -3,10 +3,12 @@
 
 // What solves for functions and for positions.
 
-#include <CGAL/Intrinsic_operators/distance/Heat_solver_impl.h>
-#include <CGAL/Intrinsic_operators/distance/Signed_heat_solver_impl.h>
-#include <CGAL/Intrinsic_operators/editing/Surface_deformation_impl.h>
-#include <CGAL/Intrinsic_operators/parametrization/certify_map_impl.h>
-#include <CGAL/Intrinsic_operators/parametrization/conformal_map_impl.h>
-#include <CGAL/Intrinsic_operators/parametrization/disk_border_impl.h>
-#include <CGAL/Intrinsic_operators/parametrization/point_cloud_map_impl.h>
+#define CGAL_INTRINSIC_TRIANGULATIONS_IN_FUNCTIONS 1
+
+#include <CGAL/Intrinsic_operators/distance/Heat_solver.h>
+#include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
+#include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
+#include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
+#include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>

@@ -3,6 +3,8 @@
 
 // Solvers of linear systems.
 
-#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization_impl.h>
-#include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver_impl.h>
-#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization_impl.h>
+#define CGAL_INTRINSIC_TRIANGULATIONS_IN_SOLVERS 1
+
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>

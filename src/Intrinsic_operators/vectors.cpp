@@ -3,6 +3,8 @@
 
 // What solves for tangent vectors.
 
-#include <CGAL/Intrinsic_operators/vectors/Direction_problem_impl.h>
+#define CGAL_INTRINSIC_TRIANGULATIONS_IN_VECTORS 1
+
+#include <CGAL/Intrinsic_operators/vectors/Direction_problem.h>
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport_impl.h>
-#include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors_impl.h>
+#include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>

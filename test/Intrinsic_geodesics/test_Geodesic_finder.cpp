@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
-#include <CGAL/Intrinsic_geodesics/queries/insert_geodesic.h>
+#include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
-#include <CGAL/Intrinsic_geodesics/curves/curve_labels.h>
+#include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_geodesics/curves/insert_traced_path.h>
+#include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>

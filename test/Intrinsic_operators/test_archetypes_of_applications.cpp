@@ -13,11 +13,10 @@
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
-#include <CGAL/Intrinsic_operators/parametrization/injective_harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
-#include <CGAL/Intrinsic_operators/vectors/exponential_map.h>
+#include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>

@@ -5,7 +5,7 @@
 // A triangulation without a metric does not compare angles, nor take flips back.
 
 #include <CGAL/Integer_only_triangulation.h>
-#include <CGAL/Intrinsic_geodesics/queries/insert_geodesic.h>
+#include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 
 int main() {
   using namespace CGAL::Intrinsic_triangulations;

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
-#include <CGAL/Intrinsic_operators/parametrization/injective_harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
 

@@ -3,7 +3,6 @@
 
 #include "transferred_meshes.h"
 
-#include <CGAL/Intrinsic_operators/operators/Face_vector_transfer.h>
 #include <CGAL/Intrinsic_operators/operators/transfer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 

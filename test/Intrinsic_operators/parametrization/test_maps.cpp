@@ -5,7 +5,6 @@
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
-#include <CGAL/Intrinsic_operators/parametrization/injective_harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 
 #include "meshes.h"

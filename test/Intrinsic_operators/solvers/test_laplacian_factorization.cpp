@@ -4,7 +4,7 @@
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/elimination/Symbolic_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
 
 #include <Eigen/Dense>
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
-#include <CGAL/Intrinsic_operators/vectors/exponential_map.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 
 #include <CGAL/Intrinsic_triangulation.h>

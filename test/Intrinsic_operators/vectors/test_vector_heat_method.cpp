@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
 
-#include <CGAL/Intrinsic_operators/vectors/exponential_map.h>
+#include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>

@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
-#include <CGAL/Intrinsic_geodesics/queries/insert_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>

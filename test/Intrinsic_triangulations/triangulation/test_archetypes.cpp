@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
-#include <CGAL/Intrinsic_operators/operators/Face_vector_transfer.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>

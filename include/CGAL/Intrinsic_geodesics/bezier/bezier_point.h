@@ -5,13 +5,65 @@
 #define CGAL_INTRINSIC_GEODESICS_BEZIER_BEZIER_POINT_H
 
 #include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
-#include <CGAL/Intrinsic_geodesics/queries/point_on_curve.h>
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// A point of a curve, and which of its pieces it is in.
+struct Place_on_curve {
+  std::size_t piece;
+  Surface_point point;
+};
+
+// The point that divides a curve by length.
+inline Place_on_curve place_on_curve(const Input& input, const Traced_curve& curve, double share) {
+  const auto end_of_piece = [&](std::size_t piece, std::size_t end) {
+    return seen_in_face(input, curve.points[piece + end], curve.faces[piece]);
+  };
+  std::vector<double> lengths;
+  double all = 0;
+  for (std::size_t i = 0; i < curve.faces.size(); ++i) {
+    const Plane_vector<double> v = vector_between(input, end_of_piece(i, 0), end_of_piece(i, 1));
+    lengths.push_back(std::hypot(v[0], v[1]));
+    all += lengths.back();
+  }
+  double left = share * all;
+  std::size_t piece = 0;
+  for (; piece + 1 < lengths.size() && left > lengths[piece]; ++piece) left -= lengths[piece];
+  Surface_point p = end_of_piece(piece, 0);
+  const Surface_point q = end_of_piece(piece, 1);
+  const double x = lengths[piece] > 0 ? std::clamp(left / lengths[piece], 0.0, 1.0) : 0.0;
+  for (std::size_t k = 0; k < 3; ++k) p.weights[k] = (1 - x) * p.weights[k] + x * q.weights[k];
+  return {piece, p};
+}
+
+} // namespace internal
+
+/*!
+\brief returns the point that divides a curve by length.
+\tparam Triangulation a model of `NumberedTriangulation` that keeps its input
+\param t the triangulation
+\param curve what `trace_curve()` or a `Geodesic_finder` returned
+\param share the length up to the point as a part of the whole; beyond 0 and 1 it is the start or
+  the end
+\return the point, rounded, in the face where that part of the curve is straight
+\pre the curve has at least two points
+\complexity linear
+*/
+template <NumberedTriangulation Triangulation>
+Surface_point point_on_curve(const Triangulation& t, const Traced_curve& curve, double share) {
+  return internal::place_on_curve(internal::kept_input(t), curve, share).point;
+}
 
 /*!
 \brief is a point that `bezier_point()` has found.

@@ -4,17 +4,17 @@
 #ifndef CGAL_INTRINSIC_GEODESICS_BEZIER_MAKE_BEZIER_CURVE_H
 #define CGAL_INTRINSIC_GEODESICS_BEZIER_MAKE_BEZIER_CURVE_H
 
+#include <CGAL/Intrinsic_geodesics/bezier/bezier_point.h>
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
 #include <CGAL/Intrinsic_geodesics/queries/Curve_inserter.h>
 #include <CGAL/Intrinsic_geodesics/queries/Lone_curve_finder.h>
-#include <CGAL/Intrinsic_geodesics/queries/point_on_curve.h>
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 

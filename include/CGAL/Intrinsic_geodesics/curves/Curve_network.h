@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_GEODESICS_CURVES_CURVE_NETWORK_H
 
 #include <CGAL/Intrinsic_geodesics/curves/Curve_order.h>
-#include <CGAL/Intrinsic_geodesics/curves/Curve_segments.h>
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
@@ -43,11 +42,8 @@ The network refers to the triangulation. Edges that carry curves must not be fli
 `edge_is_constrained_map()` to algorithms that flip.
 \tparam Triangulation a model of `GeodesicTriangulation`
 */
-template <class Triangulation>
+template <GeodesicTriangulation Triangulation>
 class Curve_network {
-  static_assert(GeodesicTriangulation<Triangulation>,
-                "curves are on an intrinsic triangulation, not on a mesh: build one of the mesh, "
-                "such as Corresponding_triangulation");
   using Mesh = typename Triangulation::Mesh;
   using Segments = internal::Curve_segments;
 

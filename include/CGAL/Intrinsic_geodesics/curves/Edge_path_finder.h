@@ -51,12 +51,8 @@ that a search costs what it visits; but on a surface with vertices that are not 
 takes linear time. At such a vertex a path may go on in any of its fans of faces.
 \tparam Triangulation a model of `GeodesicTriangulation`
 */
-template <class Triangulation>
+template <GeodesicTriangulation Triangulation>
 class Edge_path_finder {
-  static_assert(GeodesicTriangulation<Triangulation>,
-                "curves are on an intrinsic triangulation, not on a mesh: build one of the mesh, "
-                "such as Corresponding_triangulation");
-
 public:
   /// Vertex of the triangulation.
   using vertex_descriptor = typename Triangulation::vertex_descriptor;

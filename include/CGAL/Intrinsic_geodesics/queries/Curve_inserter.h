@@ -13,10 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Wedge_flipper.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -46,12 +46,8 @@ flips edges, reads the path off, and takes the flips back. On a triangulation th
 are found faster.
 \tparam Triangulation a model of `GeodesicTriangulation` and of `CorrespondingTriangulation`
 */
-template <class Triangulation>
+template <GeodesicTriangulation Triangulation>
 class Geodesic_finder {
-  static_assert(GeodesicTriangulation<Triangulation>,
-                "curves are on an intrinsic triangulation, not on a mesh: build one of the mesh, "
-                "such as Corresponding_triangulation");
-
 public:
   /// Vertex of the triangulation.
   using vertex_descriptor = typename Triangulation::vertex_descriptor;

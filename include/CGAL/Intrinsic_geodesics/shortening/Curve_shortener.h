@@ -5,12 +5,10 @@
 #define CGAL_INTRINSIC_GEODESICS_SHORTENING_CURVE_SHORTENER_H
 
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
-#include <CGAL/Intrinsic_geodesics/shortening/Joint_side.h>
+#include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Flip_log.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Wedge_flipper.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
 
 #include <CGAL/enum.h>
 

@@ -9,8 +9,7 @@
 #include <CGAL/Intrinsic_geodesics/shortening/Curve_shortener.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Flip_log.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
 
 #include <cmath>
 #include <cstdint>

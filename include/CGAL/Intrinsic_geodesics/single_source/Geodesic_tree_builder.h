@@ -6,17 +6,14 @@
 
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.h>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
+#include <CGAL/Intrinsic_geodesics/distance/Path_tracer.h>
 #include <CGAL/Intrinsic_geodesics/distance/Window_propagation.h>
-#include <CGAL/Intrinsic_geodesics/single_source/Geodesic_tree.h>
-#include <CGAL/Intrinsic_geodesics/single_source/Last_piece_finder.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Wedge_flipper.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
@@ -30,9 +27,61 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// The last straight piece of the shortest path to a vertex. Its directions are angles from the
+// first corner of a vertex, as the field has it: flips do not change them.
+struct Last_piece {
+  std::uint32_t from = Gluing::none; // the vertex where it begins
+  double departure = 0;              // its direction there
+  double arrival = 0;                // the direction back, where it ends
+  double length = 0;
+};
+
+// Finds the last pieces of shortest paths.
+class Last_piece_finder {
+public:
+  explicit Last_piece_finder(const Distance_field& field) : field_(field), tracer_(field) {}
+
+  // `from` is `Gluing::none` if there is no path, or the path begins at the vertex
+  Last_piece operator()(std::uint32_t v) {
+    const Arrival& a = field_.vertices[v].arrival;
+    if (a.kind != Arrival::Kind::straight || tracer_.trace(v, 1) != Status::done) return {};
+    const std::uint32_t start = tracer_.places().back().side;
+    const Plane_vector<double> d = tracer_.departure(),
+                               back = field_.turned_to(a.corner(), a.image, a.side);
+    return {field_.table.corners[start].origin, direction(start, d), direction(a.corner(), back),
+            std::hypot(d.x, d.y)};
+  }
+
+private:
+  // Of a vector in the frame of a corner. Not meant for a corner in another fan of a vertex that is
+  // not manifold, but it ends there, too.
+  double direction(std::uint32_t corner, Plane_vector<double> d) const {
+    const Corner_table& table = field_.table;
+    double angle = std::atan2(std::max(d.y, 0.0), d.x);
+    const std::uint32_t first = table.first_corner[table.corners[corner].origin];
+    for (std::uint32_t c = first; c != corner && c != Gluing::none;) {
+      angle += std::atan2(table.corners[c].sine, table.corners[c].cosine);
+      c = table.turn_left(c);
+      if (c == first) break;
+    }
+    return angle;
+  }
+
+  const Distance_field& field_;
+  Path_tracer tracer_;
+};
+
+// What is known of a vertex of a tree.
+struct Branch {
+  double length = std::numeric_limits<double>::infinity(); // of its path
+  // the last halfedge of its path; none at the source, and without a path
+  std::uint32_t halfedge = Gluing::none;
+};
 
 // Makes shortest paths from a source edges, the nearest vertex first.
 //
@@ -54,8 +103,6 @@ class Geodesic_tree_builder {
   using Vertex = typename Triangulation::vertex_descriptor;
   using Halfedge = typename Triangulation::halfedge_descriptor;
   using Session = typename Triangulation::Session;
-  using Tree = Geodesic_tree<Triangulation>;
-  using Branch = typename Tree::Branch;
   using View = Intrinsic_view<Triangulation>;
   static constexpr std::uint32_t none = Gluing::none;
   static constexpr unsigned most_futile = 100; // ways to a vertex that are not shorter
@@ -77,9 +124,8 @@ public:
     windows.add_source(root);
     Propagation_limits limits;
     limits.windows = field.default_cap();
-    const Status s = session_.suspended([&] {
-      return windows.run(limits, [&](std::uint64_t, double) { return go_on(result_); });
-    });
+    const Status s = session_.suspended(
+        [&] { return windows.run(limits, [&](std::uint64_t, double) { return go_on(result_); }); });
     if (s == Status::cancelled) result_.status = s;
     branches_[root].length = 0;
     if (const std::uint32_t corner = field.table.first_corner[root]; corner != none)
@@ -88,11 +134,13 @@ public:
     if (result_.status == Status::done && lacks_way()) result_.status = Status::stalled;
   }
 
-  Tree tree() const {
-    std::vector<Branch> branches = branches_;
-    for (Branch& b : branches) b.length = std::ldexp(b.length, -t_.metric().scale_exponent());
-    return Tree(t_, std::move(branches), result_);
+  // by numbers of vertices, in the units of the input
+  std::vector<Branch> branches() const {
+    std::vector<Branch> result = branches_;
+    for (Branch& b : result) b.length = std::ldexp(b.length, -t_.metric().scale_exponent());
+    return result;
   }
+  const Shortening_result& result() const { return result_; }
 
 private:
   // a halfedge from a vertex, and its direction as of a `Last_piece`

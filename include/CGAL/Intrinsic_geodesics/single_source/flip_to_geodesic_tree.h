@@ -4,12 +4,66 @@
 #ifndef CGAL_INTRINSIC_GEODESICS_SINGLE_SOURCE_FLIP_TO_GEODESIC_TREE_H
 #define CGAL_INTRINSIC_GEODESICS_SINGLE_SOURCE_FLIP_TO_GEODESIC_TREE_H
 
+#include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
-#include <CGAL/Intrinsic_geodesics/single_source/Geodesic_tree.h>
 #include <CGAL/Intrinsic_geodesics/single_source/Geodesic_tree_builder.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a tree of edges of an intrinsic triangulation, along which its paths from a source are geodesics.
+
+It refers to the triangulation, whose edges in the tree must not be flipped.
+\tparam Triangulation a model of `GeodesicTriangulation`
+*/
+template <GeodesicTriangulation Triangulation>
+class Geodesic_tree {
+public:
+  /// Vertex of the triangulation.
+  using vertex_descriptor = typename Triangulation::vertex_descriptor;
+  /// Halfedge of the triangulation.
+  using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
+  /// \cond
+  Geodesic_tree(const Triangulation& t, std::vector<internal::Branch> branches,
+                const Shortening_result& counts)
+      : t_(&t), branches_(std::move(branches)), counts_(counts) {}
+  /// \endcond
+
+  /// tells what was done to build it, and how that ended.
+  const Shortening_result& shortening() const { return counts_; }
+  /// returns the length of the path to a vertex, in the units of the input; infinite if there is no path. It is the sum of what doubles
+  /// have kept of lengths in the flips; with exact traits the lengths of the edges of `path_to()` are told to 1e-12.
+  double length(vertex_descriptor v) const { return branches_[t_->index(v)].length; }
+  /// returns the last halfedge of the path to a vertex; a null halfedge at the source, and if there is no path.
+  halfedge_descriptor halfedge_to(vertex_descriptor v) const {
+    const std::uint32_t h = branches_[t_->index(v)].halfedge;
+    return h == Gluing::none ? boost::graph_traits<typename Triangulation::Mesh>::null_halfedge()
+                             : t_->numbers().halfedge_at(h);
+  }
+  /// returns the halfedges of the path to a vertex, from the source; none if there is no path. \complexity linear in their number
+  std::vector<halfedge_descriptor> path_to(vertex_descriptor v) const {
+    std::vector<halfedge_descriptor> path;
+    for (; branches_[t_->index(v)].halfedge != Gluing::none; v = source(path.back(), t_->mesh()))
+      path.push_back(halfedge_to(v));
+    std::reverse(path.begin(), path.end());
+    return path;
+  }
+
+private:
+  const Triangulation* t_;
+  std::vector<internal::Branch> branches_;
+  Shortening_result counts_;
+};
 
 /*!
 \brief flips edges until a geodesic from a source to every vertex is among them (§5.5 of the course).
@@ -45,7 +99,7 @@ Geodesic_tree<Triangulation> flip_to_geodesic_tree(Triangulation& t,
   typename Triangulation::Session session(t);
   internal::Geodesic_tree_builder<Triangulation> builder(t, session);
   builder.run(source, cap, [&](const Shortening_result& r) { return observed.progress(r); });
-  return builder.tree();
+  return {t, builder.branches(), builder.result()};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_OPERATORS_DISTANCE_CHORD_BOUND_H
 
 #include <CGAL/Intrinsic_operators/distance/distance_sources.h>
-#include <CGAL/Intrinsic_operators/distance/near_distances.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>

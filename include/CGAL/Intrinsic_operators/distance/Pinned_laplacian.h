@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/elimination/row_number.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_EDITING_BIHARMONIC_INTERPOLATION_H
 
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
-#include <CGAL/Intrinsic_operators/solvers/elimination/row_number.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_OPERATORS_FACE_TABLE_H
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_FACE_TABLE_H
 
-#include <CGAL/Intrinsic_operators/solvers/components_of_matrix.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>

@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
-#include <CGAL/Intrinsic_operators/solvers/components_of_matrix.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 
 #include <Eigen/Core>

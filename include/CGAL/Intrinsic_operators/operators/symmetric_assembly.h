@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_OPERATORS_SYMMETRIC_ASSEMBLY_H
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_SYMMETRIC_ASSEMBLY_H
 
-#include <CGAL/Intrinsic_operators/solvers/elimination/row_number.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_DIFFUSION_H
 
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/elimination/row_number.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -6,9 +6,8 @@
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/components_of_matrix.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
-#include <CGAL/Intrinsic_operators/solvers/elimination/row_number.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 
 #include <Eigen/Cholesky>

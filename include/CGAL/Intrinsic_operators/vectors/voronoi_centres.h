@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_VORONOI_CENTRES_H
 
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
-#include <CGAL/Intrinsic_operators/vectors/exponential_map.h>
+#include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>

@@ -10,8 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Wedge_flipper.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <array>

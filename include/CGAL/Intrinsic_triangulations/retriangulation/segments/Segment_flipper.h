@@ -4,8 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_SEGMENTS_SEGMENT_FLIPPER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_SEGMENTS_SEGMENT_FLIPPER_H
 
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Shortening_result.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Wedge_flipper.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <CGAL/enum.h>
 
@@ -16,7 +16,129 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief reports what shortening curves did.
+*/
+struct Shortening_result {
+  /// `done`: all curves are geodesic, or have contracted to a vertex; `stopped`, `cap` or `cancelled` before that.
+  Status status = Status::done;
+  /// Number of edges flipped.
+  std::uint64_t flips = 0;
+  /// Number of times that a piece of a curve was replaced by a shorter one.
+  std::uint64_t shortenings = 0;
+  /// Number of angles compared with pi.
+  std::uint64_t wedge_checks = 0;
+  /// Number of those that were exactly pi.
+  std::uint64_t exact_ties = 0;
+  /// Number of flips refused: the arithmetic made an area that is not positive, or an edge crosses too much of the input.
+  std::uint64_t refused_flips = 0;
+
+  /// adds counts; the status is the last one.
+  Shortening_result& operator+=(const Shortening_result& r) {
+    status = r.status;
+    flips += r.flips;
+    shortenings += r.shortenings;
+    wedge_checks += r.wedge_checks;
+    exact_ties += r.exact_ties;
+    refused_flips += r.refused_flips;
+    return *this;
+  }
+};
+
+/*!
+\brief flips edges and remembers how to take the flips back, at the cost of what they have touched.
+\tparam Triangulation an instance of `Intrinsic_triangulation`
+*/
+template <class Triangulation>
+class Flip_log {
+public:
+  /// Halfedge of the mesh.
+  using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
+  /// Makes the moves.
+  using Session = typename Triangulation::Session;
+
+  /// flips an edge, see `Intrinsic_triangulation::flip_edge()`.
+  Move_status flip_edge(Session& session, halfedge_descriptor h) {
+    const Move_status possible = session.flip_status(h);
+    if (possible != Move_status::done) return possible;
+    typename Session::Before_flip before = session.before_flip(h);
+    const Move_status s = session.flip_convex_edge(h);
+    if (s == Move_status::done) flips_.emplace_back(h, std::move(before));
+    return s;
+  }
+  /// returns the number of flips.
+  std::size_t size() const { return flips_.size(); }
+  /// keeps the flips: they can no longer be taken back.
+  void clear() { flips_.clear(); }
+  /// takes all flips back, the last one first. \pre nothing else has moved since the first one
+  void undo(Session& session) {
+    for (; !flips_.empty(); flips_.pop_back())
+      session.undo_flip(flips_.back().first, flips_.back().second);
+  }
+
+private:
+  std::vector<std::pair<halfedge_descriptor, typename Session::Before_flip>> flips_;
+};
+
+namespace internal {
+
+// Flips edges out of a wedge (FlipOut, Algorithm 6 of the course).
+template <class Triangulation>
+class Wedge_flipper {
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Session = typename Triangulation::Session;
+
+public:
+  // without a log, flips cannot be taken back
+  Wedge_flipper(const Triangulation& t, Session& session, Flip_log<Triangulation>* log)
+      : t_(t), session_(session), log_(log) {}
+
+  // Flips edges between two halfedges from the same vertex, the first one that can be flipped, until none can; false if
+  // there would be more than `most` flips. `flipped(e)` is called after each flip.
+  template <class Function>
+  bool operator()(Halfedge from, Halfedge to, bool is_clockwise, std::uint64_t most,
+                  Shortening_result& result, const Function& flipped) {
+    const auto turned = [&](Halfedge e) {
+      const auto& mesh = t_.mesh();
+      return is_clockwise ? next(opposite(e, mesh), mesh)
+                          : opposite(next(next(e, mesh), mesh), mesh);
+    };
+    std::vector<Halfedge>& before = inner_; // edges that cannot be flipped, in order
+    before.clear();
+    Halfedge e = turned(from);
+    while (e != to) {
+      if (most == 0) return false;
+      const Halfedge after = turned(e);
+      const Move_status s = flip(e);
+      if (s == Move_status::done) {
+        ++result.flips;
+        --most;
+        flipped(e);
+        e = before.empty() ? after : before.back();
+        if (!before.empty()) before.pop_back();
+        continue;
+      }
+      if (s != Move_status::not_convex && s != Move_status::same_face) ++result.refused_flips;
+      before.push_back(e);
+      e = after;
+    }
+    return true;
+  }
+
+  Move_status flip(Halfedge e) {
+    if (log_ != nullptr) return log_->flip_edge(session_, e);
+    const Move_status s = session_.flip_status(e);
+    return s == Move_status::done ? session_.flip_convex_edge(e) : s;
+  }
+
+private:
+  const Triangulation& t_;
+  Session& session_;
+  Flip_log<Triangulation>* log_;
+  std::vector<Halfedge> inner_;
+};
 
 // Whether segments pass through no face twice, which they may do only where a triangulation winds
 // about the surface. `crossed` projects a segment to the edges that it crosses, in order.
@@ -151,6 +273,8 @@ private:
   Crossed crossed_;
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_SEGMENTS_SEGMENT_FLIPPER_H

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_SYMBOLIC_FACTORIZATION_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_SYMBOLIC_FACTORIZATION_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_SYMBOLIC_FACTORIZATION_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_SYMBOLIC_FACTORIZATION_H
 
-#include <CGAL/Intrinsic_operators/solvers/elimination/row_number.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
@@ -204,4 +204,4 @@ inline void Symbolic_factorization::find_parts() {
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_SYMBOLIC_FACTORIZATION_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_SYMBOLIC_FACTORIZATION_H
