@@ -97,7 +97,6 @@ BEGIN {
   group["tracing/"]                                          = "ref_inside_tracing"
   group["tracing/trace_geodesic.h"]                          = "ref_tracing"
   group["triangulation/"]                                    = "ref_inside"
-  group["triangulation/Move_status.h"]                       = "ref_owner"
   group["triangulation/Session.h"]                           = "ref_owner"
   group["triangulation/Surface_point.h"]                     = "ref_owner"
   group["triangulation/measures.h"]                          = "ref_measures"

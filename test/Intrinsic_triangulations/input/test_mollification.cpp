@@ -47,7 +47,7 @@ meshes::Mesh chain_of_caps() {
 template <class T>
 bool needs_mollification(const meshes::Mesh& m) {
   const T t(m.input());
-  return IT::has_irremovable_degeneracy(m.map(), t.metric());
+  return IT::internal::has_irremovable_degeneracy(m.map(), t.metric());
 }
 
 TEST(Mollification, is_needed_where_flips_cannot_remove_degenerate_faces) {

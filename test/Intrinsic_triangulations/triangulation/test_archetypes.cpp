@@ -21,7 +21,7 @@
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_operators/vectors/karcher_mean.h>
 #include <CGAL/Intrinsic_operators/vectors/voronoi_centres.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
@@ -46,9 +46,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
 #include "archetypes.h"

@@ -15,8 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <cstddef>
 #include <cstdint>

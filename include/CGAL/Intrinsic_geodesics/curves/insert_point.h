@@ -5,13 +5,13 @@
 #define CGAL_INTRINSIC_GEODESICS_CURVES_INSERT_POINT_H
 
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <array>

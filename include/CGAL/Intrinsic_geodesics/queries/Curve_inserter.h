@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
@@ -17,7 +18,6 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <array>

@@ -14,8 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -6,8 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

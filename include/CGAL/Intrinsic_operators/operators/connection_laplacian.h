@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_CONNECTION_LAPLACIAN_H
 
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

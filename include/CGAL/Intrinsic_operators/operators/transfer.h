@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

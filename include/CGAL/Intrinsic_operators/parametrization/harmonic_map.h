@@ -11,11 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

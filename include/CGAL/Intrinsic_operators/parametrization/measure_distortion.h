@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_MEASURE_DISTORTION_H
 
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
 

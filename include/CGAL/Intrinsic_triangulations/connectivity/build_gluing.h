@@ -7,12 +7,13 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -22,6 +23,15 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief asks for a range, of known size, of triples of numbers: the vertices of triangles.
+*/
+template <class Range>
+concept TriangleRange = requires(const Range& triangles) {
+  { triangles.size() } -> std::convertible_to<std::size_t>;
+  { (*triangles.begin())[0] } -> std::convertible_to<std::int64_t>;
+};
 
 namespace internal {
 
@@ -53,8 +63,8 @@ private:
 };
 
 // Triangles of which no side is glued yet.
-template <class TriangleRange>
-Gluing unglued_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles) {
+template <TriangleRange Triangles>
+Gluing unglued_triangles(std::uint32_t number_of_vertices, const Triangles& triangles) {
   Gluing g;
   g.number_of_vertices = number_of_vertices;
   g.origin.reserve(3 * triangles.size());
@@ -125,8 +135,8 @@ Gluing glue_triangles(Gluing g, std::uint32_t& conflict, const std::vector<std::
   edge in the same direction, or if a face repeats a vertex or has one out of range
 \complexity linear for bounded degree, without hashing
 */
-template <class TriangleRange>
-Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRange& triangles) {
+template <TriangleRange Triangles>
+Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const Triangles& triangles) {
   std::uint32_t conflict = Gluing::none;
   Gluing g = internal::glue_triangles(internal::unglued_triangles(number_of_vertices, triangles),
                                       conflict, {});
@@ -142,9 +152,8 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const TriangleRan
 \throws Invalid_input see above; of orientation, only if no choice of it is consistent
 \complexity as above
 */
-template <class TriangleRange>
-Gluing oriented_gluing_from_triangles(std::uint32_t number_of_vertices,
-                                      const TriangleRange& triangles,
+template <TriangleRange Triangles>
+Gluing oriented_gluing_from_triangles(std::uint32_t number_of_vertices, const Triangles& triangles,
                                       std::vector<char>& reversed_faces,
                                       const std::vector<std::uint32_t>& names = {}) {
   std::uint32_t conflict = Gluing::none;
@@ -195,7 +204,7 @@ See `gluing_map_from_face_graph()`.
 \param polygon set to the number of the first face that is not a triangle, or `Gluing::none`; the
   result is good for nothing then
 */
-template <class FaceGraph>
+template <ReadableFaceGraph FaceGraph>
 Gluing_map gluing_map_unless_polygonal(const FaceGraph& mesh, std::uint32_t& polygon) {
   using Traits = boost::graph_traits<FaceGraph>;
   using Halfedge = typename Traits::halfedge_descriptor;
@@ -250,7 +259,7 @@ vertex, whichever way they go in `mesh`.
 \throws Invalid_input if a face is not a triangle
 \complexity linear
 */
-template <class FaceGraph>
+template <ReadableFaceGraph FaceGraph>
 Gluing_map gluing_map_from_face_graph(const FaceGraph& mesh) {
   std::uint32_t polygon = Gluing::none;
   Gluing_map map = gluing_map_unless_polygonal(mesh, polygon);
@@ -270,7 +279,7 @@ left out, and those after them move up.
 \pre `map.is_oriented()`
 \complexity linear
 */
-template <class Mesh>
+template <WritableFaceGraph Mesh>
 void copy_gluing_map(const Gluing_map& map, Mesh& mesh) {
   if (map.has_garbage()) return copy_gluing_map(gluing_map_from_face_graph(map), mesh);
   using Traits = boost::graph_traits<Mesh>;
@@ -303,7 +312,7 @@ void copy_gluing_map(const Gluing_map& map, Mesh& mesh) {
 \tparam Mesh a model of `MutableDeltaComplex`
 \complexity linear; constant if `Mesh` is `Gluing_map`
 */
-template <class Mesh>
+template <MutableDeltaComplex Mesh>
 Mesh mesh_from_gluing_map(Gluing_map map) {
   if constexpr (std::is_same_v<Mesh, Gluing_map>)
     return map;

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -4,7 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_FOR_EACH_OUTGOING_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_FOR_EACH_OUTGOING_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+
 #include <boost/graph/graph_traits.hpp>
+
+#include <concepts>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -14,14 +18,15 @@ namespace CGAL::Intrinsic_triangulations {
 On the border the first has no face on its right, and the last none on its left: the vertex's halfedge is
 on the border there, as in every mesh of this package. At a vertex that is not manifold these are the
 halfedges of one fan. A loop is met in both directions.
-\tparam Mesh a model of `MutableDeltaComplex`
+\tparam Mesh a mesh of triangles
 \tparam Function a functor with halfedges as argument, which must not change the mesh
 \param v the vertex \pre it is not isolated
 \param mesh the mesh
 \param f the functor
 \complexity linear in the degree
 */
-template <class Mesh, class Function>
+template <ReadableFaceGraph Mesh,
+          std::invocable<typename boost::graph_traits<Mesh>::halfedge_descriptor> Function>
 void for_each_outgoing(typename boost::graph_traits<Mesh>::vertex_descriptor v, const Mesh& mesh,
                        Function f) {
   using Traits = boost::graph_traits<Mesh>;
@@ -36,7 +41,8 @@ void for_each_outgoing(typename boost::graph_traits<Mesh>::vertex_descriptor v, 
 
 /// calls a function with the halfedges that start at the source of `h` and are in the same fan of
 /// faces, in some order; see above.
-template <class Mesh, class Function>
+template <ReadableFaceGraph Mesh,
+          std::invocable<typename boost::graph_traits<Mesh>::halfedge_descriptor> Function>
 void for_each_outgoing_in_fan(typename boost::graph_traits<Mesh>::halfedge_descriptor h,
                               const Mesh& mesh, Function f) {
   const auto null = boost::graph_traits<Mesh>::null_face();

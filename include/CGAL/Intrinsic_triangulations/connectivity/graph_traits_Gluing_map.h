@@ -24,15 +24,16 @@ The functions of BGL's `MutableFaceGraph` for `Gluing_map`, found by argument-de
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// iterates over all elements of one kind.
+namespace internal {
+
+// Iterates over all elements of one kind.
 template <class Descriptor>
 class Gluing_iterator
     : public boost::iterator_facade<Gluing_iterator<Descriptor>, Descriptor,
                                     std::bidirectional_iterator_tag, Descriptor, std::ptrdiff_t> {
 public:
-  /// constructs a singular iterator.
   Gluing_iterator() = default;
-  /// constructs the iterator at the first element of `map` from number `i` on that is not removed.
+  // at the first element of `map` from number `i` on that is not removed
   Gluing_iterator(const Gluing_map& map, std::uint32_t i, std::uint32_t end)
       : map_(map.has_garbage() ? &map : nullptr), end_(end), current_{i} {
     skip();
@@ -59,18 +60,18 @@ private:
   Descriptor current_;
 };
 
-/// maps an element to its number.
+// Maps an element to its number.
 template <class Descriptor>
 struct Gluing_index_map {
-  /// \cond
   using key_type = Descriptor;
   using value_type = std::size_t;
   using reference = std::size_t;
   using category = boost::readable_property_map_tag;
   friend std::size_t get(const Gluing_index_map&, Descriptor d) { return d.index; }
   std::size_t operator[](Descriptor d) const { return d.index; }
-  /// \endcond
 };
+
+} // namespace internal
 
 /// \cond the BGL vocabulary, specified by CGAL and Boost
 inline Gluing_map::Halfedge next(Gluing_map::Halfedge h, const Gluing_map& g) { return g.next(h); }
@@ -106,7 +107,7 @@ inline Gluing_map::Halfedge halfedge(Gluing_map::Face f, const Gluing_map& g) {
 
 template <class Descriptor>
 auto gluing_range(const Gluing_map& g, std::uint32_t n) {
-  using I = Gluing_iterator<Descriptor>;
+  using I = internal::Gluing_iterator<Descriptor>;
   return CGAL::Iterator_range<I>(I(g, 0, n), I(g, n, n));
 }
 inline auto vertices(const Gluing_map& g) {
@@ -148,14 +149,20 @@ inline void remove_vertex(Gluing_map::Vertex v, Gluing_map& g) { g.remove_vertex
 inline void remove_edge(Gluing_map::Edge e, Gluing_map& g) { g.remove_edge(e); }
 inline void remove_face(Gluing_map::Face f, Gluing_map& g) { g.remove_face(f); }
 
-inline Gluing_index_map<Gluing_map::Vertex> get(boost::vertex_index_t, const Gluing_map&) {
+inline internal::Gluing_index_map<Gluing_map::Vertex> get(boost::vertex_index_t,
+                                                          const Gluing_map&) {
   return {};
 }
-inline Gluing_index_map<Gluing_map::Halfedge> get(boost::halfedge_index_t, const Gluing_map&) {
+inline internal::Gluing_index_map<Gluing_map::Halfedge> get(boost::halfedge_index_t,
+                                                            const Gluing_map&) {
   return {};
 }
-inline Gluing_index_map<Gluing_map::Edge> get(boost::edge_index_t, const Gluing_map&) { return {}; }
-inline Gluing_index_map<Gluing_map::Face> get(boost::face_index_t, const Gluing_map&) { return {}; }
+inline internal::Gluing_index_map<Gluing_map::Edge> get(boost::edge_index_t, const Gluing_map&) {
+  return {};
+}
+inline internal::Gluing_index_map<Gluing_map::Face> get(boost::face_index_t, const Gluing_map&) {
+  return {};
+}
 /// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
@@ -168,7 +175,7 @@ struct graph_traits<CGAL::Intrinsic_triangulations::Gluing_map> {
 private:
   using Map = CGAL::Intrinsic_triangulations::Gluing_map;
   template <class D>
-  using Iterator = CGAL::Intrinsic_triangulations::Gluing_iterator<D>;
+  using Iterator = CGAL::Intrinsic_triangulations::internal::Gluing_iterator<D>;
   struct Category : bidirectional_graph_tag, vertex_list_graph_tag, edge_list_graph_tag {};
 
 public:

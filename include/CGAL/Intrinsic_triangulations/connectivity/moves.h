@@ -4,6 +4,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_MOVES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_MOVES_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <type_traits>
@@ -94,7 +97,7 @@ void remove_numbered(Element e, Mesh& mesh, Numbers& numbers) {
 \param mesh the complex
 \complexity constant
 */
-template <class Mesh>
+template <MutableDeltaComplex Mesh>
 void flip_edge_back(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh) {
   using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   const Halfedge o = opposite(h, mesh), mj = next(h, mesh), jk = next(mj, mesh);
@@ -117,10 +120,10 @@ void flip_edge_back(typename boost::graph_traits<Mesh>::halfedge_descriptor h, M
 \return the vertex
 \complexity constant
 */
-template <class Mesh, class Numbers>
+template <MutableDeltaComplex Mesh>
 typename boost::graph_traits<Mesh>::vertex_descriptor
 split_face(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh,
-           Numbers& numbers) {
+           Mesh_adaptor<Mesh>& numbers) {
   using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   const Halfedge ij = h, jk = next(h, mesh), ki = next(jk, mesh);
   const auto p = internal::add_numbered_vertex(mesh, numbers);
@@ -147,9 +150,9 @@ split_face(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh
 \param numbers gives back the numbers of what is removed
 \complexity constant
 */
-template <class Mesh, class Numbers>
+template <MutableDeltaComplex Mesh>
 void remove_degree_3_vertex(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh,
-                            Numbers& numbers) {
+                            Mesh_adaptor<Mesh>& numbers) {
   using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   const Halfedge ij = h, jp = next(ij, mesh), pi = next(jp, mesh);
   const Halfedge jk = next(opposite(jp, mesh), mesh), kp = next(jk, mesh);
@@ -176,10 +179,10 @@ face pjk.
 \return the vertex
 \complexity linear in the degree of j
 */
-template <class Mesh, class Numbers>
+template <MutableDeltaComplex Mesh>
 typename boost::graph_traits<Mesh>::vertex_descriptor
 split_border_edge(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh,
-                  Numbers& numbers) {
+                  Mesh_adaptor<Mesh>& numbers) {
   using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   const Halfedge ij = h, jk = next(h, mesh), ki = next(jk, mesh), ji = opposite(h, mesh);
   const Halfedge before = prev(ji, mesh); // on the border
@@ -208,9 +211,9 @@ split_border_edge(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mes
 \param numbers gives back the numbers of what is removed
 \complexity linear in the degree of j
 */
-template <class Mesh, class Numbers>
+template <MutableDeltaComplex Mesh>
 void remove_border_vertex(typename boost::graph_traits<Mesh>::halfedge_descriptor h, Mesh& mesh,
-                          Numbers& numbers) {
+                          Mesh_adaptor<Mesh>& numbers) {
   using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   const Halfedge ip = h, pk = next(h, mesh), ki = next(pk, mesh), kp = opposite(pk, mesh);
   const Halfedge pj = next(kp, mesh), jk = next(pj, mesh), jp = opposite(pj, mesh);

@@ -74,6 +74,7 @@ namespace parameters {
 \tparam P what was given
 */
 template <class... P>
+  requires(requires { typename P::tag; } && ...)
 class Parameters : public P... {
 public:
   /// chains what was given.

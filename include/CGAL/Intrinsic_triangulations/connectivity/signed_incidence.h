@@ -64,7 +64,7 @@ Edge `e` starts at the source of its halfedge. Elements are numbered in the orde
 \pre the mesh has the invariants of the concept
 \complexity linear
 */
-template <class Mesh>
+template <ReadableFaceGraph Mesh>
 Signed_incidence incidence(const Mesh& mesh) {
   const internal::As_gluing_map read(mesh);
   const Gluing_map& m = *read;

@@ -4,10 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_TOPOLOGY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_TOPOLOGY_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -102,7 +103,7 @@ inline std::vector<std::uint32_t> border_of_loops(const Gluing_map& m) {
 \tparam Mesh a model of `MutableDeltaComplex`
 \complexity constant for meshes whose gluings respect the orientation, else linear
 */
-template <class Mesh>
+template <ReadableFaceGraph Mesh>
 bool is_orientable(const Mesh& mesh) {
   if constexpr (std::is_same_v<Mesh, Gluing_map>)
     return mesh.is_oriented() || find_orientation(gluing_from_map(mesh)).is_orientable;
@@ -114,7 +115,7 @@ bool is_orientable(const Mesh& mesh) {
 \brief returns V - E + F, isolated vertices included.
 \tparam Mesh a model of `MutableDeltaComplex`
 */
-template <class Mesh>
+template <ReadableFaceGraph Mesh>
 std::ptrdiff_t euler_characteristic(const Mesh& mesh) {
   const internal::As_gluing_map read(mesh); // element counts without removed elements
   const Gluing_map& m = *read;
@@ -136,7 +137,7 @@ struct Face_components {
 \brief finds the components that faces form across edges.
 \tparam Mesh a model of `MutableDeltaComplex`
 */
-template <class Mesh>
+template <ReadableFaceGraph Mesh>
 Face_components connected_components(const Mesh& mesh) {
   const internal::As_gluing_map read(mesh);
   const Gluing_map& m = *read;
@@ -171,7 +172,7 @@ not exist on the border of a nonorientable gluing.
 \tparam Mesh a model of `MutableDeltaComplex`
 \return one halfedge without a face per loop
 */
-template <class Mesh>
+template <ReadableFaceGraph Mesh>
 std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor>
 boundary_loops(const Mesh& mesh) {
   using Traits = boost::graph_traits<Mesh>;
@@ -194,7 +195,7 @@ boundary_loops(const Mesh& mesh) {
 edges. One at a manifold vertex, none at an isolated one, more at a nonmanifold one.
 \tparam Mesh a model of `MutableDeltaComplex`
 */
-template <class Mesh>
+template <ReadableFaceGraph Mesh>
 std::vector<std::uint32_t> umbrellas(const Mesh& mesh) {
   return internal::umbrellas_of_vertices(*internal::As_gluing_map(mesh));
 }
@@ -207,7 +208,7 @@ C components and b boundary loops.
 \tparam Mesh a model of `MutableDeltaComplex`
 \return the genus, or nothing if the surface is not orientable
 */
-template <class Mesh>
+template <ReadableFaceGraph Mesh>
 std::optional<std::size_t> genus(const Mesh& mesh) {
   const internal::As_gluing_map read(mesh);
   const Gluing_map& m = *read;

@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/orientation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>

@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -219,12 +221,29 @@ private:
 } // namespace internal
 
 /*!
+\brief asks for a range of points with `x()`, `y()` and `z()`, or of arrays of three coordinates.
+*/
+template <class Range>
+concept PointRange = requires(const Range& points) {
+  CGAL::to_double((*std::begin(points)).x());
+}
+|| requires(const Range& points) { CGAL::to_double((*std::begin(points))[0]); };
+
+/*!
+\brief asks for a range of ranges of integers: the numbers of the vertices of each face.
+*/
+template <class Range>
+concept FaceRange = requires(const Range& faces) {
+  { *std::begin(*std::begin(faces)) } -> std::convertible_to<std::int64_t>;
+};
+
+/*!
 \brief makes a soup of points and faces in arrays.
 
 Polygons are triangulated, and repeated vertices left out, as those of files are, see `read_triangle_soup()`. Nothing else is asked of the faces: `make_domain()`
 makes a surface of any.
-\tparam PointRange a range of points with `x()`, `y()` and `z()`, or of arrays of three coordinates
-\tparam FaceRange a range of ranges of integers: the numbers of the points of each face, in their order around it
+\tparam Points a model of `PointRange`
+\tparam Faces a model of `FaceRange`: vertices are in their order around the face
 \param points the points
 \param faces the faces
 \param polygons what is made of polygons that are not planar
@@ -233,8 +252,8 @@ makes a surface of any.
   faces
 \complexity linear for polygons of bounded size
 */
-template <class PointRange, class FaceRange>
-Triangle_soup triangle_soup(const PointRange& points, const FaceRange& faces,
+template <PointRange Points, FaceRange Faces>
+Triangle_soup triangle_soup(const Points& points, const Faces& faces,
                             Nonplanar_polygons polygons = Nonplanar_polygons::fan) {
   internal::Soup_builder builder{std::string(), polygons};
   for (const auto& p : points)

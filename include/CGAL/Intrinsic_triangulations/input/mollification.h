@@ -16,18 +16,14 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/*!
-\brief tells whether the input has degenerate faces that flips cannot remove.
+namespace internal {
 
-A cap (zero area, a vertex inside its longest side) goes away when that side is flipped, if the face
-across has an area or loses its own degeneracy first. So following longest sides from a cap must end
-at a proper face. It does not if it meets the border, or two caps across the longest side of both
-(lengths increase along the way, so there is no other cycle). Zero lengths always stay.
-\tparam Metric a model of `IntrinsicMetric`
-\param mesh the connectivity
-\param metric the metric, before any flip
-\complexity linear
-*/
+// Tells whether the input has degenerate faces that flips cannot remove, by its metric before any flip.
+//
+// A cap (zero area, a vertex inside its longest side) goes away when that side is flipped, if the face
+// across has an area or loses its own degeneracy first. So following longest sides from a cap must end
+// at a proper face. It does not if it meets the border, or two caps across the longest side of both
+// (lengths increase along the way, so there is no other cycle). Zero lengths always stay. Linear.
 template <class Metric>
 bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
@@ -53,6 +49,8 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
   }
   return false;
 }
+
+} // namespace internal
 
 /*!
 \brief returns the delta that is added to squared lengths by default, in scaled units: 2^-72.

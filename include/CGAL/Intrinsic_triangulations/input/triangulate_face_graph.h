@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper.h>
@@ -137,7 +138,7 @@ where they bend less, others as their projection along their vector area; or the
 \throws Invalid_input naming a face that cannot be triangulated
 \complexity linear in the number of faces, for polygons of bounded size
 */
-template <class FaceGraph>
+template <ReadableFaceGraph FaceGraph>
 Gluing_map gluing_map_from_polygons(const FaceGraph& mesh,
                                     const std::vector<std::array<double, 3>>& points,
                                     Nonplanar_polygons kind, std::size_t& polygons,

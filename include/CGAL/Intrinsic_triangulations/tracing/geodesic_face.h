@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRACING_GEODESIC_FACE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_GEODESIC_FACE_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>

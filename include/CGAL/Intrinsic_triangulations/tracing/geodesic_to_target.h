@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_GEODESIC_TO_TARGET_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>

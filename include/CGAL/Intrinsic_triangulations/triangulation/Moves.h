@@ -5,9 +5,12 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_MOVES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cstdint>
@@ -130,6 +133,30 @@ struct Insertion_on_border : Star_on_border {
 \brief records the removal of a vertex from the border.
 */
 struct Removal_from_border : Star_on_border {};
+
+namespace internal {
+
+// The star of the source of a halfedge, which is its first spoke; none on the border, or if an edge joins the vertex to
+// itself.
+template <class Mesh>
+std::optional<Whole_star> whole_star(typename boost::graph_traits<Mesh>::halfedge_descriptor first,
+                                     const Mesh& mesh, const Mesh_adaptor<Mesh>& number) {
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  Whole_star s;
+  Halfedge h = first;
+  do {
+    if (face(h, mesh) == boost::graph_traits<Mesh>::null_face() ||
+        target(h, mesh) == source(h, mesh))
+      return std::nullopt;
+    s.spokes.push_back(number.halfedge(h) / 2);
+    s.rim.push_back(number.halfedge(next(h, mesh)) / 2);
+    s.faces.push_back(number.face(face(h, mesh)));
+    h = opposite(next(next(h, mesh), mesh), mesh);
+  } while (h != first);
+  return s;
+}
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

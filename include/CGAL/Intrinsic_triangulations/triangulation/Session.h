@@ -4,16 +4,16 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_SESSION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_SESSION_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/whole_star.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>

@@ -5,14 +5,14 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_CONCEPTS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
 #include <CGAL/Interval_nt.h>
@@ -36,99 +36,6 @@ operation needs which function, is on the page of each concept.
 */
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// `boost::graph_traits<T>` is an error, not a substitution failure, where T is no mesh: ask for
-// functions on it first.
-template <class Mesh>
-concept Has_mesh_elements = requires(const Mesh& m) {
-  vertices(m);
-  halfedges(m);
-  edges(m);
-  faces(m);
-};
-
-template <class Mesh, class Traits = boost::graph_traits<Mesh>,
-          class V = typename Traits::vertex_descriptor,
-          class H = typename Traits::halfedge_descriptor,
-          class E = typename Traits::edge_descriptor, class F = typename Traits::face_descriptor>
-concept Has_connectivity = requires(const Mesh& m, V v, H h, E e, F f) {
-  { num_vertices(m) } -> std::convertible_to<std::size_t>;
-  { num_edges(m) } -> std::convertible_to<std::size_t>;
-  { num_faces(m) } -> std::convertible_to<std::size_t>;
-  { next(h, m) } -> std::convertible_to<H>;
-  { opposite(h, m) } -> std::convertible_to<H>;
-  { source(h, m) } -> std::convertible_to<V>;
-  { target(h, m) } -> std::convertible_to<V>;
-  { face(h, m) } -> std::convertible_to<F>;
-  { edge(h, m) } -> std::convertible_to<E>;
-  { halfedge(v, m) } -> std::convertible_to<H>;
-  { halfedge(e, m) } -> std::convertible_to<H>;
-  { halfedge(f, m) } -> std::convertible_to<H>;
-  { Traits::null_halfedge() } -> std::convertible_to<H>;
-  { Traits::null_face() } -> std::convertible_to<F>;
-  { v == v } -> std::convertible_to<bool>;
-  { h == h } -> std::convertible_to<bool>;
-  { f == f } -> std::convertible_to<bool>;
-};
-
-template <class Mesh, class Traits = boost::graph_traits<Mesh>,
-          class V = typename Traits::vertex_descriptor,
-          class H = typename Traits::halfedge_descriptor,
-          class E = typename Traits::edge_descriptor, class F = typename Traits::face_descriptor>
-concept Has_mutable_connectivity = requires(Mesh& m, V v, H h, E e, F f) {
-  { add_vertex(m) } -> std::convertible_to<V>;
-  { add_edge(m) } -> std::convertible_to<E>;
-  { add_face(m) } -> std::convertible_to<F>;
-  remove_vertex(v, m);
-  remove_edge(e, m);
-  remove_face(f, m);
-  set_next(h, h, m);
-  set_target(h, v, m);
-  set_face(h, f, m);
-  set_halfedge(v, h, m);
-  set_halfedge(f, h, m);
-};
-
-template <class Mesh, class Traits = boost::graph_traits<Mesh>>
-concept Has_numbers = requires(Mesh& m, const Mesh& c, const Mesh_adaptor<Mesh>& a,
-                               Mesh_adaptor<Mesh>& n, typename Traits::vertex_descriptor v,
-                               typename Traits::halfedge_descriptor h,
-                               typename Traits::edge_descriptor e,
-                               typename Traits::face_descriptor f, std::uint32_t i) {
-  Mesh_adaptor<Mesh>(m);
-  Mesh_adaptor<Mesh>(c);
-  Mesh_adaptor<Mesh>(m, a, c);
-  n.add(v, c);
-  n.add(e, c);
-  n.add(f, c);
-  n.remove(v, c);
-  n.remove(e, c);
-  n.remove(f, c);
-  { a.vertex_capacity(c) } -> std::same_as<std::uint32_t>;
-  { a.edge_capacity(c) } -> std::same_as<std::uint32_t>;
-  { a.face_capacity(c) } -> std::same_as<std::uint32_t>;
-  { a.vertex_at(i) } -> std::convertible_to<typename Traits::vertex_descriptor>;
-  { a.halfedge_at(i) } -> std::convertible_to<typename Traits::halfedge_descriptor>;
-  { a.face_at(i) } -> std::convertible_to<typename Traits::face_descriptor>;
-  { a.vertex(v) } -> std::same_as<std::uint32_t>;
-  { a.halfedge(h) } -> std::same_as<std::uint32_t>;
-  { a.face(f) } -> std::same_as<std::uint32_t>;
-};
-
-} // namespace internal
-
-/*!
-\brief asks for the connectivity of a triangulated surface that can be built and flipped, read as a
-Delta-complex: elements need not be determined by their vertices.
-
-Syntax of \ref ::MutableDeltaComplex, where its meaning is described.
-*/
-template <class Mesh>
-concept MutableDeltaComplex = std::default_initializable<Mesh> && std::move_constructible<Mesh> &&
-    internal::Has_mesh_elements<Mesh> && internal::Has_connectivity<Mesh> &&
-    internal::Has_mutable_connectivity<Mesh> && internal::Has_numbers<Mesh>;
 
 namespace internal {
 // What a metric that decides by the input is given: see `Exact_values`.
@@ -164,11 +71,11 @@ concept Decides_by_input = Decides<Metric, Any_exact_values>;
 Syntax of \ref ::IntrinsicMetric, where its meaning is described.
 */
 template <class Metric>
-concept IntrinsicMetric = (internal::Decides<Metric> || internal::Decides_by_input<Metric>)&&
-    std::default_initializable<Metric> && std::movable<Metric> &&
-    std::default_initializable<typename Metric::Scope> &&
-    std::constructible_from<Metric, const Gluing_map&, const Input_metric&> &&
-    requires(Metric& m, const Metric& c, const Diamond& d, std::uint32_t i) {
+concept IntrinsicMetric =
+    (internal::Decides<Metric> || internal::Decides_by_input<Metric>)&&std::default_initializable<
+        Metric>&& std::movable<Metric>&& std::default_initializable<typename Metric::Scope>&& std::
+        constructible_from<Metric, const Gluing_map&, const Input_metric&>&& requires(
+            Metric& m, const Metric& c, const Diamond& d, std::uint32_t i) {
   typename Metric::FT;
   { Metric::is_exact } -> std::convertible_to<bool>;
   { c.compute_flip(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
@@ -215,10 +122,9 @@ concept Measures_insertions = requires(Metric& m, const Vertex_star& star,
 
 // Is told what an insertion makes, by who knows where vertices are on the input, and decides by that.
 template <class Metric>
-concept Defined_by_places =
-    Decides_by_input<Metric> && requires(Metric& m, const Vertex_star& star,
-                                         const Border_star& border,
-                                         const Vertex_move_values<typename Metric::FT>& values) {
+concept Defined_by_places = Decides_by_input<Metric> &&
+    requires(Metric& m, const Vertex_star& star, const Border_star& border,
+             const Vertex_move_values<typename Metric::FT>& values) {
   m.insert_in_face(star, values);
   m.insert_in_border_edge(border, values);
 };
@@ -343,6 +249,65 @@ concept IntrinsicTriangulation = internal::Has_triangulated_mesh<Triangulation> 
   {
     c.suspended([] { return true; })
     } -> std::same_as<bool>;
+};
+
+/*!
+\brief asks for elements that have numbers, values by number, and names on the input: a triangulation that `Intrinsic_view`
+can read.
+
+Syntax of \ref ::NumberedTriangulation, where its meaning is described.
+*/
+template <class Triangulation>
+concept NumberedTriangulation = internal::Has_triangulated_mesh<Triangulation> &&
+    internal::Has_approximate_values<Triangulation> && internal::Has_matrix_rows<Triangulation> &&
+    requires(const Triangulation& t, typename Triangulation::vertex_descriptor v,
+             typename Triangulation::halfedge_descriptor h,
+             typename Triangulation::face_descriptor f, std::uint32_t i) {
+  { t.is_inserted(v) } -> std::same_as<bool>;
+  { t.numbers().vertex(v) } -> std::same_as<std::uint32_t>;
+  { t.numbers().halfedge(h) } -> std::same_as<std::uint32_t>;
+  { t.numbers().face(f) } -> std::same_as<std::uint32_t>;
+  { t.numbers().vertex_at(i) } -> std::same_as<typename Triangulation::vertex_descriptor>;
+  { t.numbers().halfedge_at(i) } -> std::same_as<typename Triangulation::halfedge_descriptor>;
+  { t.numbers().face_at(i) } -> std::same_as<typename Triangulation::face_descriptor>;
+};
+
+/*!
+\brief asks for what measures a triangulation, and assembles matrices on it.
+
+Syntax of \ref ::MeasuredTriangulation, where its meaning is described.
+*/
+template <class Triangulation>
+concept MeasuredTriangulation = internal::Has_triangulated_mesh<Triangulation> &&
+    internal::Has_approximate_values<Triangulation> && internal::Has_matrix_rows<Triangulation> &&
+    std::constructible_from<typename Triangulation::Const_session, const Triangulation&> &&
+    requires(const Triangulation& t, const typename Triangulation::Const_session& c,
+             typename Triangulation::edge_descriptor e, typename Triangulation::face_descriptor f,
+             std::uint32_t i) {
+  { t.metric().is_degenerate(i) } -> std::same_as<bool>;
+  { t.squared_length(e) } -> std::same_as<double>;
+  { c.cotangent_weight(e) } -> std::same_as<double>;
+};
+
+/*!
+\brief asks for what algorithms that insert, remove and move vertices need of a triangulation.
+
+Syntax of \ref ::RefinableTriangulation, where its meaning is described.
+*/
+template <class Triangulation>
+concept RefinableTriangulation = IntrinsicTriangulation<Triangulation> &&
+    MeasuredTriangulation<Triangulation> && NumberedTriangulation<Triangulation> &&
+    requires(const Triangulation& t, typename Triangulation::Session& s,
+             typename Triangulation::vertex_descriptor v,
+             typename Triangulation::halfedge_descriptor h, const std::array<double, 3>& weights,
+             std::span<const Indexed_face> faces, double x) {
+  { t.sign(faces, Long_side_expression()) } -> std::same_as<Sign>;
+  { s.insert_vertex(h, weights).status } -> std::convertible_to<Move_status>;
+  { s.insert_vertex(h, weights).vertex } -> std::convertible_to<decltype(v)>;
+  { s.split_edge(h, x).status } -> std::convertible_to<Move_status>;
+  { s.split_edge(h, x).vertex } -> std::convertible_to<decltype(v)>;
+  { s.remove_vertex(v) } -> std::same_as<Move_status>;
+  { s.reposition_vertex(v, h, weights).vertex } -> std::convertible_to<decltype(v)>;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -7,8 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/assertions.h>
@@ -51,7 +51,7 @@ arithmetic knows no bounds of its errors: then the interval is [0, infinity].
 \return bounds in the units of the input
 \complexity that of `Intrinsic_triangulation::length()`
 */
-template <class Triangulation>
+template <MeasuredTriangulation Triangulation>
 Interval_nt<> length_enclosure(const Triangulation& t, typename Triangulation::edge_descriptor e) {
   if constexpr (internal::Encloses_lengths<typename Triangulation::Metric>) {
     t.length(e); // makes what is stored narrow

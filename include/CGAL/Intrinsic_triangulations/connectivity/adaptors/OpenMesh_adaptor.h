@@ -31,7 +31,7 @@ namespace CGAL::Intrinsic_triangulations {
 The point map that CGAL 5.5 has for OpenMesh rounds coordinates to `float`.
 \tparam Mesh an OpenMesh mesh
 */
-template <class Mesh>
+template <std::derived_from<OpenMesh::PolyConnectivity> Mesh>
 struct OpenMesh_coordinate_map {
   /// \cond
   using key_type = typename boost::graph_traits<Mesh>::vertex_descriptor;

@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/enum.h>
 

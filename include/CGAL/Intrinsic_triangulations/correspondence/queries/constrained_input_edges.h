@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <boost/property_map/property_map.hpp>
 

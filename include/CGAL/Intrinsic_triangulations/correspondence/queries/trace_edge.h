@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/NumberedTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -12,6 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 #include <CGAL/Intrinsic_triangulations/input/scaling.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,6 +21,7 @@
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,26 +33,34 @@ which its owner knows its vertices and faces.
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace internal {
-
-// A triangulation with a metric of its own; its points, if it ever had any, say nothing of its edges.
+/*!
+\brief asks for a triangulation with a metric of its own; its points, if it ever had any, say nothing of its edges.
+*/
 template <class Mesh>
-concept Has_intrinsic_metric = requires(const Mesh& t) {
+concept TriangulationWithMetric = requires(const Mesh& t) {
   t.mesh();
   t.metric().approximate_squared_length(0U);
   t.metric().scale_exponent();
 };
+
+namespace internal {
 
 // The mesh that vertices and faces are named in: what descriptors belong to.
 template <class Mesh>
 const Mesh& named_mesh(const Mesh& mesh) {
   return mesh;
 }
-template <Has_intrinsic_metric Mesh>
+template <TriangulationWithMetric Mesh>
 const typename Mesh::Mesh& named_mesh(const Mesh& t) {
   return t.mesh();
 }
 inline const Gluing_map& named_mesh(const Intrinsic_input& in) { return in.mesh; }
+template <class Mesh>
+using Named_graph = std::remove_cvref_t<decltype(named_mesh(std::declval<const Mesh&>()))>;
+template <class Mesh>
+using Named_vertex = typename boost::graph_traits<Named_graph<Mesh>>::vertex_descriptor;
+template <class Mesh>
+using Named_face = typename boost::graph_traits<Named_graph<Mesh>>::face_descriptor;
 
 // All in scaled units: lengths are 2^scale_exponent times the user's.
 struct Metric_source {
@@ -109,7 +120,7 @@ Metric_source read_metric(const Mesh& mesh) {
   return read_metric(Intrinsic_input(mesh));
 }
 
-template <Has_intrinsic_metric Triangulation>
+template <TriangulationWithMetric Triangulation>
 Metric_source read_metric(const Triangulation& t) {
   Metric_source s{Intrinsic_input(gluing_map_from_face_graph(t.mesh()), std::vector<double>()),
                   t.metric().scale_exponent()};

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -181,6 +182,30 @@ Metric_source read_triangles(const Mesh& mesh) {
 } // namespace internal
 
 /*!
+\brief asks for a surface whose metric can be scaled: a mesh of triangles or polygons in space, an `Intrinsic_input`,
+or a triangulation.
+*/
+template <class Mesh>
+concept ScalableSurface =
+    TriangulationWithMetric<Mesh> || std::same_as<Mesh, Intrinsic_input> || ReadableFaceGraph<Mesh>;
+
+/*!
+\brief asks for a functor or a readable property map from the vertices of a surface to numbers.
+*/
+template <class Factors, class Mesh>
+concept VertexFactors = std::invocable<const Factors&, internal::Named_vertex<Mesh>> ||
+                        std::convertible_to < internal::Named_vertex<Mesh>,
+typename boost::property_traits<Factors>::key_type > ;
+
+/*!
+\brief asks for a functor that measures vectors in the faces of a surface.
+*/
+template <class Norm, class Mesh, class Vector>
+concept FaceNorm = requires(const Norm& norm, internal::Named_face<Mesh> f, const Vector& v) {
+  CGAL::to_double(norm(f, v));
+};
+
+/*!
 \brief scales the metric of a surface by a factor e^u_i per vertex, l'_ij = exp((u_i + u_j) / 2) l_ij.
 
 A constant u multiplies lengths by e^u and areas by e^2u. With u_i = -2 log |x_i| the result has the
@@ -203,7 +228,8 @@ Polygonal faces are triangulated first, as `Intrinsic_input` does.
   length is no normal `double`, or a face that violates the triangle inequality if it is refused
 \complexity linear, and that of `shorten_edges()`
 */
-template <class Mesh, class Factors, NamedParameters NP = parameters::Parameters<>>
+template <ScalableSurface Mesh, VertexFactors<Mesh> Factors,
+          NamedParameters NP = parameters::Parameters<>>
 Scaled_metric scale_conformally(const Mesh& mesh, const Factors& u,
                                 const NP& np = parameters::default_values()) {
   internal::Metric_source source = internal::read_metric(mesh);
@@ -241,7 +267,8 @@ makes norms from tensors and from stretches.
   triangle, or as `scale_conformally()`
 \complexity linear, and that of `shorten_edges()`
 */
-template <class Mesh, class Norm, NamedParameters NP = parameters::Parameters<>>
+template <ScalableSurface Mesh, FaceNorm<Mesh, Plane_vector<double>> Norm,
+          NamedParameters NP = parameters::Parameters<>>
 Scaled_metric scale_by_norm(const Mesh& mesh, const Norm& norm,
                             const NP& np = parameters::default_values()) {
   auto source = internal::read_triangles(mesh);
@@ -270,8 +297,9 @@ faces and comes from an inner product gives the lengths of the mesh transformed 
 \throws Invalid_input if `mesh` has no points, and as `scale_by_norm()`
 \complexity as `scale_by_norm()`
 */
-template <class Mesh, class Norm, NamedParameters NP = parameters::Parameters<>>
-  requires(!internal::Has_intrinsic_metric<Mesh>)
+template <ScalableSurface Mesh, FaceNorm<Mesh, std::array<double, 3>> Norm,
+          NamedParameters NP = parameters::Parameters<>>
+  requires(!TriangulationWithMetric<Mesh>)
 Scaled_metric scale_by_norm_in_space(const Mesh& mesh, const Norm& norm,
                                      const NP& np = parameters::default_values()) {
   auto source = internal::read_triangles(mesh);

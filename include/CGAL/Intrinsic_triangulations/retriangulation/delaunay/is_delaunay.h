@@ -11,6 +11,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <vector>
 
@@ -20,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief reports which edges are locally Delaunay.
 \tparam Edge an edge descriptor
 */
-template <class Edge>
+template <std::semiregular Edge>
 struct Delaunay_report {
   /// Number of edges whose opposite angles sum to more than pi.
   std::size_t non_delaunay_edges = 0;

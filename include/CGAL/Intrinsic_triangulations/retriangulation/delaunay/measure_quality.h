@@ -4,8 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H
 
-#include <CGAL/Intrinsic_triangulations/triangulation/MeasuredTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
 

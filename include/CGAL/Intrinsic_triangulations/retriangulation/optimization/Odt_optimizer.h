@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Planar_star.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <boost/graph/graph_traits.hpp>
 

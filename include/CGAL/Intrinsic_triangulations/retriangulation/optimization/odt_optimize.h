@@ -12,8 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <cstdint>
 #include <optional>

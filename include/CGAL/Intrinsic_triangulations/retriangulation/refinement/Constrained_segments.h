@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_CONSTRAINED_SEGMENTS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <CGAL/property_map.h>

@@ -291,7 +291,7 @@ private:
 };
 
 // The result of refinement, and the edges that were kept, with the parts of those that were split.
-template <class Face>
+template <std::semiregular Face>
 struct Refined {
   Refinement_result<Face> result;
   Constrained_segments segments;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -52,7 +53,7 @@ enum class Unsatisfied_reason {
 \brief names a face that does not meet the criteria.
 \tparam Face a face descriptor
 */
-template <class Face>
+template <std::semiregular Face>
 struct Unsatisfied_face {
   Face face;                 ///< the face
   Unsatisfied_reason reason; ///< why
@@ -81,7 +82,7 @@ struct Refinement_counts {
 \brief reports what refinement did.
 \tparam Face a face descriptor
 */
-template <class Face>
+template <std::semiregular Face>
 struct Refinement_result {
   /// `done`, `cap` or `cancelled`: every face meets the criteria, except needles and small angles
   /// that are listed, if it is `done`. `stalled`: those listed as `refused` do not, and no vertex

@@ -8,8 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +20,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -223,8 +224,9 @@ the user's: `residual_indicators()` has some.
 */
 template <RefinableTriangulation Triangulation, class Estimate,
           NamedParameters NP = parameters::Parameters<>>
-Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
-                                           const NP& np = parameters::default_values()) {
+requires std::is_invocable_r_v<std::vector<double>, Estimate&, Triangulation&>
+    Adaptive_refinement_result adaptive_refine(Triangulation& t, Estimate estimate,
+                                               const NP& np = parameters::default_values()) {
   using namespace internal::tags;
   using Edge = typename Triangulation::edge_descriptor;
   internal::expect_names<internal::tags::tolerance, bulk, minimum_angle, maximum_vertices,

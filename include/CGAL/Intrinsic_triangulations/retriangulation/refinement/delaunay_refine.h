@@ -9,8 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/RefinableTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <cstdint>
 #include <type_traits>

@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DIJKSTRA_BALL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DIJKSTRA_BALL_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <cmath>

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_LOCATE_CIRCUMCENTER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/NumberedComplex.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -92,7 +93,7 @@ border
 \param offset from the circumcenter to the point, where `h` has the direction of the first axis
 \complexity linear in the number of faces crossed
 */
-template <NumberedComplex Complex, class Is_segment>
+template <NumberedComplex Complex, std::predicate<std::uint32_t> Is_segment>
 Located_circumcenter locate_circumcenter(const Complex& complex, std::uint32_t h,
                                          const Is_segment& is_segment,
                                          const Plane_vector<double>& offset = {0, 0}) {

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_SEGMENTS_SEGMENT_FLIPPER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Move_status.h>
 
 #include <CGAL/enum.h>
 
