@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view_impl.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing_impl.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>

@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
-#include <CGAL/Intrinsic_triangulations/formulas/Wedge_expression.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/formulas/mean_value_weights.h>
+#include <CGAL/Intrinsic_triangulations/input/position_on_face.h>
 
 #include <gtest/gtest.h>
 

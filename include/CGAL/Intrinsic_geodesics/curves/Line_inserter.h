@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_geodesics/curves/Growing_paths.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>

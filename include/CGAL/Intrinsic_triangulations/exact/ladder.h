@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
-#include <CGAL/Intrinsic_triangulations/exact/Climb.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Ladder_memory.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
@@ -18,7 +17,6 @@
 #include <CGAL/Intrinsic_triangulations/exact/proofs/input_integers.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/mirrored.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/prism.h>
-#include <CGAL/Intrinsic_triangulations/exact/proofs/prism_in_field.h>
 
 #include <cstddef>
 #include <cstdint>

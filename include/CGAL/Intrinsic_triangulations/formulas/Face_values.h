@@ -5,6 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_FACE_VALUES_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
+
+#include <CGAL/Uncertain.h>
 
 #include <array>
 #include <cstddef>
@@ -98,6 +102,55 @@ struct Long_side_expression {
   template <class FT>
   FT operator()(std::span<const Face_values<FT>> faces) const {
     return faces[0].squared_lengths[side] - FT(squared_length);
+  }
+};
+
+/*
+The angle of a wedge, which is a sum of corner angles at a vertex, needs no trigonometry. At corner i of a face ijk let z = p + i a,
+p = L_ij + L_ki - L_jk and a the quadruple area; then z = 2 |ij| |ik| exp(i theta), theta the angle there. The product of the z
+of several faces has the sum of their angles as its argument: its imaginary part has the sign of the sine of the sum, its real
+part that of the cosine.
+*/
+namespace internal {
+
+// the product of the z of the corners at the sources of the first sides, each times its scale
+template <class FT>
+Plane_vector<FT> wedge_product(std::span<const Face_values<FT>> faces,
+                               std::span<const double> scales) {
+  const auto factor = [&](std::size_t k) {
+    const auto& [l, a] = faces[k];
+    return FT(scales[k]) * scaled_corner(l[0], l[1], l[2], a);
+  };
+  Plane_vector<FT> z = factor(0);
+  for (std::size_t k = 1; k < faces.size(); ++k) z = z * factor(k);
+  return z;
+}
+
+} // namespace internal
+
+/*!
+\brief evaluates to a value with the sign of the sine of the sum of angles of faces, each at the source of its first side.
+*/
+struct Wedge_sine_expression {
+  /// Powers of two, one per face: factors that keep the product from overflow.
+  std::span<const double> scales;
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(std::span<const Face_values<FT>> faces) const {
+    return internal::wedge_product(faces, scales).y;
+  }
+};
+
+/*!
+\brief evaluates to a value with the sign of the cosine of the sum of angles of faces, each at the source of its first side.
+*/
+struct Wedge_cosine_expression {
+  /// Powers of two, one per face: factors that keep the product from overflow.
+  std::span<const double> scales;
+  /// evaluates the expression
+  template <class FT>
+  FT operator()(std::span<const Face_values<FT>> faces) const {
+    return internal::wedge_product(faces, scales).x;
   }
 };
 

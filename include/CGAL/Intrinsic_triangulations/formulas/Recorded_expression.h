@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_RECORDED_EXPRESSION_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Expression_degree.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_steps.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 

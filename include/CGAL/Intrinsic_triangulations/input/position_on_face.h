@@ -4,17 +4,58 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POSITION_ON_FACE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POSITION_ON_FACE_H
 
-#include <CGAL/Intrinsic_triangulations/formulas/mean_value_weights.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief computes mean value coordinates of a point in a simple planar polygon (Floater 2003; Hormann and Floater 2006).
+
+They sum to 1, reproduce linear functions, and are smooth inside. On a side they are linear, those of other corners zero, so that
+what is interpolated in two polygons agrees on a common side. In convex polygons they are not negative.
+\param polygon the corners, counterclockwise
+\param p a point in the polygon or on its boundary
+\return a weight per corner
+\complexity linear
+*/
+inline std::vector<double> mean_value_weights(std::span<const std::array<double, 2>> polygon,
+                                              const std::array<double, 2>& p) {
+  const std::size_t n = polygon.size();
+  std::vector<double> weights(n, 0);
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n;
+    const double ax = polygon[i][0] - p[0], ay = polygon[i][1] - p[1], bx = polygon[j][0] - p[0],
+                 by = polygon[j][1] - p[1];
+    const double a = std::hypot(ax, ay), b = std::hypot(bx, by);
+    // of unit vectors: products of lengths may overflow or vanish
+    const double cross = (ax / a) * (by / b) - (ay / a) * (bx / b),
+                 dot = (ax / a) * (bx / b) + (ay / a) * (by / b);
+    if (a == 0 || b == 0 || (dot < 0 && std::abs(cross) <= 0x1p-50)) {
+      weights.assign(n, 0); // on the side
+      weights[i] = b / (a + b);
+      weights[j] = a / (a + b);
+      return weights;
+    }
+    // the tangent of half the angle, without cancellation
+    const double tangent = dot < 0 ? (1 - dot) / cross : cross / (1 + dot);
+    weights[i] += tangent / a;
+    weights[j] += tangent / b;
+    sum += tangent / a + tangent / b;
+  }
+  for (double& w : weights) w /= sum;
+  return weights;
+}
+
+namespace internal {
 
 using Space_point = std::array<double, 3>;
 
@@ -53,6 +94,8 @@ Space_point position_on_face(const Input& input, std::uint32_t face,
   return combination(polygon.vertices, mean_value_weights(polygon.points, p), coordinates);
 }
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POSITION_ON_FACE_H

@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Wedge_expression.h>
 
 #include <CGAL/enum.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 
 #include "curve_patterns.h"
 

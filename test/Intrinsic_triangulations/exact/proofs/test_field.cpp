@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulations/exact/proofs/field.h>
-#include <CGAL/Intrinsic_triangulations/exact/proofs/prism_in_field.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/prism.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
 #include "gallery.h"

@@ -5,7 +5,6 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
-#include <CGAL/Intrinsic_triangulations/exact/proofs/prism_in_field.h>
 
 #include "meshes.h"
 

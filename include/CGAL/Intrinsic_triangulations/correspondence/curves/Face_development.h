@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_DEVELOPMENT_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Development.h>

@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_development.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>

@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_region.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Insertion_placer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>

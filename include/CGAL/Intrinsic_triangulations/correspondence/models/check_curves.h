@@ -6,18 +6,21 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 /*!
 \file
-Proof that integer coordinates which were not built by moves describe curves that are the input edges: integers only.
+Proof that integer coordinates which were not built by moves describe curves that are the input edges.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -33,36 +36,26 @@ public:
   Curve_check(const Triangulation& t, const Coordinates& coordinates)
       : t_(t), view_(t), coordinates_(coordinates),
         edge_at_slot_(coordinates.fans().number_of_slots(), Gluing::none),
-        is_used_(edge_at_slot_.size(), 0) {}
+        is_used_(edge_at_slot_.size(), 0),
+        left_(2 * std::size_t{coordinates.number_of_edges()}, Gluing::none) {}
 
   /// returns an edge, or none if all is right.
   std::uint32_t first_bad_edge() {
-    std::vector<std::uint32_t> left(2 * std::size_t{coordinates_.number_of_edges()}, Gluing::none);
-    check_curves([&](const Curve_crossing& c, std::uint32_t x) {
-      if (c.position == 0) left[c.halfedge] = x ^ 1U;
-      if (c.position == normal(c.halfedge) - 1) left[c.halfedge ^ 1U] = x;
-    });
-    if (bad_ == Gluing::none) check_starts(left);
+    // each step relies on those before
+    check_numbers();
+    if (bad_ == Gluing::none) check_faces();
+    if (bad_ == Gluing::none) check_slots();
+    if (bad_ == Gluing::none) follow_all();
+    if (bad_ == Gluing::none) check_starts();
     return bad_;
   }
 
-protected:
-  /// \cond
+private:
   void fail(std::uint32_t edge) {
     if (bad_ == Gluing::none) bad_ = edge;
   }
 
   Normal_coordinate normal(std::uint32_t h) const { return coordinates_.normal_coordinate(h / 2); }
-
-  // Calls `visit` with all crossings, seen from the left of the curve, and the input halfedge along the curve.
-  template <class Visit>
-  void check_curves(Visit visit) {
-    // each step relies on those before
-    check_numbers();
-    if (bad_ == Gluing::none) check_faces();
-    if (bad_ == Gluing::none) check_slots();
-    if (bad_ == Gluing::none) follow_all(visit);
-  }
 
   std::uint32_t along(std::uint32_t h) const {
     return coordinates_.fans().halfedge(coordinates_.roundabout(h));
@@ -73,9 +66,6 @@ protected:
     return parameter_on_halfedge(coordinates_, to, x, false) -
            parameter_on_halfedge(coordinates_, from, x, true);
   }
-  /// \endcond
-
-private:
   void check_numbers() {
     for (std::uint32_t e = 0; e < coordinates_.number_of_edges(); ++e)
       if (coordinates_.normal_coordinate(e) < 0 &&
@@ -139,8 +129,7 @@ private:
 
   // ---- each curve from end to end
 
-  template <class Visit>
-  void follow_all(Visit visit) {
+  void follow_all() {
     std::int64_t unseen = 0; // closed curves are no input edges
     for (std::uint32_t e = 0; e < coordinates_.number_of_edges(); ++e)
       unseen += crossings(coordinates_.normal_coordinate(e));
@@ -148,7 +137,7 @@ private:
       std::uint32_t h = view_.halfedge_of_face(t_.index(f));
       const Corner_coordinates c = corner_coordinates(view_, coordinates_, h);
       for (unsigned k = 0; k < 3; ++k, h = view_.next(h)) {
-        for (Normal_coordinate i = 0; i < c.emanating[k]; ++i) unseen -= follow({h, i}, visit);
+        for (Normal_coordinate i = 0; i < c.emanating[k]; ++i) unseen -= follow({h, i});
         if (normal(h) < 0) check_shared(h);
       }
     }
@@ -156,16 +145,16 @@ private:
   }
 
   // Returns the number of crossings.
-  template <class Visit>
-  std::int64_t follow(const Curve_end& start, Visit visit) {
+  std::int64_t follow(const Curve_end& start) {
     const std::uint32_t x = input_halfedge(coordinates_, start);
     if (x % 2 != 0) return 0; // is followed from its other end
     std::int64_t count = 0;
     const Curve_end end =
         follow_curve(view_, coordinates_, first_crossing(view_, coordinates_, start),
                      [&](const Curve_crossing& c) {
-                       visit(c, x);
-                       ++count;
+                       ++count; // seen from the left of the curve
+                       if (c.position == 0) left_[c.halfedge] = x ^ 1U;
+                       if (c.position == normal(c.halfedge) - 1) left_[c.halfedge ^ 1U] = x;
                      });
     if (input_halfedge(coordinates_, end) != (x ^ 1U) ||
         !(extent(x, view_.source(start.halfedge), view_.source(end.halfedge)) > 0))
@@ -179,15 +168,15 @@ private:
       fail(h / 2);
   }
 
-  // ---- each edge starts in the input face that it leaves, or ends in; `left`: the first halfedge that each crosses
+  // ---- each edge starts in the input face that it leaves, or ends in
 
-  void check_starts(const std::vector<std::uint32_t>& left) {
+  void check_starts() {
     const auto& input = coordinates_.input();
     for (const typename Triangulation::edge_descriptor e : edges(t_.mesh()))
       for (const std::uint32_t h : {2 * t_.index(e), 2 * t_.index(e) + 1}) {
         if (normal(h) < 0) continue;
         const std::uint32_t f = input.face(start(h)),
-                            g = input.face(normal(h) == 0 ? start(h ^ 1U) : left[h]);
+                            g = input.face(normal(h) == 0 ? start(h ^ 1U) : left_[h]);
         if (f == Gluing::none || f != g) fail(h / 2);
       }
   }
@@ -195,17 +184,14 @@ private:
     return corner_on_input(view_, coordinates_, h).halfedge;
   }
 
-protected:
-  /// \cond
   const Triangulation& t_;
   Intrinsic_view<Triangulation> view_;
   const Coordinates& coordinates_;
   std::uint32_t bad_ = Gluing::none;
-  /// \endcond
-
-private:
   std::vector<std::uint32_t> edge_at_slot_; // some edge with that roundabout
   std::vector<char> is_used_;               // per slot: a curve starts there
+  std::vector<std::uint32_t>
+      left_; // by each intrinsic halfedge: the first input halfedge it crosses
 };
 
 } // namespace internal
@@ -226,6 +212,48 @@ input face that the edges start in.
 template <class Triangulation, class Coordinates>
 std::uint32_t first_inconsistent_edge(const Triangulation& t, const Coordinates& coordinates) {
   return internal::Curve_check<Triangulation, Coordinates>(t, coordinates).first_bad_edge();
+}
+
+/*!
+\brief checks that every intrinsic edge has the length of the straight line between its ends through the input faces
+over which it runs by coordinates.
+\param t the triangulation
+\param coordinates what `first_inconsistent_edge()` finds nothing wrong with
+\return the first edge whose length differs by more than 1e-8 of the mean length of all edges; none if there is none
+\complexity linear in the number of edges and crossings
+*/
+template <class Triangulation, class Coordinates>
+std::uint32_t first_wrong_length(const Triangulation& t, const Coordinates& coordinates) {
+  const auto& input = coordinates.input();
+  const Intrinsic_view<Triangulation> view(t);
+  const Edge_crossings crossings = edge_crossings(t, coordinates);
+  internal::Edge_strip strip(input);
+  const auto length_on_input = [&](std::uint32_t e) {
+    const std::uint32_t h = 2 * e;
+    if (coordinates.normal_coordinate(e) < 0) {
+      const std::uint32_t x = coordinates.fans().halfedge(coordinates.roundabout(h));
+      return (parameter_on_halfedge(coordinates, view.target(h), x, false) -
+              parameter_on_halfedge(coordinates, view.source(h), x, true)) *
+             std::sqrt(input.squared_length(x / 2));
+    }
+    const auto entered = crossings.entered_on(e);
+    if (!entered.empty()) strip.unfold(view, coordinates, h, entered);
+    const Plane_vector<double> v =
+        !entered.empty() ? strip.vector()
+                         : vector_between(input, corner_on_input(view, coordinates, h),
+                                          corner_on_input(view, coordinates, h ^ 1U));
+    return std::hypot(v.x, v.y);
+  };
+  double tolerance = 0;
+  for (const typename Triangulation::edge_descriptor d : edges(t.mesh()))
+    tolerance += std::sqrt(view.squared_length(t.index(d)));
+  tolerance *= 1e-8 / static_cast<double>(num_edges(t.mesh()));
+  for (const typename Triangulation::edge_descriptor d : edges(t.mesh())) {
+    const std::uint32_t e = t.index(d);
+    const double error = length_on_input(e) - std::sqrt(view.squared_length(e));
+    if (!(std::abs(error) <= tolerance)) return e;
+  }
+  return Gluing::none;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/check_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/check_curves.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -48,7 +48,8 @@ public:
     for (const typename Triangulation::edge_descriptor e : edges(t_.mesh())) add_edge(t_.index(e));
     Integer_coordinates result(signposts_.shared_input(), std::move(fans_), std::move(normal_),
                                std::move(roundabout_), std::move(location_));
-    const std::uint32_t bad = first_inconsistent_edge(t_, result, traces_);
+    std::uint32_t bad = first_inconsistent_edge(t_, result);
+    if (bad == Gluing::none) bad = first_wrong_length(t_, result);
     if (bad != Gluing::none) refuse(bad);
     return result;
   }
@@ -186,7 +187,8 @@ private:
 \brief finds the integer coordinates of a triangulation that is represented by signposts.
 
 All intrinsic edges are traced over the input. What the traces say is accepted only if it is proved
-to be consistent, see `first_inconsistent_edge()`: the common subdivision is right, or there is none.
+to be consistent, see `first_inconsistent_edge()` and `first_wrong_length()`: the common subdivision is right, or there is
+none.
 A vertex whose location is exactly on an input edge cuts that edge; where rounding put it there, which only happens
 in doubles, other representations may have it beside the edge.
 \tparam Triangulation an instance of `Intrinsic_triangulation`

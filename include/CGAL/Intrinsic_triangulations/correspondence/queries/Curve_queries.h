@@ -8,17 +8,189 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Intrinsic_locator.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/trace_by_curves.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// The way of intrinsic halfedge 2e over the input.
+template <class Triangulation, CurveCoordinates Coordinates>
+Edge_path trace_edge_by_curves(const Triangulation& t, const Coordinates& coordinates,
+                               std::uint32_t edge) {
+  const Intrinsic_view<Triangulation> view(t);
+  const auto& input = coordinates.input();
+  const std::uint32_t h = 2 * edge;
+  Edge_path path;
+  const auto add = [&](const Surface_point& p, double x) {
+    path.points.push_back({p, point_on_halfedge(view, h, x), x});
+  };
+  if (coordinates.normal_coordinate(edge) < 0) {
+    const std::uint32_t g = path.along = coordinates.fans().halfedge(coordinates.roundabout(h));
+    for (const double x : {0., 1.})
+      add(point_on_halfedge(input, g, location_on_side(view, coordinates, h, x).weights[1]), x);
+    return path;
+  }
+  const std::vector<std::uint32_t> entered = find_entered(view, coordinates, h);
+  Edge_strip strip(input);
+  if (!entered.empty()) strip.unfold(view, coordinates, h, entered);
+  path.points.reserve(entered.size() + 2);
+  add(corner_on_input(view, coordinates, h), 0);
+  double last = 0;
+  for (std::size_t i = 0; i < entered.size(); ++i) {
+    const double x = strip.parameter(i);
+    last = std::max(last, strip.along(i, x)); // in order whatever rounding does
+    add({entered[i], {1 - x, x, 0}}, last);
+  }
+  add(corner_on_input(view, coordinates, h ^ 1U), 1);
+  return path;
+}
+
+// Adds the crossings of a part of an input halfedge, which follows a strip, with intrinsic edges.
+template <class View, class Add>
+void add_crossings_of_strip(const View& view, const Curve_strip& strip, const Add& add) {
+  const std::vector<Point> z = strip.develop(view);
+  const Straight_line line{z.front(), z.back()};
+  for (std::size_t n = 1; n < strip.faces.size(); ++n) {
+    const Development<>::Triangle& t = strip.faces[n];
+    const Point &a = z[t.point[0]], &b = z[t.point[1]];
+    const double x = line.parameter(a, b);
+    add({t.side, {1 - x, x, 0}}, line.along(a + x * (b - a)));
+  }
+}
+
+// The way of an input halfedge over the intrinsic triangulation: part by part, between the vertices that were
+// inserted on it.
+template <class Triangulation, CurveCoordinates Coordinates>
+Edge_path trace_input_edge_by_curves(const Triangulation& t, const Coordinates& coordinates,
+                                     std::uint32_t x) {
+  const Intrinsic_view<Triangulation> view(t);
+  const auto& input = coordinates.input();
+  Edge_path path;
+  std::uint32_t vertex = input.source(x), parts = 0;
+  double from = 0;
+  for (bool is_at_end = false; !is_at_end; ++parts) {
+    const std::optional<Curve_end> start = find_curve(view, coordinates, vertex, x);
+    if (!start) return {Status::not_traceable, Gluing::none, {}};
+    std::optional<Curve_strip> strip;
+    if (start->index >= 0) strip.emplace(view, coordinates, *start);
+    const std::uint32_t h = start->halfedge;
+    vertex = strip ? view.source(strip->end.halfedge) : view.target(h);
+    is_at_end = !coordinates.is_inserted(vertex);
+    const double to = parameter_on_halfedge(coordinates, vertex, x, false);
+    double last = from;
+    const auto add = [&](const Surface_point& p, double along) {
+      last = std::max(last, from + along * (to - from));
+      path.points.push_back({point_on_halfedge(input, x, last), p, last});
+    };
+    if (parts == 0) add(point_on_halfedge(view, h, 0), 0);
+    if (strip) add_crossings_of_strip(view, *strip, add);
+    add(strip ? Surface_point{strip->end.halfedge, {1, 0, 0}} : point_on_halfedge(view, h, 1), 1);
+    path.along = !strip && parts == 0 && is_at_end ? h : Gluing::none;
+    from = to;
+  }
+  return path;
+}
+
+// ---- Directions at vertices: the integers tell the sector, the input's geometry the angle within it, with an error
+// that does not grow with the number of moves
+
+// The direction of an intrinsic halfedge that starts at a vertex of the input: from an input halfedge there.
+template <class Triangulation, CurveCoordinates Coordinates>
+Corner_direction direction_on_input(const Triangulation& t, const Coordinates& coordinates,
+                                    std::uint32_t h) {
+  const Intrinsic_view<Triangulation> view(t);
+  const auto& input = coordinates.input();
+  const std::uint32_t after = coordinates.fans().halfedge(coordinates.roundabout(h));
+  if (coordinates.normal_coordinate(h / 2) < 0) return {after, 0};
+  const std::uint32_t first = input.next(after ^ 1U); // before `h`, counterclockwise
+  const std::vector<std::uint32_t> entered = find_entered(view, coordinates, h);
+  Surface_point p = corner_on_input(view, coordinates, h ^ 1U); // in that face, or beyond it
+  if (entered.empty()) {
+    p = seen_from(input, p, first);
+  } else {
+    Edge_strip strip(input);
+    strip.unfold(view, coordinates, h, entered);
+    p = {first, {0, strip.parameter(0), 1 - strip.parameter(0)}};
+  }
+  const Plane_vector<double> v = Geodesic_face(input, first).position(p.weights);
+  return {first, std::atan2(std::max(0.0, v[1]), v[0])};
+}
+
+// The angle of an intrinsic halfedge that starts at an inserted vertex, in the frame of the input face of
+// `start`, which becomes its source.
+template <class Triangulation, CurveCoordinates Coordinates>
+double angle_at_inserted_vertex(const Triangulation& t, const Coordinates& coordinates,
+                                std::uint32_t h, Surface_point& start) {
+  const Intrinsic_view<Triangulation> view(t);
+  const auto& input = coordinates.input();
+  if (coordinates.normal_coordinate(h / 2) < 0) {
+    const std::uint32_t g = coordinates.fans().halfedge(coordinates.roundabout(h));
+    start =
+        point_on_halfedge(input, g, parameter_on_halfedge(coordinates, view.source(h), g, true));
+    return start.halfedge == g ? 0 : std::numbers::pi;
+  }
+  start = corner_on_input(view, coordinates, h);
+  const std::vector<std::uint32_t> entered = find_entered(view, coordinates, h);
+  if (entered.empty()) {
+    const Plane_vector<double> v =
+        vector_between(input, start, corner_on_input(view, coordinates, h ^ 1U));
+    return std::atan2(v[1], v[0]);
+  }
+  Edge_strip strip(input);
+  strip.unfold(view, coordinates, h, entered);
+  start = seen_from(input, start,
+                    entered.front() ^ 1U); // whose frame is half a turn from that of the strip
+  return std::atan2(-strip.vector().y, -strip.vector().x);
+}
+
+// Starts a geodesic on the input from the source of an intrinsic halfedge, at an angle from it.
+template <class Triangulation, CurveCoordinates Coordinates>
+auto walk_by_curves(const Triangulation& t, const Coordinates& coordinates, std::uint32_t h,
+                    double turn) {
+  const auto& input = coordinates.input();
+  using Walk = Geodesic_walk<std::remove_cvref_t<decltype(input)>>;
+  if (!coordinates.is_inserted(Intrinsic_view<Triangulation>(t).source(h))) {
+    const Corner_direction d = direction_on_input(t, coordinates, h);
+    return Walk(input, Corner_direction{d.halfedge, d.angle + turn});
+  }
+  Surface_point start;
+  const double angle = angle_at_inserted_vertex(t, coordinates, h, start) + turn;
+  return Walk(input, start, {std::cos(angle), std::sin(angle)});
+}
+
+// The direction of an input halfedge among the intrinsic halfedges at its source; none if the coordinates are
+// not those of the triangulation.
+template <class Triangulation, CurveCoordinates Coordinates>
+std::optional<Corner_direction>
+direction_on_intrinsic(const Triangulation& t, const Coordinates& coordinates, std::uint32_t x) {
+  const Intrinsic_view<Triangulation> view(t);
+  const auto start = find_curve(view, coordinates, coordinates.input().source(x), x);
+  if (!start) return std::nullopt;
+  if (start->index < 0) return Corner_direction{start->halfedge, 0};
+  const Point d = Curve_strip(view, coordinates, *start).develop(view).back(); // from 0
+  return Corner_direction{start->halfedge, std::atan2(std::max(0.0, d.y), d.x)};
+}
+
+} // namespace internal
 
 /*!
 \brief answers all that queries ask of a correspondence, by curves.

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/position_on_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -237,8 +238,13 @@ Weighted_vertices weighted_vertices(const Triangulation& t, const Surface_point&
 \param w vertices of the input and their weights
 \param points one point per vertex of the input
 */
-std::array<double, 3> position(const Weighted_vertices& w,
-                               std::span<const std::array<double, 3>> points);
+inline std::array<double, 3> position(const Weighted_vertices& w,
+                                      std::span<const std::array<double, 3>> points) {
+  std::array<double, 3> p{0, 0, 0};
+  for (std::size_t i = 0; i < w.size; ++i)
+    for (std::size_t c = 0; c < 3; ++c) p[c] += w.weights[i] * points[w.vertices[i]][c];
+  return p;
+}
 
 /*!
 \brief computes where the vertices of a common subdivision are in space.
@@ -247,8 +253,14 @@ std::array<double, 3> position(const Weighted_vertices& w,
 \return one point per vertex of the subdivision
 \complexity linear
 */
-std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
-                                             std::span<const std::array<double, 3>> points);
+inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
+                                                    std::span<const std::array<double, 3>> points) {
+  std::vector<std::array<double, 3>> result;
+  result.reserve(s.number_of_vertices());
+  for (std::size_t v = 0; v < s.number_of_vertices(); ++v)
+    result.push_back(position(s.on_input(v), points));
+  return result;
+}
 
 /*!
 \brief computes where the vertices of a common subdivision are in space, those in polygons that became planar as well.
@@ -261,9 +273,23 @@ neighbours meet; its diagonals become curves.
 \return one point per vertex of the subdivision
 \complexity linear
 */
-std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
-                                             std::span<const std::array<double, 3>> points,
-                                             const Input& input);
+inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
+                                                    std::span<const std::array<double, 3>> points,
+                                                    const Input& input) {
+  std::vector<std::array<double, 3>> result = positions(s, points);
+  if (input.planar_polygons().empty()) return result;
+  for (std::size_t v = 0; v < s.number_of_vertices(); ++v) {
+    if (s.kind(v) == Subdivision_vertex_kind::input) continue;
+    const std::uint32_t h = v < s.vertices.size()
+                                ? s.vertices[v].input_halfedge
+                                : 2 * s.crossings[v - s.vertices.size()].on_input.edge;
+    const Weighted_vertices w = s.on_input(v);
+    result[v] = internal::position_on_face(input, input.face(input.is_border(h) ? h ^ 1U : h),
+                                           std::span(w.vertices).first(w.size), w.weights,
+                                           [&points](std::uint32_t u) { return points[u]; });
+  }
+  return result;
+}
 
 /*!
 \brief computes where the vertices of a common subdivision are in space.
@@ -288,9 +314,5 @@ std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const 
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_COMMON_SUBDIVISION_H

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_MIRRORED_H
 
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Unfolded_diamond.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Accurate_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_moves.h>
