@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class MeasuredTriangulation MeasuredTriangulation.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+\class MeasuredTriangulation concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 \cgalConcept
 
 The concept `MeasuredTriangulation` describes a triangulation whose edges and faces have lengths,

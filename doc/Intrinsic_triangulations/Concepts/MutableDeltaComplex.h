@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class MutableDeltaComplex concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+\class MutableDeltaComplex concepts.h <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 \cgalConcept
 
 The concept `MutableDeltaComplex` describes the connectivity of a triangulated surface that can be

@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class NumberedComplex NumberedComplex.h <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+\class NumberedComplex concepts.h <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 \cgalConcept
 
 The concept `NumberedComplex` describes a triangulated surface with a metric, which algorithms read

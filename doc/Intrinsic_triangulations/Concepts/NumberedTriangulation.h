@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class NumberedTriangulation NumberedTriangulation.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+\class NumberedTriangulation concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 \cgalConcept
 
 The concept `NumberedTriangulation` describes a triangulation that finds its elements and their

@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class RefinableTriangulation RefinableTriangulation.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+\class RefinableTriangulation concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 \cgalConcept
 
 The concept `RefinableTriangulation` describes a triangulation whose `Session` inserts, removes and
