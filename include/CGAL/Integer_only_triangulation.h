@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_geometry.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
@@ -103,7 +105,9 @@ public:
     }
     /// returns the sign of pi minus the angles opposite an edge.
     /// \pre the edge has two faces
-    Sign delaunay_sign(halfedge_descriptor h) const { return t_.geometry().sign(t_.diamond(h), Delaunay_expression()); }
+    Sign delaunay_sign(halfedge_descriptor h) const {
+      return t_.geometry().sign(t_.diamond(h), Delaunay_expression());
+    }
     /// returns the sign of the area of the face of a halfedge, which is positive in a triangulation.
     Sign orientation(halfedge_descriptor h) const {
       return t_.geometry().orientation(t_.indexed_face(h));
@@ -196,18 +200,21 @@ public:
   CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_INPUT(Integer_only_triangulation)
 
   /*!
-  \brief takes connectivity, coordinates and input of a triangulation in any arithmetic, and leaves its metric
+  \brief takes connectivity, input, and where edges run on it of a triangulation in any arithmetic, and leaves its metric
   and the history of its moves.
   \tparam Traits the arithmetic
+  \tparam Correspondence says where edges run, see `common_subdivision()`
   \throws Invalid_input if an edge of the input has no length, a vertex was inserted nearer to a corner than
   2^-52, or the input does not define the lengths of its faces, see `Input::is_defined_by_metric()`
   \throws std::length_error if an edge has more than `Diamond_unfolder::maximal_crossings`
   \complexity linear
   */
-  template <class Traits>
+  template <class Traits, class Correspondence>
+    requires CorrespondingTriangulation<Intrinsic_triangulation<Mesh, Traits, Correspondence>>
   explicit Integer_only_triangulation(
-      const Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>& t)
-      : mesh_(t.mesh()), number_(mesh_, t.numbers(), t.mesh()), correspondence_(t.correspondence()),
+      const Intrinsic_triangulation<Mesh, Traits, Correspondence>& t)
+      : mesh_(t.mesh()), number_(mesh_, t.numbers(), t.mesh()),
+        correspondence_(internal::queries(t).curves()),
         input_((check_input(t.input()), t.shared_input())) {
     check_coordinates(*this);
     correspondence_.keep_crossings(*this);
@@ -216,8 +223,8 @@ public:
   /// copies everything; elements keep their numbers.
   Integer_only_triangulation(const Integer_only_triangulation& other)
       : mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
-        correspondence_(other.correspondence_), input_(other.input_),
-        memory_(other.memory_), statistics_(other.statistics_), has_only_positive_areas_(other.has_only_positive_areas_) {}
+        correspondence_(other.correspondence_), input_(other.input_), memory_(other.memory_),
+        statistics_(other.statistics_), has_only_positive_areas_(other.has_only_positive_areas_) {}
   Integer_only_triangulation& operator=(const Integer_only_triangulation&) = delete;
 
   /// returns the connectivity.
@@ -246,8 +253,7 @@ private:
 
   explicit Integer_only_triangulation(internal::Prepared_input<Exact_euclidean_metric, Input>&& p)
       : mesh_(mesh_from_gluing_map<Mesh>(std::move(p.mesh))), number_(mesh_),
-        input_(std::move(p.input)),
-        has_only_positive_areas_(true) {
+        input_(std::move(p.input)), has_only_positive_areas_(true) {
     check_lengths(*input_);
     correspondence_.start(*this);
   }
@@ -297,14 +303,12 @@ private:
 
   Geometry geometry() const { return {*this, memory_, statistics_}; }
 
-  Diamond diamond(halfedge_descriptor h) const {
-    return internal::diamond_of(h, mesh_, number_);
-  }
+  Diamond diamond(halfedge_descriptor h) const { return internal::diamond_of(h, mesh_, number_); }
   Indexed_face indexed_face(halfedge_descriptor h) const {
     const halfedge_descriptor n = next(h, mesh_);
-    return {number_.face(face(h, mesh_)),
-            {number_.halfedge(h) / 2, number_.halfedge(n) / 2,
-             number_.halfedge(next(n, mesh_)) / 2}};
+    return {
+        number_.face(face(h, mesh_)),
+        {number_.halfedge(h) / 2, number_.halfedge(n) / 2, number_.halfedge(next(n, mesh_)) / 2}};
   }
 
   static Face_values<double> midpoints(const Face_values<FT>& v) {

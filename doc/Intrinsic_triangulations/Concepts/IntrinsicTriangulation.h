@@ -27,7 +27,7 @@ may define Delaunay edges in another way.
 | \itf{flip_to_delaunay} | `mesh`, `index`, `Metric::is_exact`, `Session::is_locally_delaunay`, `Session::flip_non_delaunay_edge`, `Session::suspended` |
 | \itf{is_delaunay} | `mesh`, `Const_session::is_locally_delaunay` |
 | \itf{check_delaunay} | `mesh`, `Const_session::delaunay_sign` |
-| \itf{certify_delaunay} | an \itc{Integer_only_triangulation}, or an \itc{Intrinsic_triangulation} with \itc{Integer_coordinates} |
+| \itf{certify_delaunay} | an \itc{Integer_only_triangulation}, or an \itc{Intrinsic_triangulation} that is a model of \ref ::CorrespondingTriangulation |
 | measures and operators | \ref ::MeasuredTriangulation, which asks for no flips |
 | refinement | \ref ::RefinableTriangulation |
 | queries, common subdivisions | \ref ::CorrespondingTriangulation |

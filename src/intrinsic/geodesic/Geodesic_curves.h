@@ -107,7 +107,7 @@ public:
 private:
   // what is proven: by the integers of the correspondence, or by exact traits
   bool is_certified(const IT::Geodesic_report& report) const {
-    if constexpr (requires { IT::certify_geodesic(network_); })
+    if constexpr (std::is_same_v<typename Triangulation::Correspondence, IT::Integer_coordinates>)
       return IT::certify_geodesic(network_).is_geodesic();
     else
       return Triangulation::Metric::is_exact && report.is_geodesic();

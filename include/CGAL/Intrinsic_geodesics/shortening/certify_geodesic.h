@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 
 #include <CGAL/enum.h>
 
@@ -54,18 +54,16 @@ std::size_t count_invalid_elements(const Curve_network<Triangulation>& network,
 /*!
 \brief decides exactly whether curves that were made in any arithmetic are geodesic.
 
-Nothing of the metric is used: what integer coordinates say is unfolded from the input (see `Integer_only_triangulation`). Angles at
+Nothing of the metric is used: where edges run on the input is unfolded from the input (see `Integer_only_triangulation`). Angles at
 all joints are compared with pi, faces about them must have positive area and edges of curves be straight.
 \param network the curves
 \throws Invalid_input and std::length_error as the constructor of `Integer_only_triangulation`
 \complexity linear in the mesh, which is copied, and in the crossings of edges at the curves
 */
-template <MutableDeltaComplex Mesh, class Traits>
-Geodesic_report certify_geodesic(
-    const Curve_network<Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>>& network) {
-  using Triangulation = Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>;
+template <CorrespondingTriangulation Triangulation>
+Geodesic_report certify_geodesic(const Curve_network<Triangulation>& network) {
   using Halfedge = typename Triangulation::halfedge_descriptor;
-  using Integers = Integer_only_triangulation<Mesh>;
+  using Integers = Integer_only_triangulation<typename Triangulation::Mesh>;
   const Triangulation& t = network.triangulation();
   const Integers integers(t);
   const typename Integers::Const_session session(integers);

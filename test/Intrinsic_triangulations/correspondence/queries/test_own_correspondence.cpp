@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/certify_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
@@ -140,6 +141,9 @@ TYPED_TEST(Own_correspondence, Opens_all_queries) {
   const std::vector<char> all(t.input().number_of_edges(), 1);
   const auto a = IT::constrained_input_edges(t, all), b = IT::constrained_input_edges(known, all);
   for (const auto e : edges(t.mesh())) EXPECT_EQ(get(a, e), get(b, e));
+  const IT::Delaunay_certificate c = IT::certify_delaunay(t), d = IT::certify_delaunay(known);
+  EXPECT_EQ(c.is_delaunay(), d.is_delaunay());
+  EXPECT_EQ(c.ties, d.ties);
 }
 
 TEST(Own_correspondence_of_files, Is_restored_and_written_if_it_takes_and_has_coordinates) {

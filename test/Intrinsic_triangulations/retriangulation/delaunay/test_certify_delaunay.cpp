@@ -6,12 +6,15 @@
 #include "meshes.h"
 #include "subdivision_oracle.h"
 
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -35,6 +38,21 @@ TEST(Certify_delaunay, finds_what_exact_traits_find_after_flips_in_doubles) {
     EXPECT_TRUE(c.is_delaunay()); // no tie is near: the filter decides all
     EXPECT_EQ(c.statistics.filter_failures, 0U);
     EXPECT_EQ(c.ties, IT::certify_delaunay(exact).ties);
+  }
+}
+
+TEST(Certify_delaunay, takes_every_correspondence) {
+  const auto ties = [](auto t) {
+    IT::flip_to_delaunay(t);
+    const IT::Delaunay_certificate c = IT::certify_delaunay(t);
+    EXPECT_TRUE(c.is_delaunay());
+    return c.ties;
+  };
+  using Traits = IT::Exact_euclidean_traits;
+  for (const meshes::Mesh& m : {meshes::potato(3, 1), meshes::box(3, 2, 2)}) {
+    const std::size_t n = ties(Exact(m.input()));
+    EXPECT_EQ(ties(IT::Intrinsic_triangulation<Map, Traits, IT::Explicit_crossings>(m.input())), n);
+    EXPECT_EQ(ties(IT::Intrinsic_triangulation<Map, Traits, IT::Signposts>(m.input())), n);
   }
 }
 

@@ -9,7 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
@@ -82,81 +84,10 @@ std::optional<Curve_end> find_curve(const View& view, const Coordinates& coordin
 
 namespace internal {
 
-/// A face in the plane: its halfedge runs from source to target.
-struct Placed_face {
-  std::uint32_t halfedge;
-  Plane_vector<double> source, target, apex;
-};
-
-/// returns twice the signed area of a triangle
-inline double orientation(const Plane_vector<double>& a, const Plane_vector<double>& b,
-                          const Plane_vector<double>& c) {
-  return cross(b - a, c - a);
-}
-
 /// A point of an intrinsic face, and the direction of its halfedge in the frame that the walk began with.
 struct Walked {
   Surface_point point;
   Plane_vector<double> direction; // not a unit vector
-};
-
-/// Walks over the intrinsic triangulation, unfolding faces into the plane.
-template <class View>
-class Plane_walk {
-public:
-  using Point = Plane_vector<double>;
-
-  explicit Plane_walk(const View& view) : view_(view) {}
-
-  /// places the face of a halfedge on the left of a segment.
-  Placed_face place(std::uint32_t h, const Point& source, const Point& target) const {
-    return {h, source, target, source + (target - source) * apex_above_side(view_, h)};
-  }
-
-  /// walks straight from a point of a face to another point, and returns the latter's face.
-  ///
-  /// The walk never goes back over the side by which it came, and ends where the point is outside by no
-  /// more than rounding: else a point on an edge, or at a vertex, could be sent to and fro for ever.
-  /// \return the point; where rounding leads over the border, the last point before it
-  Walked walk(Placed_face f, const Point& from, const Point& to) const {
-    for (std::size_t steps = 0; steps < maximal_steps; ++steps) {
-      const std::array<Point, 3> p{f.source, f.target, f.apex};
-      const std::array<std::uint32_t, 3> sides = sides_of_face(view_, f.halfedge);
-      unsigned exit = 3;
-      double least = 0;
-      for (unsigned k = steps == 0 ? 0 : 1; k < 3; ++k) { // side 0 is that by which it came
-        // crosses side k outwards, and leaves its start on the right and its end on the left
-        const Point &a = p[k], &b = p[(k + 1) % 3];
-        if (orientation(a, b, to) >= -rounding(a, b, to)) continue;
-        const double through = std::min(orientation(from, to, b), -orientation(from, to, a));
-        if (exit == 3 || through > least) {
-          exit = k;
-          least = through;
-        }
-      }
-      if (exit == 3 || view_.is_border(sides[exit] ^ 1U)) return weights(f, to);
-      f = place(sides[exit] ^ 1U, p[(exit + 1) % 3], p[exit]);
-    }
-    return weights(f, to);
-  }
-
-  /// returns a point of a face, moved into it if rounding has put it outside.
-  static Walked weights(const Placed_face& f, const Point& p) {
-    const Point side = f.target - f.source;
-    if (!(dot(side, side) > 0)) return {{f.halfedge, {1, 0, 0}}, {1, 0}};
-    return {{f.halfedge, weights_in_triangle(p, f.source, f.target, f.apex)}, side};
-  }
-
-private:
-  static constexpr std::size_t maximal_steps = std::size_t(1) << 24U;
-
-  // bounds the error of `orientation(a, b, c)` for points whose coordinates have some errors of one ulp
-  static double rounding(const Point& a, const Point& b, const Point& c) {
-    const auto size = [](const Point& x) { return std::abs(x.x) + std::abs(x.y); };
-    return 0x1p-50 * size(b - a) * (size(a) + size(c));
-  }
-
-  const View& view_;
 };
 
 /// Finds the point of the intrinsic triangulation at a point of the input.
@@ -167,7 +98,7 @@ class Intrinsic_locator {
 
 public:
   Intrinsic_locator(const Triangulation& t, const Coordinates& coordinates)
-      : view_(t), coordinates_(coordinates), walk_(view_) {}
+      : view_(t), coordinates_(coordinates) {}
 
   /// finds a point of the input.
   std::optional<Mapped_point> locate(const Surface_point& p) const {
@@ -214,8 +145,7 @@ private:
   }
 
   Walked beside_edge(std::uint32_t h, const Point& p) const {
-    const Placed_face f = walk_.place(h, {0, 0}, {1, 0});
-    return walk_.walk(f, {foot(p), 0}, p);
+    return walk(h, {{0, 0}, {1, 0}}, {foot(p), 0}, p);
   }
 
   // From where on the segment from 0 to 1 to walk to a point. At an end it would be open which way
@@ -231,15 +161,67 @@ private:
     const Point from{foot(p), 0};
     std::size_t n = 0;
     const auto point = [&](unsigned k) { return z[strip.faces[n].point[k]]; };
-    while (++n < strip.faces.size() && orientation(point(0), point(1), from) >= 0) {
+    while (++n < strip.faces.size() && side_of(point(0), point(1), from) >= 0) {
     }
     --n; // the last face that is entered before
-    return walk_.walk({strip.faces[n].side, point(0), point(1), point(2)}, from, p);
+    return walk(strip.faces[n].side, {point(0), point(1), point(2)}, from, p);
   }
+
+  // Walks straight from a point of the face of a halfedge to another point, and returns the latter's face. `z`: where the
+  // face is in the plane.
+  //
+  // The walk never goes back over the side by which it came, and ends where the point is outside by no
+  // more than rounding: else a point on an edge, or at a vertex, could be sent to and fro for ever.
+  // Where rounding leads over the border, the last point before it is returned.
+  Walked walk(std::uint32_t halfedge, std::vector<Point> z, const Point& from,
+              const Point& to) const {
+    Development<> faces;
+    faces.start(halfedge);
+    for (;;) {
+      faces.develop(z, approximate_values(view_));
+      const auto& [h, point, beyond] = faces[faces.last()];
+      const std::array<Point, 3> p{z[point[0]], z[point[1]], z[point[2]]};
+      const std::array<std::uint32_t, 3> sides = sides_of_face(view_, h);
+      unsigned exit = 3;
+      double least = 0;
+      for (unsigned k = faces.size() == 1 ? 0 : 1; k < 3; ++k) { // side 0 is that by which it came
+        // crosses side k outwards, and leaves its start on the right and its end on the left
+        const Point &a = p[k], &b = p[(k + 1) % 3];
+        if (side_of(a, b, to) >= -rounding(a, b, to)) continue;
+        const double through = std::min(side_of(from, to, b), -side_of(from, to, a));
+        if (exit == 3 || through > least) {
+          exit = k;
+          least = through;
+        }
+      }
+      if (exit == 3 || view_.is_border(sides[exit] ^ 1U) || faces.size() > maximal_steps)
+        return in_face(h, p, to);
+      faces.enter(faces.last(), exit, sides[exit] ^ 1U);
+    }
+  }
+
+  // a point of a face, moved into it if rounding has put it outside
+  static Walked in_face(std::uint32_t h, const std::array<Point, 3>& face, const Point& p) {
+    const Point side = face[1] - face[0];
+    if (!(dot(side, side) > 0)) return {{h, {1, 0, 0}}, {1, 0}};
+    return {{h, weights_in_triangle(p, face[0], face[1], face[2])}, side};
+  }
+
+  // twice the signed area of a triangle
+  static double side_of(const Point& a, const Point& b, const Point& c) {
+    return cross(b - a, c - a);
+  }
+  // bounds its error for points whose coordinates have some errors of one ulp
+  static double rounding(const Point& a, const Point& b, const Point& c) {
+    const auto size = [](const Point& x) { return std::abs(x.x) + std::abs(x.y); };
+    return 0x1p-50 * size(b - a) * (size(a) + size(c));
+  }
+
+  // more faces, which are kept, mean that rounding leads in circles
+  static constexpr std::size_t maximal_steps = std::size_t(1) << 22U;
 
   View view_;
   const Coordinates& coordinates_;
-  Plane_walk<View> walk_;
 };
 
 } // namespace internal

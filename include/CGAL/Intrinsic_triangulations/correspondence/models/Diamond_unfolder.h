@@ -42,7 +42,8 @@ Its memory stays from call to call.
 */
 class Diamond_unfolder {
 public:
-  /// Most crossings of an edge that can be unfolded.
+  /// Most crossings of an edge that are worth unfolding, with a megabyte of triangles; `Integer_only_triangulation`, which knows
+  /// nothing else, refuses flips that make more.
   static constexpr Normal_coordinate maximal_crossings = Normal_coordinate(1) << 15;
 
   /*!

@@ -6,7 +6,7 @@
 
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -67,20 +67,22 @@ Delaunay_certificate certify_delaunay(const Integer_only_triangulation<Mesh>& t)
 /*!
 \brief decides exactly whether a triangulation that was made in any arithmetic is Delaunay.
 
-Nothing of its metric is used: neither lengths nor areas nor a history. What its integer coordinates say is
-unfolded from the input (see `Integer_only_triangulation`). Inserted vertices are where
+Nothing of its metric is used: neither lengths nor areas nor a history. Where its edges run on the input is all that
+counts: that is unfolded from the input (see `Integer_only_triangulation`). Inserted vertices are where
 `Integer_coordinates::location()` says, with weights rounded by `representable_weights()`.
 \tparam Mesh a model of `MutableDeltaComplex`
 \tparam Traits a model of `IntrinsicTriangulationTraits`
+\tparam Correspondence any that answers queries
 \param t the triangulation
 \throws Invalid_input and std::length_error as the constructor of `Integer_only_triangulation`
 \complexity see the other overload
 */
-template <MutableDeltaComplex Mesh, class Traits>
-Delaunay_certificate
-certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Integer_coordinates>& t) {
-  return certify_delaunay(Integer_only_triangulation<Mesh>(t));
-}
+template <MutableDeltaComplex Mesh, class Traits, class Correspondence>
+  requires CorrespondingTriangulation<Intrinsic_triangulation<Mesh, Traits, Correspondence>>
+      Delaunay_certificate
+      certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& t) {
+    return certify_delaunay(Integer_only_triangulation<Mesh>(t));
+  }
 
 } // namespace CGAL::Intrinsic_triangulations
 
