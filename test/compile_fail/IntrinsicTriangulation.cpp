@@ -4,7 +4,7 @@
 
 // What has neither a mesh nor a metric has no Delaunay triangulation.
 
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 int main() {
   const struct {

@@ -5,7 +5,7 @@
 #define TEST_INTRINSIC_TRIANGULATIONS_PROPERTIES_H
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "places.h"
 

@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/certify_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/input/mollification.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 
 #include <gtest/gtest.h>
 
@@ -143,7 +142,7 @@ TEST(Mollification, epsilon_is_the_least_that_gives_every_inequality_the_margin)
     lengths[e] = std::hypot(p[0] - q[0], p[1] - q[1]);
   }
   for (const double delta : {1e-3, 0.25, 1.0}) {
-    const double epsilon = IT::mollifying_epsilon(map, lengths, delta);
+    const double epsilon = IT::internal::mollifying_epsilon(map, lengths, delta);
     double least_margin = 1e300;
     for (std::uint32_t f = 0; f < map.number_of_faces(); ++f) {
       auto h = map.halfedge(IT::Gluing_map::Face{f});
@@ -155,7 +154,7 @@ TEST(Mollification, epsilon_is_the_least_that_gives_every_inequality_the_margin)
     }
     EXPECT_NEAR(least_margin, delta, 1e-14);
   }
-  EXPECT_EQ(IT::mollifying_epsilon(map, std::vector<double>(lengths.size(), 1.0), 0.5), 0);
+  EXPECT_EQ(IT::internal::mollifying_epsilon(map, std::vector<double>(lengths.size(), 1.0), 0.5), 0);
 }
 
 std::vector<double> lengths_in_space(const meshes::Mesh& m) {

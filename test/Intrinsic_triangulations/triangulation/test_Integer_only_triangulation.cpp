@@ -12,7 +12,6 @@
 #include "subdivision_oracle.h"
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <gtest/gtest.h>

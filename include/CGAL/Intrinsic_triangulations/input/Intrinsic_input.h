@@ -83,17 +83,7 @@ struct Intrinsic_input {
   Planar_polygons planar_polygons;
 
   /// constructs an input without faces.
-  Intrinsic_input();
-  /// copies. Like what follows, compiled once: members are many
-  Intrinsic_input(const Intrinsic_input&);
-  /// moves.
-  Intrinsic_input(Intrinsic_input&&) noexcept;
-  /// copies.
-  Intrinsic_input& operator=(const Intrinsic_input&);
-  /// moves.
-  Intrinsic_input& operator=(Intrinsic_input&&) noexcept;
-  /// destructs.
-  ~Intrinsic_input();
+  Intrinsic_input() = default;
 
   /*!
   \brief takes an abstract metric: it need not embed anywhere.

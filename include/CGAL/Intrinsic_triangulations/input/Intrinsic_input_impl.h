@@ -33,17 +33,6 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input::Intrinsic_input() = default;
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Intrinsic_input::Intrinsic_input(const Intrinsic_input&) = default;
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Intrinsic_input::Intrinsic_input(Intrinsic_input&&) noexcept = default;
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input&
-Intrinsic_input::operator=(const Intrinsic_input&) = default;
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input&
-Intrinsic_input::operator=(Intrinsic_input&&) noexcept = default;
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Intrinsic_input::~Intrinsic_input() = default;
-
 namespace internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t
@@ -108,7 +97,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(const Gluing_m
     *amount *=
         std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
   }
-  double added = amount ? *amount * *amount : default_squared_length_delta();
+  double added = amount ? *amount * *amount : default_squared_length_delta;
   if (kind == Mollification::lengths)
     metric = mollify_lengths(mesh, metric, amount.value_or(1e-5), added);
   else

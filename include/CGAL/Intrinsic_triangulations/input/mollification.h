@@ -14,9 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Tells whether the input has degenerate faces that flips cannot remove, by its metric before any flip.
 //
@@ -50,39 +48,12 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
   return false;
 }
 
-} // namespace internal
+// What is added to squared lengths by default, in scaled units, where the mean edge is near 1. A zero length becomes 1.5e-11
+// of the mean edge, so that lengths agree with those in space to 1e-10. In proper faces doubles do not show the
+// difference; a face without area gets one of about 1e-11, well above the rounding of squared lengths.
+inline constexpr double default_squared_length_delta = 0x1p-72;
 
-/*!
-\brief returns the delta that is added to squared lengths by default, in scaled units: 2^-72.
-
-The mean edge is near 1 in these units. A zero length becomes 1.5e-11 of the mean edge, so that lengths
-agree with those in space to 1e-10. In proper faces doubles do not show the difference; a face without
-area gets one of about 1e-11, well above the rounding of squared lengths.
-*/
-constexpr double default_squared_length_delta() { return 0x1p-72; }
-
-/*!
-\brief computes the epsilon of the course's Eq. 15: the smallest that, added to all lengths, makes
-every triangle inequality hold by at least `delta`.
-\param mesh the connectivity
-\param lengths one length per edge
-\param delta the margin; the course recommends 1e-5 of the mean edge
-\complexity linear
-*/
-inline double mollifying_epsilon(const Gluing_map& mesh, const std::vector<double>& lengths,
-                                 double delta) {
-  double epsilon = 0;
-  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const std::array<Gluing_map::Halfedge, 3> h = mesh.sides({f});
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double a = lengths[h[k].index / 2], b = lengths[h[(k + 1) % 3].index / 2];
-      epsilon = std::max(epsilon, delta - a - b + lengths[h[(k + 2) % 3].index / 2]);
-    }
-  }
-  return epsilon;
-}
-
-/// returns the lengths of the edges, in scaled units. \complexity linear
+// The lengths of the edges, in scaled units.
 inline std::vector<double> edge_lengths(const Gluing_map& mesh, const Input_metric& input) {
   std::vector<double> lengths(mesh.number_of_edges(), 0);
   for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
@@ -93,36 +64,42 @@ inline std::vector<double> edge_lengths(const Gluing_map& mesh, const Input_metr
   return lengths;
 }
 
-/*!
-\brief tells whether two sides of a face are together longer than the third one by less than 2^-30 of that.
-
-The area of such a face is that of a lower number of digits: rounding of lengths, at 2^-53, changes it by more than
-2^-23 of itself, and what is computed from it.
-\param mesh the connectivity
-\param lengths one length per edge
-\complexity linear
-*/
-inline bool has_nearly_degenerate_face(const Gluing_map& mesh, const std::vector<double>& lengths) {
-  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const std::array<Gluing_map::Halfedge, 3> h = mesh.sides({f});
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double a = lengths[h[k].index / 2], b = lengths[h[(k + 1) % 3].index / 2],
-                   c = lengths[h[(k + 2) % 3].index / 2];
-      if (!(a + b - c > 0x1p-30 * c)) return true;
-    }
+// Calls f(a, b, c) for the lengths of the sides of each face, three times, each one last once.
+template <class Function>
+void for_each_side_of_faces(const Gluing_map& mesh, const std::vector<double>& lengths,
+                            Function f) {
+  for (std::uint32_t i = 0; i < mesh.number_of_faces(); ++i) {
+    const std::array<Gluing_map::Halfedge, 3> h = mesh.sides({i});
+    for (std::size_t k = 0; k < 3; ++k)
+      f(lengths[h[k].index / 2], lengths[h[(k + 1) % 3].index / 2],
+        lengths[h[(k + 2) % 3].index / 2]);
   }
-  return false;
 }
 
-/*!
-\brief returns the metric with the course's epsilon added to all lengths (§4.7).
+// The epsilon of the course's Eq. 15: the smallest that, added to all lengths, makes every triangle inequality hold by at
+// least `delta`, for which the course recommends 1e-5 of the mean edge.
+inline double mollifying_epsilon(const Gluing_map& mesh, const std::vector<double>& lengths,
+                                 double delta) {
+  double epsilon = 0;
+  for_each_side_of_faces(mesh, lengths, [&](double a, double b, double c) {
+    epsilon = std::max(epsilon, delta - a - b + c);
+  });
+  return epsilon;
+}
 
-The new squared lengths are rounded to doubles, which define the result exactly.
-\param mesh the connectivity
-\param input the metric
-\param delta the margin in scaled units; see `mollifying_epsilon()`
-\param epsilon set to what was added, in scaled units
-*/
+// Whether two sides of a face are together longer than the third one by less than 2^-30 of that. The area of such a face is
+// that of a lower number of digits: rounding of lengths, at 2^-53, changes it by more than 2^-23 of itself, and what is
+// computed from it.
+inline bool has_nearly_degenerate_face(const Gluing_map& mesh, const std::vector<double>& lengths) {
+  bool result = false;
+  for_each_side_of_faces(mesh, lengths, [&](double a, double b, double c) {
+    result = result || !(a + b - c > 0x1p-30 * c);
+  });
+  return result;
+}
+
+// The metric with the course's epsilon added to all lengths (§4.7). The new squared lengths are rounded to doubles, which
+// define the result exactly. `epsilon` is set to what was added, in scaled units.
 inline Input_metric mollify_lengths(const Gluing_map& mesh, const Input_metric& input, double delta,
                                     double& epsilon) {
   std::vector<double> lengths = edge_lengths(mesh, input);
@@ -132,6 +109,6 @@ inline Input_metric mollify_lengths(const Gluing_map& mesh, const Input_metric& 
   return Input_metric::from_squared_lengths(mesh, std::move(lengths), input.scale_exponent());
 }
 
-} // namespace CGAL::Intrinsic_triangulations
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_MOLLIFICATION_H

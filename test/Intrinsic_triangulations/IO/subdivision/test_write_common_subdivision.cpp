@@ -497,8 +497,6 @@ TEST(Write_common_subdivision, Writes_an_empty_subdivision) {
 
 TEST(Write_common_subdivision, Takes_the_extension_in_any_letter_case_and_with_a_dot) {
   EXPECT_EQ(written(".OFF", grid(2)), written("off", grid(2)));
-  EXPECT_TRUE(IT::is_common_subdivision_extension(".Vtp"));
-  EXPECT_FALSE(IT::is_common_subdivision_extension("idt"));
   EXPECT_THROW(written("idt", grid(2)), IT::Invalid_input);
   EXPECT_THROW(written("", grid(2)), IT::Invalid_input);
 }

@@ -9,7 +9,7 @@
 #include "subdivision_oracle.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/is_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/support/columns.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -129,14 +128,6 @@ inline void write_polylines_PLY(Output_buffer& out, const Numbered_polylines& p,
 
 /// The extensions of the files that `write_polylines()` writes.
 inline constexpr std::array<std::string_view, 3> polyline_extensions{"vtp", "obj", "ply"};
-
-/*!
-\brief returns whether `write_polylines()` writes files with an extension.
-\param extension the extension, in any letter case, with or without its dot
-*/
-inline bool is_polyline_extension(std::string_view extension) {
-  return std::ranges::count(polyline_extensions, internal::plain_extension(extension)) != 0;
-}
 
 /*!
 \brief writes polylines in the format of a file extension.

@@ -5,10 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_H
 
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
-#include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -22,15 +20,6 @@ namespace CGAL::Intrinsic_triangulations {
 /// The extensions of the files that `write_common_subdivision()` writes.
 inline constexpr std::array<std::string_view, 5> common_subdivision_extensions{"ply", "obj", "off",
                                                                                "stl", "vtp"};
-
-/*!
-\brief returns whether `write_common_subdivision()` writes files with an extension.
-\param extension the extension, in any letter case, with or without its dot
-*/
-inline bool is_common_subdivision_extension(std::string_view extension) {
-  return std::ranges::count(common_subdivision_extensions, internal::plain_extension(extension)) !=
-         0;
-}
 
 /*!
 \brief labels the faces and vertices of a common subdivision with the polygons of the input, for a file: the user's

@@ -26,15 +26,11 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/*!
-\brief finds the fewest numbers whose squares sum to a share of the sum of all squares (the bulk criterion of
-Dörfler 1996).
-\param indicators numbers that are not negative
-\param bulk the share, above 0 and at most 1
-\return their positions, the largest number first; none where all are zero
-\throws std::invalid_argument if the share is out of range, or a number negative or not finite
-\complexity O(n log n)
-*/
+namespace internal {
+
+// Finds the positions of the fewest numbers whose squares sum to a share of the sum of all squares (the bulk criterion of
+// Dörfler 1996), the largest first; none where all are zero. Throws std::invalid_argument if the share is out of range, or
+// a number negative or not finite.
 inline std::vector<std::size_t> mark_bulk(const std::vector<double>& indicators, double bulk) {
   if (!(bulk > 0 && bulk <= 1))
     throw std::invalid_argument("the bulk must be above 0 and at most 1");
@@ -60,20 +56,15 @@ inline std::vector<std::size_t> mark_bulk(const std::vector<double>& indicators,
   return order;
 }
 
-/*!
-\brief remembers faces, as a visitor of `delaunay_refine()` that asks for their refinement.
-
-A flip gives the number of a face to another one, so that a face is known by its corners and its area. It is
-bad while it is there: until its circumcenter is inserted, or a vertex close by. A face that has come
-to stand between the same vertices is bad too if it is not smaller. All bad faces have at least the area of
-the smallest marked one, and with it a circumradius bounded from below: refinement ends.
-
-\tparam Triangulation a model of `RefinableTriangulation`
-*/
+// Remembers faces, as a visitor of `delaunay_refine()` that asks for their refinement.
+//
+// A flip gives the number of a face to another one, so that a face is known by its corners and its area. It is
+// bad while it is there: until its circumcenter is inserted, or a vertex close by. A face that has come
+// to stand between the same vertices is bad too if it is not smaller. All bad faces have at least the area of
+// the smallest marked one, and with it a circumradius bounded from below: refinement ends.
 template <RefinableTriangulation Triangulation>
 class Marked_faces : public Refinement_visitor {
 public:
-  /// remembers faces of a triangulation, given by their numbers.
   Marked_faces(const Triangulation& t, const std::vector<std::size_t>& numbers) {
     faces_.reserve(numbers.size());
     for (const std::size_t i : numbers) {
@@ -83,7 +74,7 @@ public:
     }
     std::sort(faces_.begin(), faces_.end());
   }
-  /// tells whether a face is one of those marked, or has taken its place and is as large.
+  // Whether a face is one of those marked, or has taken its place and is as large.
   bool is_bad(const Triangulation& t, typename Triangulation::face_descriptor f) const {
     const Corners c = corners(t, f);
     const auto least =
@@ -106,6 +97,8 @@ private:
 
   std::vector<Mark> faces_;
 };
+
+} // namespace internal
 
 /*!
 \brief describes a triangulation on which the error was estimated.
@@ -256,14 +249,14 @@ requires std::is_invocable_r_v<std::vector<double>, Estimate&, Triangulation&>
   if (refine(Refinement_visitor()) == Status::inaccurate) return end(Status::inaccurate);
   for (;;) {
     const std::vector<double> indicators = internal::checked_indicators(t, estimate(t));
-    const std::vector<std::size_t> marked = mark_bulk(indicators, limit.share);
+    const std::vector<std::size_t> marked = internal::mark_bulk(indicators, limit.share);
     const double error = internal::root_of_squares(indicators);
     result.rounds.push_back({internal::number_of_rows(t), error, marked.size()});
     if (!observed.progress(result.rounds.back())) return end(Status::cancelled);
     if (error <= limit.error) return end(Status::done);
     if (internal::number_of_rows(t) >= limit.vertices || result.rounds.size() > limit.rounds)
       return end(Status::cap);
-    Marked_faces<Triangulation> faces(t, marked);
+    internal::Marked_faces<Triangulation> faces(t, marked);
     if (const Status s = refine(std::ref(faces)); s != Status::done) return end(s);
   }
 }
