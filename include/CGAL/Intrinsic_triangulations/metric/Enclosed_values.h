@@ -214,6 +214,13 @@ protected:
     const double left = cotangent_weight(d.ij, d.jk, d.ki, d.f),
                  right = cotangent_weight(d.ij, d.im, d.mj, d.g), weight = left + right,
                  size = std::abs(weight);
+    // as nearly always: the error that is told below, without dividing
+    const double product_of_areas = a_f.inf() * a_g.inf(),
+                 part = rest_of_weight(left, q_f, a_f) * a_g.inf() +
+                        rest_of_weight(right, q_g, a_g) * a_f.inf();
+    if (part <= 2 * (0x1p-40 - 0x1p-51) * (size * product_of_areas) && size < 0x1p1000 &&
+        size > 0x1p-900 && product_of_areas > 0x1p-900)
+      return weight;
     const double error = error_of_weight(left, q_f, a_f) + error_of_weight(right, q_g, a_g) +
                          0x1p-52 * size,
                  energy = 0.25 * (a_f.inf() + a_g.inf()) / ij.sup();
@@ -228,10 +235,14 @@ protected:
   }
 
 private:
-  // A bound on |w - q / (2 a)|. Rounding is upwards.
-  static double error_of_weight(double w, const FT& q, const FT& a) {
+  // a bound on |q - 2 w a|; rounding is upwards
+  static double rest_of_weight(double w, const FT& q, const FT& a) {
     const FT rest = q + product_with_nonnegative(FT(-2 * w), a);
-    return a.inf() > 0 ? std::max(rest.sup(), -rest.inf()) / (2 * a.inf())
+    return std::max(rest.sup(), -rest.inf());
+  }
+  // A bound on |w - q / (2 a)|.
+  static double error_of_weight(double w, const FT& q, const FT& a) {
+    return a.inf() > 0 ? rest_of_weight(w, q, a) / (2 * a.inf())
                        : std::numeric_limits<double>::infinity();
   }
 

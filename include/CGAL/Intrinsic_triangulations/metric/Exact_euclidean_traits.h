@@ -18,7 +18,6 @@
 
 #include <boost/config.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -119,9 +118,7 @@ public:
   */
   template <class Exact>
   void sharpen(std::span<const Indexed_face> faces, const Exact& exact) const;
-  /*!
-  \brief makes the interval of the squared length of the first side of a face narrow, and the double beside it accurate, see above.
-  */
+  /// makes the interval of the squared length of the first side of a face narrow, and the double beside it accurate; see above.
   template <class Exact>
   void sharpen_length(const Indexed_face& face, const Exact& exact) const;
 
@@ -147,6 +144,9 @@ public:
     n->approximation.area_g = 0;
     return n;
   }
+
+  /// tells whether an edge was found to be a tie since its faces changed.
+  bool is_known_tie(const Diamond& d) const { return signs_.is_zero(d.ij); }
 
   /// stores what `compute_flip()` returned for a diamond.
   BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) {

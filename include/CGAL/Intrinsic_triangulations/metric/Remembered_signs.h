@@ -37,6 +37,11 @@ public:
     if (codes_[edge] == probable) return Known{ZERO, true};
     return Known{static_cast<Sign>(codes_[edge]), false};
   }
+  /// tells whether the sign of an edge is known to be zero, or was taken for that.
+  bool is_zero(std::uint32_t edge) const {
+    const std::optional<Known> known = find(edge);
+    return known && known->sign == ZERO;
+  }
   /// forgets the signs of edges.
   void forget(std::span<const std::uint32_t> edges) {
     for (const std::uint32_t e : edges)

@@ -138,8 +138,11 @@ public:
   /// returns half the sum of the cotangents of the angles opposite the edge of a diamond.
   double cotangent_weight(const Diamond& d) const {
     if constexpr (by_input) {
-      if (self().exact_values().asks_for_weights() && !metric().stored_weight(d)) find_weights();
-      return metric().cotangent_weight(d, self().exact_values());
+      if (const auto weight = metric().stored_weight(d)) return *weight;
+      const auto exact = self().exact_values();
+      if (exact.asks_for_weights()) find_weights();
+      if (const auto weight = exact.known_weight(d, metric().statistics())) return *weight;
+      return metric().cotangent_weight(d, exact);
     } else {
       return metric().cotangent_weight(d);
     }
@@ -194,7 +197,7 @@ private:
       const auto h = halfedge(e, mesh);
       if (face(h, mesh) == null || face(opposite(h, mesh), mesh) == null) continue;
       const Diamond d = self().diamond(h);
-      if (!metric().stored_weight(d)) diamonds.push_back(d);
+      if (!metric().stored_weight(d) && !metric().is_known_tie(d)) diamonds.push_back(d);
     }
     std::sort(diamonds.begin(), diamonds.end(),
               [](const Diamond& a, const Diamond& b) { return a.ij < b.ij; });

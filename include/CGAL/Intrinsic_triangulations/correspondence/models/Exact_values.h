@@ -100,6 +100,7 @@ public:
     count_pass();
     memory_.weights.clear();
     std::vector<Indexed_face> faces;
+    faces.reserve(2 * diamonds.size());
     for (const Diamond& d : diamonds)
       for (const Indexed_face& f : faces_of(d)) faces.push_back(f);
     if (places_.has_coordinates(t_) && can_unfold(faces)) return;
@@ -121,12 +122,18 @@ public:
                                   halfedge(face.face, face.edges[0], face.edges[1]));
   }
 
+  // the double nearest to the cotangent weight of a diamond, if it was found with all others
+  std::optional<double> known_weight(const Diamond& d, Predicate_statistics& statistics) const {
+    if (!memory_.are_weighed) return std::nullopt;
+    const auto& all = memory_.weights;
+    const auto i = std::lower_bound(all.begin(), all.end(), d.ij,
+                                    [](const auto& w, std::uint32_t e) { return w.first < e; });
+    if (i == all.end() || i->first != d.ij || !i->second) return std::nullopt;
+    ++statistics.sharpenings[106];
+    return i->second;
+  }
   // The double nearest to the cotangent weight of a diamond. \pre it is not zero
   double nonzero_weight(const Diamond& d, Predicate_statistics& statistics) const {
-    if (const auto known = known_weight(d)) {
-      ++statistics.sharpenings[106];
-      return *known;
-    }
     return with_figure(d, [&](const auto& figure) {
       std::optional<double> weight;
       for (unsigned bits = 106; !weight; bits = bits == 106 ? 256 : 2 * bits) {
@@ -205,14 +212,6 @@ private:
     ++memory_.passes;
   }
   static constexpr unsigned few_passes = 4; // without coordinates
-
-  std::optional<double> known_weight(const Diamond& d) const {
-    if (!memory_.are_weighed) return std::nullopt;
-    const auto& all = memory_.weights;
-    const auto i = std::lower_bound(all.begin(), all.end(), d.ij,
-                                    [](const auto& w, std::uint32_t e) { return w.first < e; });
-    return i != all.end() && i->first == d.ij ? i->second : std::nullopt;
-  }
 
   static std::array<Indexed_face, 2> faces_of(const Diamond& d) {
     return {{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}};

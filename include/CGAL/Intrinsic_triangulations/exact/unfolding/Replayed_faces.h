@@ -109,7 +109,7 @@ public:
   template <class FT, class Input_values, class Visit>
   void for_each_face(const Input_values& input, const Visit& visit) const {
     Gluing_map mesh = mesh_; // in the end only of the faces that are needed
-    Known_values<FT> known(mesh);
+    Known_values<FT> known(mesh, 2 * faces_.size() >= mesh.number_of_faces());
     const auto find = [&](std::uint32_t f) {
       if (!known.knows(f)) known.add(f, mesh, Flip_list::first_side(mesh, {f}, *input_), input(f));
     };
@@ -142,8 +142,12 @@ private:
   template <class FT>
   class Known_values {
   public:
-    explicit Known_values(const Gluing_map& mesh)
-        : length_place_(mesh.number_of_edges(), 0), area_place_(mesh.number_of_faces(), 0) {}
+    Known_values(const Gluing_map& mesh, bool are_most)
+        : length_place_(mesh.number_of_edges(), 0), area_place_(mesh.number_of_faces(), 0) {
+      if (!are_most) return;
+      lengths_.reserve(mesh.number_of_edges());
+      areas_.reserve(mesh.number_of_faces());
+    }
 
     bool knows(std::uint32_t f) const { return area_place_[f] != 0; }
     template <class Face>
