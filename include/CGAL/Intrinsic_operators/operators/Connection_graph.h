@@ -92,16 +92,10 @@ public:
 private:
   template <class View>
   void measure(const View& view, std::uint32_t first) {
-    double sum = 0;
+    const auto [sum, is_on_border] =
+        measure_fan(view, first, [&](std::uint32_t h, double angle) { angle_[h] = angle; });
+    const double s = sum > 0 ? scale_of(is_on_border, sum) : 1;
     std::uint32_t h = first;
-    do {
-      angle_[h] = sum;
-      if (view.is_border(h)) break;
-      sum += angle_at_source(view, h);
-      h = next_around_source(view, h);
-    } while (h != first);
-    const double s = sum > 0 ? scale_of(view.is_border(h), sum) : 1;
-    h = first;
     do {
       angle_[h] *= s;
       scale_[h] = s;

@@ -131,6 +131,32 @@ std::uint32_t next_around_source(const Complex& complex, std::uint32_t h) {
   return complex.next(complex.next(h)) ^ 1U;
 }
 
+/// The sum of the angles of a fan of faces about a vertex.
+struct Fan_angle {
+  double sum;        ///< the sum
+  bool is_on_border; ///< whether the fan ends at the border
+};
+
+/*!
+\brief adds the angles about the source of a halfedge, counterclockwise, until the fan is closed or at the border.
+\tparam Complex a model of `NumberedComplex`
+\param complex the complex
+\param first the halfedge
+\param visit called with each halfedge and the sum of the angles before it
+*/
+template <NumberedComplex Complex, class Visit>
+Fan_angle measure_fan(const Complex& complex, std::uint32_t first, const Visit& visit) {
+  double sum = 0;
+  std::uint32_t h = first;
+  do {
+    visit(h, sum);
+    if (complex.is_border(h)) return {sum, true};
+    sum += angle_at_source(complex, h);
+    h = next_around_source(complex, h);
+  } while (h != first);
+  return {sum, false};
+}
+
 /*!
 \brief returns the sum of the angles about the source of `h`, over the fan of faces of `h` if it is a
 nonmanifold vertex.
@@ -142,16 +168,10 @@ nonmanifold vertex.
 */
 template <NumberedComplex Complex>
 double cone_angle(const Complex& complex, std::uint32_t h, bool& is_on_border) {
-  is_on_border = false;
-  double sum = 0;
-  std::uint32_t g = h;
-  while (!complex.is_border(g)) {
-    sum += angle_at_source(complex, g);
-    g = next_around_source(complex, g);
-    if (g == h) return sum;
-  }
-  is_on_border = true;
-  for (g = h; !complex.is_border(g ^ 1U);) {
+  auto [sum, ends] = measure_fan(complex, h, [](std::uint32_t, double) {});
+  is_on_border = ends;
+  if (!ends) return sum;
+  for (std::uint32_t g = h; !complex.is_border(g ^ 1U);) {
     g = complex.next(g ^ 1U);
     sum += angle_at_source(complex, g);
   }

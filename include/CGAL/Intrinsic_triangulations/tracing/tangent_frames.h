@@ -94,20 +94,15 @@ private:
   template <NumberedComplex Complex>
   void add_fan(const Complex& complex, std::uint32_t first) {
     const auto number = static_cast<std::uint32_t>(fans_.size());
-    Fan f{static_cast<std::uint32_t>(halfedge_.size()), 0, 0, false};
-    for (std::uint32_t h = first;;) {
+    const auto begin = static_cast<std::uint32_t>(halfedge_.size());
+    const Fan_angle all = measure_fan(complex, first, [&](std::uint32_t h, double angle) {
       fan_[h] = number;
       slot_[h] = static_cast<std::uint32_t>(halfedge_.size());
       halfedge_.push_back(h);
-      cone_angle_.push_back(f.angle);
-      ++f.size;
-      f.is_on_border = complex.is_border(h);
-      if (f.is_on_border) break;
-      f.angle += angle_at_source(complex, h);
-      h = next_around_source(complex, h);
-      if (h == first) break;
-    }
-    fans_.push_back(f);
+      cone_angle_.push_back(angle);
+    });
+    fans_.push_back(
+        {begin, static_cast<std::uint32_t>(halfedge_.size()) - begin, all.sum, all.is_on_border});
   }
 
   std::vector<std::uint32_t> fan_;      // per halfedge

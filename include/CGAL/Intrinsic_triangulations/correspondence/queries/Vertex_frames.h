@@ -46,16 +46,10 @@ public:
 
   // measures the angles at a vertex that is not isolated
   void measure(std::uint32_t v) {
-    const std::uint32_t first = surface_.outgoing_halfedge(v);
-    double sum = 0;
-    std::uint32_t h = first;
-    do {
-      angle_[h] = sum;
-      if (surface_.is_border(h)) break;
-      sum += angle_at_source(surface_, h);
-      h = next_around_source(surface_, h);
-    } while (h != first);
-    const double full = (surface_.is_border(h) ? 1 : 2) * std::numbers::pi;
+    const auto [sum, is_on_border] =
+        measure_fan(surface_, surface_.outgoing_halfedge(v),
+                    [&](std::uint32_t h, double angle) { angle_[h] = angle; });
+    const double full = (is_on_border ? 1 : 2) * std::numbers::pi;
     scale_[v] = sum > 0 ? full / sum : 1;
   }
 
