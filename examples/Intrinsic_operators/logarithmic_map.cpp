@@ -5,7 +5,7 @@
 // centre of three points.
 
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
-#include <CGAL/Intrinsic_operators/vectors/karcher_mean.h>
+#include <CGAL/Intrinsic_operators/vectors/centres.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations.h>
 

@@ -38,12 +38,11 @@ they are on, `CGAL/Intrinsic_triangulations.h`. Needs Eigen. Eigenfunctions need
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
+#include <CGAL/Intrinsic_operators/vectors/centres.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
-#include <CGAL/Intrinsic_operators/vectors/karcher_mean.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
-#include <CGAL/Intrinsic_operators/vectors/voronoi_centres.h>
 #include <CGAL/Intrinsic_triangulations.h>
 
 #endif // CGAL_INTRINSIC_OPERATORS_H

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Following.h"
 #include "operator_test_meshes.h"
 #include "uneven_laplacians.h"
 
@@ -216,18 +217,18 @@ TEST(Eigenpairs, can_be_followed_and_cancelled) {
   const Exact t(torus(20, 0));
   const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);
   std::size_t calls = 0;
-  const auto count = [&](std::size_t solutions) {
+  const auto count = IT::parameters::visitor(Following{[&](std::size_t solutions) {
     EXPECT_EQ(solutions, calls);
     ++calls;
     return true;
-  };
+  }});
   const IT::Eigenpairs all = IT::smallest_eigenpairs(l, m, 6, count);
   EXPECT_EQ(all.status, IT::Status::done);
   EXPECT_GT(calls, 6U);
   EXPECT_EQ(all.values, IT::smallest_eigenpairs(l, m, 6).values);
   for (const std::size_t last : {std::size_t{0}, calls / 2, calls - 1}) {
-    const IT::Eigenpairs none =
-        IT::smallest_eigenpairs(l, m, 6, [last](std::size_t k) { return k < last; });
+    const Following stop{[last](std::size_t k) { return k < last; }};
+    const IT::Eigenpairs none = IT::smallest_eigenpairs(l, m, 6, IT::parameters::visitor(stop));
     EXPECT_EQ(none.status, IT::Status::cancelled);
     EXPECT_EQ(none.values.size(), 0);
     EXPECT_EQ(none.vectors.cols(), 0);

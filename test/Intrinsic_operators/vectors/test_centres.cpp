@@ -1,15 +1,16 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_operators/vectors/karcher_mean.h>
-#include <CGAL/Intrinsic_operators/vectors/voronoi_centres.h>
+#include <CGAL/Intrinsic_operators/vectors/centres.h>
 
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
+#include "Following.h"
 #include "meshes.h"
 #include "operator_test_meshes.h"
 
@@ -111,7 +112,8 @@ TEST(Karcher_mean, refuses_points_of_different_components) {
   EXPECT_THROW(IT::karcher_mean(heat, {{here, 1}, {there, 1}}), std::invalid_argument);
   EXPECT_THROW(IT::karcher_mean(heat, {{here, 1}, {there, 2}}), std::invalid_argument);
   EXPECT_NO_THROW(IT::karcher_mean(heat, {{here, 1}, {there, 0}}));
-  const IT::Voronoi_centres centres = IT::voronoi_centres(heat, {here}, 0);
+  const IT::Voronoi_centres centres =
+      IT::voronoi_centres(heat, {here}, IT::parameters::maximum_rounds(0));
   for (std::uint32_t i = 0; i < 2 * n; ++i)
     EXPECT_EQ(centres.cell[i], i < n ? 0U : IT::Gluing::none) << i;
 }
@@ -120,7 +122,8 @@ TEST(Voronoi_centres, have_cells_that_are_many_hundred_edges_long) {
   const std::uint32_t length = 4000, row = length + 1;
   Exact t(meshes::grid(length, 2).input());
   const IT::Voronoi_centres centres =
-      IT::voronoi_centres(Heat(t), {at_vertex(t, row + 2), at_vertex(t, 2 * row - 3)}, 0);
+      IT::voronoi_centres(Heat(t), {at_vertex(t, row + 2), at_vertex(t, 2 * row - 3)},
+                          IT::parameters::maximum_rounds(0));
   for (std::uint32_t i = 0; i < 3 * row; ++i) {
     const std::uint32_t x = i % row;
     if (x < 1999 || x > 2001) {
@@ -135,7 +138,8 @@ TEST(Voronoi_centres, in_the_plane_are_the_centroids_of_their_cells) {
   const Heat heat(t);
   std::vector<IT::Surface_point> sites;
   for (const std::uint32_t v : {0U, 20U, 60U, 100U}) sites.push_back(at_vertex(t, v));
-  const IT::Voronoi_centres centres = IT::voronoi_centres(heat, sites, 60, 1e-6);
+  const IT::Voronoi_centres centres =
+      IT::voronoi_centres(heat, sites, IT::parameters::maximum_rounds(60).tolerance(1e-6));
   const Eigen::VectorXd mass = IT::lumped_mass_matrix(t).diagonal();
   std::array<double, 4> area{};
   std::array<std::array<double, 2>, 4> sum{};
@@ -160,7 +164,8 @@ TEST(Voronoi_centres, spread_over_the_sphere) {
   const Heat heat(t);
   std::vector<IT::Surface_point> sites;
   for (std::uint32_t v = 0; v < 8; ++v) sites.push_back(at_vertex(t, v));
-  const IT::Voronoi_centres centres = IT::voronoi_centres(heat, sites, 30);
+  const IT::Voronoi_centres centres =
+      IT::voronoi_centres(heat, sites, IT::parameters::maximum_rounds(30));
   std::vector<double> area(8, 0);
   const Eigen::VectorXd mass = IT::lumped_mass_matrix(t).diagonal();
   for (std::size_t i = 0; i < centres.cell.size(); ++i)
@@ -174,19 +179,24 @@ TEST(Centres, stop_when_they_are_told_to) {
   const Heat heat(t);
   const Weighted_points points{{at_vertex(t, 0), 1}, {at_vertex(t, 8), 1}, {at_vertex(t, 40), 1}};
   std::size_t calls = 0;
-  const auto twice = [&calls](const auto&) { return ++calls < 3; };
-  const IT::Karcher_mean mean = IT::karcher_mean(heat, points, 1e-300, 50, twice);
+  const Following twice{[&calls](const auto&) { return ++calls < 3; }};
+  const IT::Karcher_mean mean =
+      IT::karcher_mean(heat, points, IT::parameters::tolerance(1e-300).visitor(twice));
   EXPECT_EQ(mean.status, IT::Status::cancelled);
   EXPECT_EQ(calls, 3U);
   calls = 0;
   const std::vector<IT::Surface_point> sites{points[0].first, points[1].first};
-  const IT::Voronoi_centres stopped = IT::voronoi_centres(heat, sites, 20, 0, twice);
+  const IT::Voronoi_centres stopped =
+      IT::voronoi_centres(heat, sites, IT::parameters::tolerance(0).visitor(twice));
   EXPECT_EQ(stopped.status, IT::Status::cancelled);
   EXPECT_EQ(stopped.steps, 2U);
   EXPECT_EQ(stopped.cell.size(), 81U);
-  EXPECT_EQ(IT::voronoi_centres(heat, sites, 2, 0).status, IT::Status::cap);
-  EXPECT_EQ(IT::voronoi_centres(heat, sites, 2, 1e9).status, IT::Status::done);
-  EXPECT_EQ(IT::voronoi_centres(heat, sites, 2, 1e9).steps, 1U);
+  const auto in_two_steps = [&](double tolerance) {
+    return IT::voronoi_centres(heat, sites, IT::parameters::maximum_rounds(2).tolerance(tolerance));
+  };
+  EXPECT_EQ(in_two_steps(0).status, IT::Status::cap);
+  EXPECT_EQ(in_two_steps(1e9).status, IT::Status::done);
+  EXPECT_EQ(in_two_steps(1e9).steps, 1U);
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
+#include "Following.h"
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
@@ -272,25 +273,27 @@ TEST(Direction_fields, can_be_followed_and_cancelled) {
   Exact t(meshes::box(3, 3, 3).input());
   IT::flip_to_delaunay(t);
   std::vector<IT::Direction_step> steps;
-  const auto follow = [&](IT::Direction_step step) {
+  const Following follow{[&](IT::Direction_step step) {
     steps.push_back(step);
     return true;
-  };
-  const IT::Direction_field all = IT::smoothest_direction_field(t, 4, {}, follow);
+  }};
+  const IT::Direction_field all =
+      IT::smoothest_direction_field(t, 4, {}, IT::parameters::visitor(follow));
   EXPECT_EQ(all.status, IT::Status::done);
   EXPECT_EQ(all.powers, IT::smoothest_direction_field(t, 4).powers);
   ASSERT_FALSE(steps.empty());
   EXPECT_EQ(steps[0], IT::Direction_step::factored);
   for (std::size_t last = 0; last < steps.size(); ++last) {
     std::size_t calls = 0;
+    const Following count{[&](IT::Direction_step) { return calls++ < last; }};
     const IT::Direction_field none =
-        IT::smoothest_direction_field(t, 4, {}, [&](IT::Direction_step) { return calls++ < last; });
+        IT::smoothest_direction_field(t, 4, {}, IT::parameters::visitor(count));
     EXPECT_EQ(none.status, IT::Status::cancelled);
     EXPECT_TRUE(none.powers.empty());
     EXPECT_EQ(calls, last + 1);
   }
   const IT::Tangent_field guide(all.powers.size(), 1);
-  const auto stop = [](IT::Direction_step) { return false; };
+  const auto stop = IT::parameters::visitor(Following{[](IT::Direction_step) { return false; }});
   EXPECT_EQ(IT::aligned_direction_field(t, 4, guide, 1, {}, stop).status, IT::Status::cancelled);
 }
 

@@ -7,11 +7,13 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
+#include "Following.h"
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
@@ -93,10 +95,10 @@ TYPED_TEST(Vector_heat_on, can_be_followed_and_cancelled) {
   const auto v = *vertices(t.mesh()).begin();
   const IT::Vector_heat_method<TypeParam> heat(t), other(t);
   std::vector<IT::Transport_step> steps;
-  const auto follow = [&](IT::Transport_step step) {
+  const auto follow = IT::parameters::visitor(Following{[&](IT::Transport_step step) {
     steps.push_back(step);
     return steps.size() > 1;
-  };
+  }});
   EXPECT_EQ(heat.factor(follow), IT::Status::cancelled);
   EXPECT_EQ(heat.factor(follow), IT::Status::done);
   using Step = IT::Transport_step;

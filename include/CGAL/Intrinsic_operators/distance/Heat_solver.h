@@ -86,7 +86,7 @@ private:
   double time_;
   std::vector<std::uint32_t> component_;
   Pinned_laplacian poisson_;
-  std::optional<Diffusion<double>> insulated_, cold_;
+  std::optional<Function_flow> insulated_, cold_;
   std::vector<char> is_on_border_; // of rows
   std::uint32_t sheets_;
   Heat_progress progress_;

@@ -74,7 +74,7 @@ private:
   double time_;
   std::vector<std::uint32_t> component_;
   Pinned_laplacian poisson_;
-  Diffusion<Complex> flow_;
+  Vector_flow flow_;
 };
 
 } // namespace internal

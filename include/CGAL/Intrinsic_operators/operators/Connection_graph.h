@@ -25,7 +25,15 @@
 #include <string>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
+
+/// \brief asks for what matrices on tangent vectors are assembled from: a triangulation that is
+/// measured and numbered.
+template <class Triangulation>
+concept ConnectedTriangulation =
+    MeasuredTriangulation<Triangulation> && NumberedTriangulation<Triangulation>;
+
+namespace internal {
 
 // Where a vector is not known.
 inline constexpr std::complex<double> unknown_vector{std::numeric_limits<double>::quiet_NaN(),
@@ -42,11 +50,6 @@ inline std::complex<double> unit_vector(const std::complex<double>& z) {
   const std::complex<double> scaled = z / larger; // whose square does not underflow
   return scaled / std::abs(scaled);
 }
-
-// What matrices on tangent vectors are assembled from.
-template <class Triangulation>
-concept Connected_triangulation =
-    MeasuredTriangulation<Triangulation> && NumberedTriangulation<Triangulation>;
 
 // Refuses the surface of a cloud of points: vectors on the sheets at a point have nothing in
 // common.
@@ -156,7 +159,7 @@ void add_areas(const Triangulation& t, const Vertex_copies<Triangulation>& copie
   }
 }
 
-template <Connected_triangulation Triangulation>
+template <ConnectedTriangulation Triangulation>
 Connection_graph connection_graph(const Triangulation& t, const Halfedge_angles& angles) {
   expect_tangent_planes(t);
   const auto& mesh = t.mesh();
@@ -180,6 +183,8 @@ Connection_graph connection_graph(const Triangulation& t, const Halfedge_angles&
   return graph;
 }
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_OPERATORS_OPERATORS_CONNECTION_GRAPH_H

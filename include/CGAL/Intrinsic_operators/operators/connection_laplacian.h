@@ -92,7 +92,7 @@ the border vectors keep their angle with the border.
 \return complex numbers of absolute value 1, by `t.numbers().halfedge(h)`; the numbers of opposite halfedges are conjugate
 \complexity linear
 */
-template <internal::Connected_triangulation Triangulation>
+template <ConnectedTriangulation Triangulation>
 std::vector<std::complex<double>> transport_along_halfedges(const Triangulation& t) {
   const internal::Halfedge_angles angles(t, internal::Border_angles::half_circle);
   std::vector<std::complex<double>> r(2 * std::size_t{t.numbers().edge_capacity(t.mesh())}, 1);
@@ -125,7 +125,7 @@ have the weight zero.
 \throws Invalid_input if a face has no area
 \complexity linear
 */
-template <internal::Connected_triangulation Triangulation>
+template <ConnectedTriangulation Triangulation>
 Eigen::SparseMatrix<std::complex<double>> connection_laplacian(const Triangulation& t,
                                                                int order = 1) {
   const internal::Halfedge_angles angles(t, internal::Border_angles::half_circle);

@@ -64,7 +64,7 @@ make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a);
 } // namespace internal
 
 /*!
-\brief factors a positive definite matrix once, for any number of right sides.
+\brief factors a positive definite matrix once, for any number of right sides. A model of `Factorization`.
 
 Large matrices (from 100,000 rows, where measurements found it faster) are factored by CHOLMOD, supernode by supernode, if
 programs link it; CMake finds it, and `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` says so. Others are factored by Eigen

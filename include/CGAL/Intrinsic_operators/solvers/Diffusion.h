@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_DIFFUSION_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_DIFFUSION_H
 
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
@@ -118,25 +120,20 @@ factored_flow(Eigen::SparseMatrix<std::complex<double>> laplacian, const Eigen::
 }
 
 // Makes one implicit step of the heat flow, (M + time L) u = u0, for functions or vector fields.
-template <class Scalar>
+template <Factorization Factored>
 class Diffusion {
-  using Vector = typename Heat<Scalar>::Vector;
-  using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-  using Factorization = decltype(factored_flow(std::declval<Eigen::SparseMatrix<Scalar>>(),
-                                               std::declval<Eigen::VectorXd>()));
-
 public:
-  using Matrix = Eigen::SparseMatrix<Scalar>;
+  using Matrix = typename Factored::Matrix;
+  using Scalar = typename Matrix::Scalar;
+  using Vector = typename Heat<Scalar>::Vector;
 
   // \param laplacian L times the time, compressed \param masses the diagonal of M, positive
   Diffusion(Matrix laplacian, const Eigen::VectorXd& masses)
       : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))),
         factored_(factored_flow(*laplacian_, masses)) {}
   // \param factored what is made of M + time L
-  Diffusion(std::shared_ptr<const Matrix> laplacian, double time, Factorization factored)
+  Diffusion(std::shared_ptr<const Matrix> laplacian, double time, Factored factored)
       : laplacian_(std::move(laplacian)), time_(time), factored_(std::move(factored)) {}
-
-  const Factorization& factorization() const { return factored_; }
 
   // \param is_reached whether there is any heat in a row
   Heat<Scalar> operator()(const Vector& start, const std::vector<char>& is_reached) const {
@@ -146,12 +143,12 @@ public:
   // from several starts at once
   std::vector<Heat<Scalar>> all(std::vector<Heat<Scalar>> starts,
                                 const std::vector<char>& is_reached) const {
-    Columns right(laplacian_->rows(), static_cast<Eigen::Index>(starts.size()));
+    typename Factored::Vectors right(laplacian_->rows(), static_cast<Eigen::Index>(starts.size()));
     for (std::size_t k = 0; k < starts.size(); ++k) {
       starts[k].normalize();
       for (Eigen::Index r = 0; r < right.rows(); ++r) right(r, column(k)) = starts[k].at(r, 0);
     }
-    const Columns found = factored_.solve(right);
+    const typename Factored::Vectors found = factored_.solve(right);
     std::vector<Heat<Scalar>> result;
     for (std::size_t k = 0; k < starts.size(); ++k) {
       result.emplace_back(Vector(found.col(column(k))));
@@ -217,8 +214,11 @@ private:
   std::shared_ptr<const Matrix>
       laplacian_; // with the time, which differs from the matrix on its diagonal
   double time_ = 1;
-  Factorization factored_;
+  Factored factored_;
 };
+
+using Function_flow = Diffusion<Laplacian_factorization>;
+using Vector_flow = Diffusion<Cholesky_factorization<std::complex<double>>>;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

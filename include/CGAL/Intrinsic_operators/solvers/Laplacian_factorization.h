@@ -49,6 +49,7 @@ there are two processors; the result is the same with one.
 class Laplacian_factorization {
 public:
   using Matrix = Eigen::SparseMatrix<double>; ///< what is factored
+  using Vectors = Eigen::MatrixXd;            ///< right sides, a column each
 
   /*!
   \brief factors a matrix.

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -22,6 +23,12 @@ struct Eigenpairs {
   Status status = Status::done; ///< `cancelled` by the caller: there are none then
 };
 
+namespace internal {
+Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
+                               const Eigen::SparseMatrix<double>& m, Eigen::Index count,
+                               const std::function<bool(std::size_t)>& progress);
+} // namespace internal
+
 /*!
 \brief computes the smallest eigenvalues of `a x = lambda m x`, and their eigenvectors, by the Lanczos method of Spectra, inverted near
 zero, several times until none is missing of eigenvalues that are several times there.
@@ -34,17 +41,23 @@ Of a matrix without entries, as of isolated vertices, all eigenvalues are zero, 
 \param a the matrix \pre symmetric and positive semidefinite
 \param m the mass matrix \pre symmetric and positive definite; isolated vertices have no mass
 \param count how many, at most the size of the matrix
-\param progress is called before each solution with a factored matrix, those that look for the shift included, if given, with the number of those before; tells whether to go on. Small matrices are solved without
-  a question.
+\param np optional named parameters:
+  - `visitor(v)`: `v.progress(n)` is called before each solution with a factored matrix, those that
+    look for the shift included, with the number of those before, a `std::size_t`, and returns
+    whether to go on. Small matrices are solved without a call.
 \return the pairs; the residual of each, \f$|a x - \lambda m x|\f$, is that of rounding
 \throws std::invalid_argument if sizes do not fit
 \throws Indefinite_matrix if a matrix is not definite up to rounding
 \throws std::runtime_error if the method does not converge within its cap of restarts, or a residual is more than rounding
 \complexity that of a factorization of `a`, and of some solutions for each pair; small matrices are solved densely
 */
+template <NamedParameters NP = parameters::Parameters<>>
 Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                const Eigen::SparseMatrix<double>& m, Eigen::Index count,
-                               const std::function<bool(std::size_t)>& progress = {});
+                               const NP& np = parameters::default_values()) {
+  internal::expect_names<internal::tags::visitor>(np);
+  return internal::smallest_eigenpairs(a, m, count, internal::progress_of(np));
+}
 
 } // namespace CGAL::Intrinsic_triangulations
 

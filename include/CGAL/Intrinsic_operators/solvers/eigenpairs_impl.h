@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_IMPL_H
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
@@ -57,10 +58,9 @@ public:
   using Scalar = double; // named by Spectra
 
   // \param solutions counts them; must outlive this object
-  Shifted_inverse(Cholesky_factorization<double> factorization, Solution_counter& solutions)
-      : factorization_(std::move(factorization)), solutions_(&solutions) {}
-  Shifted_inverse(Laplacian_factorization factorization, Solution_counter& solutions)
-      : factorization_(std::move(factorization)), solutions_(&solutions) {}
+  template <Factorization Factored>
+  Shifted_inverse(Factored factored, Solution_counter& solutions)
+      : factorization_(std::move(factored)), solutions_(&solutions) {}
   Eigen::Index rows() const {
     return std::visit([](const auto& f) { return f.size(); }, factorization_);
   }
@@ -302,8 +302,6 @@ inline Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
   return {Cholesky_factorization<double>(a + shift * m), solutions};
 }
 
-} // namespace internal
-
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigenpairs
 smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& m,
                     Eigen::Index count, const std::function<bool(std::size_t)>& progress) {
@@ -315,33 +313,33 @@ smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMat
                                 std::to_string(count) + " eigenvalues");
   constexpr Eigen::Index small = 64; // a dense method is faster
   if (count == 0) return {{}, Eigen::MatrixXd(size, 0), Status::done};
-  if (internal::is_zero_matrix(a)) return internal::eigenpairs_of_zero(m, count);
+  if (is_zero_matrix(a)) return eigenpairs_of_zero(m, count);
   if (size <= std::max(small, 2 * count + 1))
-    return internal::smallest_of(internal::is_laplacian(a)
-                                     ? internal::dense_laplacian_eigenpairs(a, m, count)
-                                     : internal::dense_eigenpairs(Eigen::MatrixXd(a), m),
-                                 count);
+    return smallest_of(is_laplacian(a) ? dense_laplacian_eigenpairs(a, m, count)
+                                       : dense_eigenpairs(Eigen::MatrixXd(a), m),
+                       count);
   // eigenvalues of about one: Spectra has thresholds without units
-  const double root = std::exp2(std::round(std::log2(internal::mean_eigenvalue(a, m)) / 2));
+  const double root = std::exp2(std::round(std::log2(mean_eigenvalue(a, m)) / 2));
   if (!(root * root > 0x1p-1000 && root * root < 0x1p1000))
     throw std::invalid_argument("the matrices are of too different sizes; scale one of them");
   const Eigen::SparseMatrix<double> scaled = root * root * m;
   double shift = 0;
   const Spectra::SparseSymMatProd<double> mass(scaled);
   try {
-    internal::Solution_counter solutions(progress);
-    internal::Shifted_inverse inverse =
-        internal::shifted_inverse(a, scaled, count, shift, solutions);
-    Eigenpairs pairs = internal::lanczos_eigenpairs(inverse, mass, count, shift);
-    internal::find_missed_pairs(pairs, inverse, mass, shift);
-    internal::expect_eigenpairs(a, scaled, pairs);
+    Solution_counter solutions(progress);
+    Shifted_inverse inverse = shifted_inverse(a, scaled, count, shift, solutions);
+    Eigenpairs pairs = lanczos_eigenpairs(inverse, mass, count, shift);
+    find_missed_pairs(pairs, inverse, mass, shift);
+    expect_eigenpairs(a, scaled, pairs);
     pairs.values *= root * root;
     pairs.vectors *= root;
     return pairs;
-  } catch (const internal::Cancelled_eigenpairs&) {
+  } catch (const Cancelled_eigenpairs&) {
     return {{}, Eigen::MatrixXd(size, 0), Status::cancelled};
   }
 }
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

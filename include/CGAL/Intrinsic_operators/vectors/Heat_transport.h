@@ -82,8 +82,8 @@ public:
   Eigen::VectorXcd polar_logarithm(const std::vector<Source_corner>& source) const;
 
 private:
-  const Diffusion<double>& functions() const;
-  const Diffusion<std::complex<double>>& vectors() const;
+  const Function_flow& functions() const;
+  const Vector_flow& vectors() const;
   std::vector<char> reached(const Eigen::VectorXd& weights) const;
   Eigen::VectorXd weights(const std::vector<Source_corner>& source) const;
   Eigen::VectorXcd parallel_frames(const std::vector<Source_corner>& source) const;
@@ -101,8 +101,8 @@ private:
   std::vector<std::complex<double>> at_source_, at_target_; // directions of edges
   Eigen::VectorXd masses_;                                  // areas, ones at isolated vertices
   mutable std::optional<Laplacian_factorization> poisson_;
-  mutable std::optional<Diffusion<double>> functions_;
-  mutable std::optional<Diffusion<std::complex<double>>> vectors_;
+  mutable std::optional<Function_flow> functions_;
+  mutable std::optional<Vector_flow> vectors_;
 };
 
 } // namespace internal

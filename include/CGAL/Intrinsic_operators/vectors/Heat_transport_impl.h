@@ -39,13 +39,13 @@ Heat_transport::Heat_transport(Connection_graph graph, double time_factor)
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-const Diffusion<double>& Heat_transport::functions() const {
+const Function_flow& Heat_transport::functions() const {
   if (!functions_) functions_.emplace(scaled_laplacian<double>(graph_, 0, time_), masses_);
   return *functions_;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-const Diffusion<std::complex<double>>& Heat_transport::vectors() const {
+const Vector_flow& Heat_transport::vectors() const {
   if (!vectors_)
     vectors_.emplace(scaled_laplacian<std::complex<double>>(graph_, 1, time_), masses_);
   return *vectors_;

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -63,7 +62,7 @@ hundred edges; values have exponents of their own, so that any distance and leng
 Functions that are const factor matrices at first: threads must not call them at once before.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 */
-template <internal::Connected_triangulation Triangulation_>
+template <ConnectedTriangulation Triangulation_>
 class Vector_heat_method {
 public:
   /// the triangulation
@@ -90,12 +89,16 @@ public:
 
   /*!
   \brief factors the matrices that are factored at the first question otherwise: what takes long, so that it can be followed and stopped.
-  \param progress is called after each, if given; tells whether to go on
+  \param np optional named parameters:
+    - `visitor(v)`: `v.progress(step)` is called with a `Transport_step` after each, and returns
+      whether to go on.
   \return `cancelled` if it told not to before all were factored; a question factors the rest
   \complexity that of factoring a real and a complex matrix, once
   */
-  Status factor(const std::function<bool(Transport_step)>& progress = {}) const {
-    return heat_.factor(progress) ? Status::done : Status::cancelled;
+  template <NamedParameters NP = parameters::Parameters<>>
+  Status factor(const NP& np = parameters::default_values()) const {
+    internal::expect_names<internal::tags::visitor>(np);
+    return heat_.factor(internal::progress_of(np)) ? Status::done : Status::cancelled;
   }
 
   /// returns the triangulation.

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/Direction_problem.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
@@ -115,7 +116,9 @@ components where there are any, with the others elsewhere.
 \param t the triangulation
 \param degree the number of directions at a vertex that are alike: 1 for vectors, 4 for crosses
 \param fixed vertices, and directions in their polar coordinates that are not to change
-\param progress is called after each step that takes long but the last, if given; tells whether to go on
+\param np optional named parameters:
+  - `visitor(v)`: `v.progress(step)` is called with a `Direction_step` after each step that takes
+    long but the last, and returns whether to go on.
 \return the field; on symmetric surfaces, one of several
 \throws Invalid_input if a face has no area
 \throws std::invalid_argument if the degree is not positive, a direction cannot be fixed, or the
@@ -123,12 +126,14 @@ components where there are any, with the others elsewhere.
   `Point_cloud_vectors`
 \complexity that of factoring a complex matrix, and of solving with it for some tens of times
 */
-template <internal::Connected_triangulation Triangulation>
+template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Direction_field
 smoothest_direction_field(const Triangulation& t, int degree,
                           const internal::Fixed_directions<Triangulation>& fixed = {},
-                          const std::function<bool(Direction_step)>& progress = {}) {
-  return internal::solved(t, internal::direction_problem(t, degree, fixed), progress);
+                          const NP& np = parameters::default_values()) {
+  internal::expect_names<internal::tags::visitor>(np);
+  return internal::solved(t, internal::direction_problem(t, degree, fixed),
+                          internal::progress_of(np));
 }
 
 /*!
@@ -142,14 +147,15 @@ s the strength divided by the square of the mean length of edges.
   that matters more, zero where there is no wish. Principal directions have degree 2: of either sign.
 \param strength zero for the smoothest field that is guided at all; the greater, the nearer
 \param fixed as there
-\param progress as there
+\param np as there
 \throws std::invalid_argument if there is not a vector per vertex, or the strength is negative, and as there
 */
-template <internal::Connected_triangulation Triangulation>
+template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Direction_field aligned_direction_field(const Triangulation& t, int degree,
                                         const Tangent_field& guide, double strength = 0,
                                         const internal::Fixed_directions<Triangulation>& fixed = {},
-                                        const std::function<bool(Direction_step)>& progress = {}) {
+                                        const NP& np = parameters::default_values()) {
+  internal::expect_names<internal::tags::visitor>(np);
   internal::Direction_problem problem = internal::direction_problem(t, degree, fixed);
   if (guide.size() != static_cast<std::size_t>(problem.guide.size()))
     throw std::invalid_argument("there must be a vector per vertex to be near, " +
@@ -163,7 +169,7 @@ Direction_field aligned_direction_field(const Triangulation& t, int degree,
   for (std::size_t i = 0; i < guide.size() && longest > 0; ++i)
     problem.guide[static_cast<Eigen::Index>(i)] = internal::power_of(guide[i] / longest, degree);
   problem.strength = strength;
-  return internal::solved(t, problem, progress);
+  return internal::solved(t, problem, internal::progress_of(np));
 }
 
 /*!
@@ -176,7 +182,7 @@ At a vertex between two edges of the path it is the middle one. A vertex that th
 \return vertices and unit vectors in their polar coordinates
 \complexity linear
 */
-template <internal::Connected_triangulation Triangulation>
+template <ConnectedTriangulation Triangulation>
 internal::Fixed_directions<Triangulation>
 directions_along_path(const Triangulation& t,
                       const std::vector<typename Triangulation::halfedge_descriptor>& path) {

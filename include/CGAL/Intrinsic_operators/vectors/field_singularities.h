@@ -110,7 +110,7 @@ opposite signs, so that the sum of all indices is exact.
 \throws std::invalid_argument if the field has not a value per vertex
 \complexity linear
 */
-template <internal::Connected_triangulation Triangulation>
+template <ConnectedTriangulation Triangulation>
 Field_singularities<Triangulation> singularities(const Triangulation& t,
                                                  const Direction_field& field) {
   const internal::Halfedge_angles angles(t, internal::Border_angles::half_circle);

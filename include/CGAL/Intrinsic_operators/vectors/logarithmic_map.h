@@ -117,8 +117,7 @@ its direction.
 \complexity that of `Polyhedral_distance`, and linear in the number of edges that all shortest
   paths cross
 */
-template <internal::Connected_triangulation Triangulation,
-          NamedParameters NP = parameters::Parameters<>>
+template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
                                                   typename Triangulation::vertex_descriptor v,
                                                   const NP& np = parameters::default_values()) {
@@ -138,8 +137,7 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
 \return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are
   those on the surface
 */
-template <internal::Connected_triangulation Triangulation,
-          NamedParameters NP = parameters::Parameters<>>
+template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 std::vector<std::complex<double>> logarithmic_map(const Triangulation& t, const Surface_point& p,
                                                   const NP& np = parameters::default_values()) {
   const internal::Point_frames<Triangulation> frames(t);

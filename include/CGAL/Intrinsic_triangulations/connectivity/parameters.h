@@ -183,6 +183,22 @@ T& unwrapped(std::reference_wrapper<T>& reference) {
   return reference.get();
 }
 
+// Goes on, whatever is reported.
+struct Silent_visitor {
+  template <class... Reported>
+  bool progress(const Reported&...) const {
+    return true;
+  }
+};
+
+// What calls a visitor that was given, or none, for functions that are no templates.
+template <class NamedParameters>
+auto progress_of(const NamedParameters& np) {
+  return [v = object_or<tags::visitor>(np, Silent_visitor())](auto reported) mutable {
+    return unwrapped(v).progress(reported);
+  };
+}
+
 template <class Tag, class... Tags>
 inline constexpr bool is_one_of = (std::is_same_v<Tag, Tags> || ...);
 

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Read by doxygen only.
+
+/*!
+\class Factorization Factorization.h <CGAL/Intrinsic_operators/solvers/Factorization.h>
+\cgalConcept
+
+The concept `Factorization` describes a positive definite matrix that was factored once, and solves
+for any number of right sides. The constructor is that of the model: each needs other arguments to
+be accurate.
+
+\cgalHasModel{\itc{Cholesky_factorization}: by CHOLMOD or Eigen, for real and complex matrices}
+\cgalHasModel{\itc{Laplacian_factorization}: for the Laplacian of a graph and a diagonal, without
+subtraction}
+
+\cgalHeading{Which operation needs what}
+
+Steps of the heat flow of functions use \itc{Laplacian_factorization}, those of vectors
+\itc{Cholesky_factorization}; \itf{smallest_eigenpairs} takes either. \itc{Fixed_values_solver}
+chooses one when it sees the matrix, so that the choice is not a parameter of its type.
+
+\cgalHeading{Complexity}
+
+A copy shares the factor. A solution takes linear time in the number of entries of the factor.
+*/
+class Factorization {
+public:
+  /// Type of the matrix, an `Eigen::SparseMatrix`.
+  typedef unspecified_type Matrix;
+  /// Type of right sides and solutions, a column each: a dense matrix of the same numbers.
+  typedef unspecified_type Vectors;
+  /// returns the number of rows.
+  Eigen::Index size() const;
+  /// solves for right sides. \pre `b` has a row per row of the matrix
+  Vectors solve(const Vectors& b) const;
+};
