@@ -31,7 +31,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a geodesic Bezier curve: the control polygon after some rounds of subdivision, along edges of an intrinsic triangulation.
 \tparam Triangulation a model of `GeodesicTriangulation`
 */
-template <class Triangulation>
+template <GeodesicTriangulation Triangulation>
 struct Bezier_curve {
   /// `done`; `stalled` if control points are not connected or a vertex could not be inserted; or
   /// that of `Geodesic_finder`. Unless it is `done`, there is no curve.

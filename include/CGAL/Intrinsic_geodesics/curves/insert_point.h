@@ -26,7 +26,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a vertex at a point of the input.
 \tparam Triangulation the type of the triangulation
 */
-template <class Triangulation>
+template <RefinableTriangulation Triangulation>
 struct Vertex_at_point {
   /// `done`, or why no vertex could be inserted.
   Move_status status = Move_status::done;
@@ -57,7 +57,7 @@ std::array<double, 3> without_rounding(const Complex& complex, const Surface_poi
 }
 
 // Finds the vertex at a point of the input, or inserts one by a function of a halfedge and weights.
-template <class Triangulation, class Insert>
+template <RefinableTriangulation Triangulation, class Insert>
 Vertex_at_point<Triangulation> insert_point_by(Triangulation& t, const Surface_point& p,
                                                const Insert& insert) {
   const std::optional<Surface_point> q = locate_on_intrinsic(t, p);

@@ -32,7 +32,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a path of edges that vertices were inserted for.
 \tparam Triangulation the type of the triangulation
 */
-template <class Triangulation>
+template <RefinableTriangulation Triangulation>
 struct Inserted_path {
   /// `done`, or why a vertex could not be inserted; `border`: a line leads beyond it; `not_traceable`: a line has not met its end,
   /// by rounding.
@@ -69,7 +69,7 @@ Inserted_path<Triangulation> insert_traced_path(Triangulation& t, const Geodesic
 \brief is a polyline whose points are vertices and whose segments are paths of edges.
 \tparam Triangulation the type of the triangulation
 */
-template <class Triangulation>
+template <RefinableTriangulation Triangulation>
 struct Inserted_polyline : Inserted_path<Triangulation> {
   /// The vertex at each point that was given.
   std::vector<typename Triangulation::vertex_descriptor> vertices;

@@ -28,7 +28,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a geodesic along edges of a triangulation.
 \tparam Triangulation the type of the triangulation
 */
-template <class Triangulation>
+template <GeodesicTriangulation Triangulation>
 struct Inserted_geodesic {
   /// That of `shorten_curves()`; `stalled` if no path leads from one vertex to the other;
   /// `inaccurate`: it is geodesic, but the search for the shortest one gave up, see
@@ -78,7 +78,7 @@ Inserted_geodesic<Triangulation> insert_geodesic(Triangulation& t,
 \brief is a curve that is asked for: shortest paths from each vertex to the next one.
 \tparam Triangulation the type of the triangulation
 */
-template <class Triangulation>
+template <GeodesicTriangulation Triangulation>
 struct Curve_through_vertices {
   /// The vertices, two at least; none follows itself. On a cover, a side is a shortest path between
   /// any copies of its ends; where the next one starts from another copy, the curve cannot move.
@@ -93,7 +93,7 @@ struct Curve_through_vertices {
 \brief tells what `add_geodesics()` did.
 \tparam Triangulation the type of the triangulation
 */
-template <class Triangulation>
+template <GeodesicTriangulation Triangulation>
 struct Added_geodesics {
   /// `done`; `stalled` if vertices are not connected, or a vertex cannot be inserted at a
   /// crossing; or that of `shorten_curves()`. If it is

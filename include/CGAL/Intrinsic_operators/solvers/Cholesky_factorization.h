@@ -115,7 +115,9 @@ private:
 
 /// constructs from a matrix without naming its numbers.
 template <class Scalar>
-Cholesky_factorization(const Eigen::SparseMatrix<Scalar>&) -> Cholesky_factorization<Scalar>;
+  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
+  Cholesky_factorization(const Eigen::SparseMatrix<Scalar>&)
+->Cholesky_factorization<Scalar>;
 
 namespace internal {
 

@@ -31,7 +31,7 @@ namespace CGAL::Intrinsic_triangulations {
 as integers, without rounding: isolated vertices are left out of the characteristic, and vertices that are not manifold count once for
 each of their fans.
 */
-template <class Triangulation>
+template <ConnectedTriangulation Triangulation>
 struct Field_singularities {
   /// Of each face, at `t.index(f)`: times 1 / degree, the turns of a direction about it. Zero at most faces.
   std::vector<int> index;

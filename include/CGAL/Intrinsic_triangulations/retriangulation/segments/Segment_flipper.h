@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_SEGMENTS_SEGMENT_FLIPPER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/enum.h>
 
@@ -48,9 +49,10 @@ struct Shortening_result {
 
 /*!
 \brief flips edges and remembers how to take the flips back, at the cost of what they have touched.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `IntrinsicTriangulation` of which the sessions take flips back
 */
-template <class Triangulation>
+template <IntrinsicTriangulation Triangulation>
+  requires requires { typename Triangulation::Session::Before_flip; }
 class Flip_log {
 public:
   /// Halfedge of the mesh.
