@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -144,7 +145,7 @@ struct Fan_angle {
 \param first the halfedge
 \param visit called with each halfedge and the sum of the angles before it
 */
-template <NumberedComplex Complex, class Visit>
+template <NumberedComplex Complex, std::invocable<std::uint32_t, double> Visit>
 Fan_angle measure_fan(const Complex& complex, std::uint32_t first, const Visit& visit) {
   double sum = 0;
   std::uint32_t h = first;
