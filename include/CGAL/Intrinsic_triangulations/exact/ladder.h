@@ -96,8 +96,8 @@ Exact_ladder::squared_length(const Input_metric& input, const Unfolded_diamond& 
 
 namespace internal {
 
-// Visits the values of faces with rounding to the nearest. Each face of the input is asked for once, and many are:
-// nothing is remembered.
+// Visits the values of faces with rounding to the nearest. Each face of the input is asked for once,
+// and many are: nothing is remembered.
 template <class Number, class Visit>
 void replay(const Input_metric& input, const Replayed_faces& faces, const Visit& visit) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);

@@ -118,7 +118,7 @@ public:
   */
   template <class Exact>
   void sharpen(std::span<const Indexed_face> faces, const Exact& exact) const;
-  /// makes the interval of the squared length of the first side of a face narrow, and the double beside it accurate; see above.
+  /// makes the interval of the squared length of the first side of a face narrow; see above.
   template <class Exact>
   void sharpen_length(const Indexed_face& face, const Exact& exact) const;
 

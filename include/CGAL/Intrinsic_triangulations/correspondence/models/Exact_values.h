@@ -63,8 +63,8 @@ public:
     });
   }
 
-  // Calls a function with the number of each face and intervals that contain its values, computed in so
-  // many bits, or more: in 53 flips have gone into stored intervals already. Returns the bits.
+  // Calls a function with the number of each face and intervals that contain its values, computed in
+  // so many bits, or more: in 53 flips have gone into stored intervals already. Returns the bits.
   template <class Visit>
   unsigned for_each_enclosure(std::span<const Indexed_face> faces, unsigned bits,
                               const Visit& visit) const {

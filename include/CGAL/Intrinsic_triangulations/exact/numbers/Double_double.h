@@ -41,7 +41,7 @@ public:
   /// tells whether the number is a double.
   bool is_double() const { return low_ == 0; }
 
-  /// returns a + b faster, with an error below 2^-104 (|a| + |b|): that of the sum of the low parts alone.
+  /// returns a + b faster, with an error below 2^-104 (|a| + |b|).
   BOOST_FORCEINLINE static Double_double rough_sum(const Double_double& a, const Double_double& b) {
     const Double_double s = two_sum(a.high_, b.high_);
     return fast_two_sum(s.high_, s.low_ + (a.low_ + b.low_));
@@ -52,7 +52,9 @@ public:
   /// tells whether two sums are the same.
   friend bool operator==(const Double_double&, const Double_double&) = default;
   /// returns the negative.
-  BOOST_FORCEINLINE friend Double_double operator-(const Double_double& a) { return {-a.high_, -a.low_}; }
+  BOOST_FORCEINLINE friend Double_double operator-(const Double_double& a) {
+    return {-a.high_, -a.low_};
+  }
   /// returns the sum.
   BOOST_FORCEINLINE friend Double_double operator+(const Double_double& a, const Double_double& b) {
     const Double_double s = two_sum(a.high_, b.high_), t = two_sum(a.low_, b.low_);
@@ -60,7 +62,9 @@ public:
     return fast_two_sum(v.high_, t.low_ + v.low_);
   }
   /// returns the difference.
-  BOOST_FORCEINLINE friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + -b; }
+  BOOST_FORCEINLINE friend Double_double operator-(const Double_double& a, const Double_double& b) {
+    return a + -b;
+  }
   /// returns the product.
   BOOST_FORCEINLINE friend Double_double operator*(const Double_double& a, const Double_double& b) {
     const Double_double p = two_product(a.high_, b.high_);

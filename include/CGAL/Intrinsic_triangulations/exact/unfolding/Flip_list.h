@@ -44,7 +44,9 @@ public:
   void clear() { *this = {}; }
 
   /*!
-  \brief returns the connectivity before the flips. Halfedges of its faces and vertices may be others than those of the input.
+  \brief returns the connectivity before the flips.
+
+  Halfedges of its faces and vertices may be others than those of the input.
   \param mesh that after the flips
   \param visit called with the number of each flip, the last one first, and the mesh after it
   \complexity linear in the number of flips and of elements
@@ -57,7 +59,8 @@ public:
     }
     return mesh;
   }
-  /// returns the connectivity of the input, where each face has its first side. \param mesh that after the flips
+  /// returns the connectivity of the input, where each face has its first side.
+  /// \param mesh that after the flips \param input the surface
   Gluing_map input_mesh(Gluing_map mesh, const Input_definition& input) const {
     mesh = undone(std::move(mesh), [](auto&&...) {});
     for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
@@ -66,7 +69,8 @@ public:
     return mesh;
   }
 
-  /// returns the first side of a face of the input, which the metric names where the connectivity is not kept.
+  /// returns the first side of a face of the input: the metric names it where the connectivity is
+  /// not kept.
   static Gluing_map::Halfedge first_side(const Gluing_map& mesh, Gluing_map::Face f,
                                          const Input_definition& input) {
     if (input.surface() != nullptr) return {input.surface()->halfedge_of_face(f.index)};

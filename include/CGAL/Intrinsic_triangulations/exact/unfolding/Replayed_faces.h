@@ -24,15 +24,18 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief computes what `flipped()` does in 106 bits, with one radius per result in place of one per operation.
+\brief computes what `flipped()` does in 106 bits, with one radius per result in place of one per
+operation.
 
 With m = L_mj - L_im and k = L_jk - L_ki, so that p_k - p_m = m - k, and n = a_f m + a_g k,
 
     L_km = ((m - k)^2 + (a_f + a_g)^2) / (4 L_ij),    areas (a_f + a_g) / 2 +- n / (2 L_ij).
 
-With e = `Double_double::rounding()`, a sum of u and v has r_u + r_v and e (|u| + |v|); a product |u| r_v + |v| r_u + r_u r_v and e |u v|;
-the quotient of s by L has (r_s + |s / L| r_L) / (L - r_L), as that of two `Ball`s, and 2 e of itself, for the inverse and the
-product. What is left out below, terms with e^2 and the rounding of radii, is less than e is larger than the errors.
+With e = `Double_double::rounding()`, a sum of u and v has the radius r_u + r_v and e (|u| + |v|); a
+product has |u| r_v + |v| r_u + r_u r_v and e |u v|; the quotient of s by L has
+(r_s + |s / L| r_L) / (L - r_L), as that of two `Ball`s, and 2 e of itself, for the inverse and the
+product. The terms with e^2 and the rounding of radii are left out below: they are smaller than the
+excess of e over the errors of operations.
 */
 inline Flipped_values<Ball<Double_double>>
 flipped(const Diamond_values<Ball<Double_double>>& d) {
@@ -49,9 +52,12 @@ flipped(const Diamond_values<Ball<Double_double>>& d) {
                x = sum(m, -k), y = sum(f, g), s = sum(x * x, y * y), n = sum(f * m, g * k),
                quarter = Number(0.25) / l, km = s * quarter, half = y.scaled(0.5),
                w = (n * quarter).scaled(2);
-  const double r_m = d.mj.radius() + d.im.radius() + e * (size(d.mj.center()) + size(d.im.center())),
-               r_k = d.jk.radius() + d.ki.radius() + e * (size(d.jk.center()) + size(d.ki.center())),
-               r_x = r_m + r_k + e * (size(m) + size(k)), r_y = r_f + r_g + e * (size(f) + size(g));
+  const auto radius_of_sum = [&](const Ball<Number>& u, const Ball<Number>& v) {
+    return u.radius() + v.radius() + e * (size(u.center()) + size(v.center()));
+  };
+  const double r_m = radius_of_sum(d.mj, d.im), r_k = radius_of_sum(d.jk, d.ki),
+               r_x = r_m + r_k + e * (size(m) + size(k)), 
+               r_y = radius_of_sum(d.area_f, d.area_g);
   const double r_s = (2 * size(x) + r_x) * r_x + (2 * size(y) + r_y) * r_y + 2 * e * size(s),
                r_n = size(f) * r_m + (size(m) + r_m) * r_f + size(g) * r_k +
                      (size(k) + r_k) * r_g + 2 * e * (size(f) * size(m) + size(g) * size(k));
