@@ -8,8 +8,8 @@
 \cgalConcept
 
 The concept `Factorization` describes a positive definite matrix that was factored once, and solves
-for any number of right sides. The constructor is that of the model: each needs other arguments to
-be accurate.
+for any number of right sides. The concept asks for no constructor: each model needs other
+arguments to be accurate.
 
 \cgalHasModel{\itc{Cholesky_factorization}: by CHOLMOD or Eigen, for real and complex matrices}
 \cgalHasModel{\itc{Laplacian_factorization}: for the Laplacian of a graph and a diagonal, without
