@@ -287,7 +287,7 @@ private:
       if (c.is_inserted(t.index(v)) && !representable_weights(c.location(t.index(v)).weights))
         throw Invalid_input(Element_kind::vertex, t.index(v),
                             "vertex " + std::to_string(t.index(v)) +
-                                " was inserted where multiples of 2^-52 of corners do not lie");
+                                " has weights that are not multiples of 2^-52");
   }
 
   Move_status flip(halfedge_descriptor h) {

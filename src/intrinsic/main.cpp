@@ -171,8 +171,8 @@ void add_field(CLI::App& app, Options& options, Command& chosen) {
       ->check(program::file_of({program::Contents::points}));
   command
       .add_option("--align", options.application.alignment,
-                  "follow the directions of principal curvature, so strongly; 0: as smoothly as it "
-                  "gets while they are followed at all")
+                  "how strongly the field follows the directions of principal curvature; 0: the "
+                  "smoothest field that they guide at all")
       ->check(CLI::NonNegativeNumber);
   command.callback([&chosen] { chosen = program::run_field; });
 }

@@ -370,7 +370,7 @@ void add_distance_options(CLI::App& command, Options& options) {
 std::string distance_misuse(const Options& o) {
   const Application_options& a = o.application;
   if (a.sources.empty() && a.curves.empty())
-    return "distances are from something; give points with --source, or --curve";
+    return "distances need a source; give points with --source, or a curve with --curve";
   if (a.is_signed && (a.curves.empty() || !a.sources.empty()))
     return "only curves have sides; with --signed, give --curve and no --source";
   return {};
@@ -387,8 +387,8 @@ void add_time_option(CLI::App& command, Options& options) {
   command
       .add_option(
           "--time", options.application.time_factor,
-          "how long heat flows, in squares of the mean edge length, with --signed of half of "
-          "it (default 1)")
+          "how long heat flows, in squares of the mean edge length; with --signed, in squares of "
+          "half of it (default 1)")
       ->check(CLI::PositiveNumber);
 }
 
@@ -416,10 +416,8 @@ std::string misuse(const Options& options) {
   if (const std::string name = overwritten_input(options); !name.empty())
     return name + ": the output is a file that is read; give it another name";
   if (lacks_correspondence(options))
-    return "without correspondence nothing is known of the common subdivision, and of where "
-           "vertices are, for --size "
-           "and --adaptive; use --correspondence integer, or write the intrinsic triangulation to "
-           ".idt";
+    return "the common subdivision, --size and --adaptive need a correspondence; use "
+           "--correspondence integer, or write the intrinsic triangulation to .idt";
   if (has_other_correspondence(options))
     return "--adaptive keeps integer coordinates; use --correspondence integer";
   return {};

@@ -1,4 +1,4 @@
-// expect at once: without correspondence nothing is known of where edges run on the input; use Integer_coordinates
+// expect at once: a triangulation without correspondence does not store where edges run on the input; use Integer_coordinates
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 

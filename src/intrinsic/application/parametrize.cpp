@@ -87,8 +87,7 @@ namespace {
 template <class Triangulation>
 Computed map_of_points(const Triangulation& t, const Options& options, const Points& points) {
   if (options.application.map != "spectral")
-    throw std::runtime_error("a cloud of points has conformal maps alone; ask for --method "
-                             "spectral");
+    throw std::runtime_error("for a cloud of points only --method spectral works");
   const Eigen::MatrixX2d uv = IT::conformal_map_of_points(points, options.neighbors.value_or(30));
   Computed computed{"parametrize", {}, {}};
   for (const auto& [name, c] : {std::pair("u", 0), std::pair("v", 1)}) {

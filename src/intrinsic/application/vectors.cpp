@@ -295,11 +295,11 @@ Computed field_of_points(const Triangulation& t, const Options& options, const P
   const Application_options& o = options.application;
   if (o.alignment)
     throw std::runtime_error(options.input +
-                             ": the curvature of a cloud of points is not known; leave --align "
-                             "out");
+                             ": --align needs curvature, which a cloud of points does not have; "
+                             "leave it out");
   if (!o.singularities.empty())
     throw std::runtime_error(options.input +
-                             ": singularities are in faces, and points have none of their own; "
+                             ": singularities lie in faces, and a cloud of points has no faces; "
                              "leave --singularities out");
   std::vector<Asked_vector> fixed;
   if (!o.vectors.empty()) fixed = read_vectors(options, points.size());

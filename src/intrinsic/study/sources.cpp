@@ -68,7 +68,7 @@ std::vector<Study_source> study_sources(const std::vector<std::string>& corpus) 
       Study_source source = study_source(location);
       if (!names.insert(source.name).second)
         throw std::runtime_error(location + ": there is another mesh named " + source.name +
-                                 "; results are told apart by names, rename one");
+                                 "; names identify results, rename one");
       sources.push_back(std::move(source));
     }
   return sources;

@@ -57,8 +57,8 @@ Mesh_file mesh_of_points(const IT::Triangle_soup& soup, const Surface_choice& ch
 Mesh_file mesh_of_faces(IT::Triangle_soup soup, const Surface_choice& choice) {
   if (choice.neighbors)
     throw IT::Invalid_input(IT::Element_kind::none, 0,
-                            "the file has faces, and points are given no neighbors; leave "
-                            "--neighbors out, or ignore faces with --domain points");
+                            "--neighbors is for files without faces, and this file has faces; "
+                            "leave it out, or ignore faces with --domain points");
   Mesh_file file;
   file.polygons = soup.input_faces;
   file.triangulated_polygons = soup.triangulated_polygons;

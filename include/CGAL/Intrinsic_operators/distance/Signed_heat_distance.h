@@ -144,7 +144,7 @@ private:
     if (t.input().names().sheets > 1)
       throw Invalid_input(
           Element_kind::none, 0,
-          "signed distances need a surface with sides; this one is a cover, on which both are one");
+          "signed distances need a left and a right side; this surface is a cover, which joins both");
     return t;
   }
 

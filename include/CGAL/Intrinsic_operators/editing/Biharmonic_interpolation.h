@@ -116,8 +116,7 @@ inline void Biharmonic_interpolation::factor_strengths() {
   order = strengths_.transpositionsP() * order;
   throw Indefinite_matrix(
       beside_[row_number(order[least])],
-      "rounding leaves nothing of its distance from another handle; give one of "
-      "them");
+      "the handle is too close to another handle for doubles; give one of them");
 }
 
 // L d in the rows beside free ones, of the harmonic function d: by differences to each.

@@ -57,10 +57,9 @@ template <class Triangulation>
 void expect_tangent_planes(const Triangulation& t) {
   const std::uint32_t sheets = t.input().names().sheets;
   if (sheets > 2)
-    throw std::invalid_argument("this surface, of a cloud of points, has " +
-                                std::to_string(sheets) +
-                                " sheets at a point and no tangent plane that is the point's own; "
-                                "for vectors use Point_cloud_vectors");
+    throw std::invalid_argument("the surface of a cloud of points has " + std::to_string(sheets) +
+                                " sheets at each point and no single tangent plane; use "
+                                "Point_cloud_vectors for vectors");
 }
 
 // What border vertices do to angles.

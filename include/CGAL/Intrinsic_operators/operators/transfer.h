@@ -119,8 +119,8 @@ public:
     keep_values_without_area(s, back);
     solver_.compute(mass_);
     if (solver_.info() != Eigen::Success)
-      throw std::runtime_error("the mass matrix is not positive definite: vertices have areas in "
-                               "the order of rounding errors only");
+      throw std::runtime_error("the mass matrix is not positive definite: areas at some vertices "
+                               "are as small as rounding errors");
   }
 
   /*!

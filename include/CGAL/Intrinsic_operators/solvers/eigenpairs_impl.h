@@ -191,8 +191,8 @@ inline Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& 
   const Eigen::Index zeros = constants.cols(), rest = a.rows() - zeros;
   for (Eigen::Index i = 0; i < std::min(rest, count - zeros); ++i)
     if (!(others.values[i] > 16 * rounding)) // a digit is left
-      throw std::runtime_error("eigenvalue " + std::to_string(zeros + i) +
-                               " is lost in rounding beside the greatest one; ask for fewer, or "
+      throw std::runtime_error("rounding hides eigenvalue " + std::to_string(zeros + i) +
+                               " next to the greatest one; ask for fewer, or "
                                "refine faces that are too thin");
   Eigenpairs pairs{Eigen::VectorXd::Zero(a.rows()), Eigen::MatrixXd(a.rows(), a.rows()),
                    Status::done};

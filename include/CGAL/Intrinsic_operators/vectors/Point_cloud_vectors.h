@@ -147,9 +147,8 @@ void Point_cloud_vectors::expect_plane(std::size_t i) const {
                                 std::to_string(size()));
   if (axes_[i][0] == std::array<double, 3>{})
     throw std::invalid_argument("point " + std::to_string(i) +
-                                " has no triangles among its neighbours, so that there are no "
-                                "vectors at it: it lies on a line with them, or at the place of "
-                                "another point, the first of which counts");
+                                " has no triangles, and so no vectors: it lies on a line with its "
+                                "neighbours, or an earlier point has the same place");
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -60,8 +60,8 @@ public:
       if (points[i].second > 0 && !heat.are_connected(points[i].first, heaviest_))
         throw std::invalid_argument(
             "point " + std::to_string(i) +
-            " is on another component of the surface than the heaviest one, "
-            "so that they have no mean; give the points of one component");
+            " is not on the component of the heaviest point, so the points have no mean; give the "
+            "points of one component");
   }
 
   // the one of greatest weight

@@ -206,8 +206,8 @@ inline constexpr bool is_one_of = (std::is_same_v<Tag, Tags> || ...);
 template <class Unknown_parameter, class... Tags>
 constexpr void expect_name() {
   static_assert(is_one_of<Unknown_parameter, Tags...>,
-                "a named parameter is given that this function does not have: the one that the "
-                "compiler names as `Unknown_parameter`; see the page of the function");
+                "this function does not have one of the named parameters that are given: the one "
+                "that the compiler shows as `Unknown_parameter`; see the page of the function");
 }
 
 // Refuses names that a function does not have.

@@ -52,7 +52,7 @@ public:
   // If no edge has more than two faces. `conflict` is a side of one at which two of them disagree, if there is one.
   Domain make(Domain_kind kind, std::uint32_t conflict) {
     if (kind == Domain_kind::tufted_cover || kind == Domain_kind::orientation_cover)
-      return cover(kind, "it was asked for");
+      return cover(kind, "you asked for it");
     if (kind == Domain_kind::closed)
       for (std::uint32_t h = 0; h < faces_.glue.size(); ++h)
         if (faces_.glue[h] == Gluing::none)

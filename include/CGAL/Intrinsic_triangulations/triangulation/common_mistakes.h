@@ -50,11 +50,9 @@ what all candidates lack.
 #define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_INPUT(Class)                                          \
   template <internal::Not_a_surface<Class> Other>                                                  \
   CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
-      "this is no mesh whose vertices and faces BGL knows and numbers: for one of OpenMesh "       \
-      "include "                                                                                   \
-      "CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h, for a "             \
-      "Polyhedron_3 "                                                                              \
-      "Polyhedron_3_adaptor.h there; of a Domain or Point_cloud pass its input; read a file by "   \
+      "BGL cannot number the vertices and faces of this mesh: for OpenMesh include "               \
+      "CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h, for a Polyhedron_3 "\
+      "Polyhedron_3_adaptor.h there; for a Domain or Point_cloud pass its input; read a file by "  \
       "read_triangle_soup(name)")                                                                  \
   explicit Class(const Other&, Mollification = Mollification::automatic);
 

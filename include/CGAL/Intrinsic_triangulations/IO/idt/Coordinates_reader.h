@@ -180,7 +180,7 @@ private:
   // both contain the exact value; bounds that are not numbers say nothing
   void check(const std::string& what, std::uint32_t i, const FT& a, const FT& b) const {
     if (a.sup() < b.inf() || b.sup() < a.inf())
-      in_.fail("the " + what + std::to_string(i) + " is not what the places of vertices make");
+      in_.fail("the " + what + std::to_string(i) + " does not agree with the places of vertices");
   }
 
   const Text_reader& in_;

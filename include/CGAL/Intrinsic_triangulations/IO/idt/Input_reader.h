@@ -168,7 +168,7 @@ private:
       in_.fail("every face of the input needs its polygon, or none");
     in_.line("sheets", [&] {
       names.sheets = in_.index(most_sheets, "number of sheets");
-      if (names.sheets == 0) in_.fail("there is no surface without sheets");
+      if (names.sheets == 0) in_.fail("the number of sheets must be at least 1");
     });
     read_rows(names.row_of_vertex);
     return names;

@@ -73,7 +73,7 @@ public:
     if (coordinates_) return on_surface(std::shared_ptr<const Input>(input, input->surface()));
     in_.line("end", [] {});
     if constexpr (Triangulation::has_correspondence)
-      in_.fail("nothing is known of the input"); // check_input() has refused it
+      in_.fail("the file does not contain the input"); // check_input() has refused it
     else
       return Triangulation(std::move(connectivity_.mesh), metric(input->scale_exponent()), input);
   }
@@ -83,8 +83,8 @@ private:
     if (input.surface() != nullptr) return;
     if (Metric::is_exact) in_.fail("exact values need the input that defines them");
     if (Triangulation::has_correspondence)
-      in_.refuse("how the triangulation lies on its input is not stored; start from the mesh, or "
-                 "read it with No_correspondence");
+      in_.refuse("the file does not say how the triangulation lies on its input; start from the "
+                 "mesh, or read it with No_correspondence");
   }
 
   Triangulation on_surface(const std::shared_ptr<const Input>& input) {

@@ -61,7 +61,7 @@ consteval bool expect_correspondence() {
   if constexpr (requires(const Triangulation& t) { t.correspondence(); })
     static_assert(
         requires(const Triangulation& t) { t.correspondence().input(); },
-        "without correspondence nothing is known of where edges run on the input; use "
+        "a triangulation without correspondence does not store where edges run on the input; use "
         "Integer_coordinates as third argument of Intrinsic_triangulation");
   return true;
 }
