@@ -132,7 +132,6 @@ END {
       line[i] = line[i] " /*! \\addtogroup " group_of(FILENAME) " */ /*! @{ */"
     if (line[i] == "} // namespace CGAL::Intrinsic_triangulations")
       line[i] = "/*! @} */ " line[i]
-    gsub(/internal::Queried_triangulation/, "CorrespondingTriangulation", line[i]) # that with a better message
     print line[i]
   }
 }

@@ -104,7 +104,7 @@ void append_edge(const Triangulation& t, typename Triangulation::halfedge_descri
 \param halfedges the halfedges, as of `Curve_network::halfedges()`
 \complexity see `trace_edge()`
 */
-template <internal::Queried_triangulation Triangulation, class HalfedgeRange>
+template <QueriedTriangulation Triangulation, class HalfedgeRange>
 Traced_curve trace_curve(const Triangulation& t, const HalfedgeRange& halfedges) {
   Traced_curve curve;
   for (const typename Triangulation::halfedge_descriptor h : halfedges) {

@@ -117,14 +117,14 @@ of the path; `inaccurate`, too, if a piece may have left the faces that it shoul
 rounding; or `not_traceable`
 \complexity linear in the number of crossings, and that of `locate_on_input()` for each point
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 Traced_curve trace_shortest_path(const Triangulation& t, const Shortest_path& path) {
   return internal::Path_over_input<Triangulation>(t)(path);
 }
 
 /// returns the points of a shortest path in space: where it crosses edges of the user's mesh and of
 /// the triangulation; see `trace_shortest_path()` and `polyline()`.
-template <internal::Queried_triangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, class Mesh>
 auto polyline(const Triangulation& t, const Shortest_path& path, const Mesh& mesh) {
   return polyline(t, trace_shortest_path(t, path), mesh);
 }

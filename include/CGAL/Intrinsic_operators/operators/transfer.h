@@ -61,7 +61,7 @@ the value that the function has there.
 \return values at the vertices
 \complexity linear
 */
-template <internal::Queried_triangulation Triangulation, class Derived>
+template <QueriedTriangulation Triangulation, class Derived>
 typename Derived::PlainObject copy_to_intrinsic(const Triangulation& t,
                                                 const Eigen::MatrixBase<Derived>& g) {
   typename Derived::PlainObject f = Derived::PlainObject::Zero(t.number_of_vertices(), g.cols());

@@ -78,7 +78,7 @@ orthogonal to convex edges.
 \throws Invalid_input if the mesh is another one
 \complexity linear, and that of `tangent_field_to_intrinsic()`
 */
-template <internal::Queried_triangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, class Mesh>
 Tangent_field principal_directions(const Triangulation& t, const Mesh& mesh) {
   const Input& input = internal::kept_input(t);
   return internal::principal_directions_at(t, [&](std::uint32_t h) {
@@ -97,7 +97,7 @@ Tangent_field principal_directions(const Triangulation& t, const Mesh& mesh) {
 \param points a point per row of the input
 \throws std::invalid_argument if there are fewer points
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 Tangent_field principal_directions(const Triangulation& t,
                                    const std::vector<std::array<double, 3>>& points) {
   const Input& input = internal::kept_input(t);

@@ -66,12 +66,14 @@ consteval bool expect_correspondence() {
   return true;
 }
 
-// What queries ask for: the concept, with advice.
-template <class Triangulation>
-concept Queried_triangulation =
-    expect_correspondence<Triangulation>() && CorrespondingTriangulation<Triangulation>;
-
 } // namespace internal
+
+/*!
+\brief asks for a `CorrespondingTriangulation`, as all queries do, and says what to do for one that has no correspondence.
+*/
+template <class Triangulation>
+concept QueriedTriangulation =
+    internal::expect_correspondence<Triangulation>() && CorrespondingTriangulation<Triangulation>;
 
 } // namespace CGAL::Intrinsic_triangulations
 

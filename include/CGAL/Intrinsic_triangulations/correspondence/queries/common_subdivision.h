@@ -249,7 +249,7 @@ does to the locations of the crossings.
 \throws Invalid_input naming an intrinsic edge whose path signposts do not find
 \complexity linear in the size of the result
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 Common_subdivision common_subdivision(const Triangulation& t) {
   return internal::extract_subdivision(t, internal::queries(t).curves());
 }

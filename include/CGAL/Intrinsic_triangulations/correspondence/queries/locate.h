@@ -27,7 +27,7 @@ namespace CGAL::Intrinsic_triangulations {
 \return the point; nothing only if `Signposts` have lost the way by rounding
 \complexity with curves, linear in the number of crossings of the face, and that of following them; with signposts, linear in the number of input edges between the point and a corner of its face
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surface_point& p) {
   const std::optional<Mapped_point> q = internal::queries(t).on_input(p);
   return q ? std::optional(q->point) : std::nullopt;
@@ -42,7 +42,7 @@ std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surfa
 \complexity linear in the number of intrinsic edges that cross the longest side of the input face, and
   of those between it and the point
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 std::optional<Surface_point> locate_on_intrinsic(const Triangulation& t, const Surface_point& p) {
   const std::optional<Mapped_point> q = internal::queries(t).on_intrinsic(p);
   return q ? std::optional(q->point) : std::nullopt;
@@ -57,7 +57,7 @@ std::optional<Surface_point> locate_on_intrinsic(const Triangulation& t, const S
 \return see the overload without mesh
 \throws Invalid_input if the place is in a polygon, or the mesh is another one
 */
-template <internal::Queried_triangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, class Mesh>
 std::optional<Face_location<Mesh>>
 locate_on_input(const Triangulation& t, const Face_location<typename Triangulation::Mesh>& p,
                 const Mesh& mesh) {
@@ -70,7 +70,7 @@ locate_on_input(const Triangulation& t, const Face_location<typename Triangulati
 
 See `locate_on_input()`, which it undoes.
 */
-template <internal::Queried_triangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, class Mesh>
 std::optional<Face_location<typename Triangulation::Mesh>>
 locate_on_intrinsic(const Triangulation& t, const Face_location<std::type_identity_t<Mesh>>& p,
                     const Mesh& mesh) {

@@ -85,7 +85,7 @@ the border is given in the frame of a face beside it.
 \return the vector at its place on the input; nothing only if `Signposts` have lost the way by rounding
 \complexity that of `locate_on_input()`; at a vertex, that of `trace_edge()`, and linear in its degree
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tangent_vector& v) {
   const auto queries = internal::queries(t);
   return internal::take_tangent(
@@ -104,7 +104,7 @@ See `tangent_to_input()`.
   by rounding
 \complexity that of `locate_on_intrinsic()`; at a vertex, linear in its degree
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_intrinsic(const Triangulation& t,
                                                    const Tangent_vector& v) {
   using Walk = Geodesic_walk<Intrinsic_view<Triangulation>>;

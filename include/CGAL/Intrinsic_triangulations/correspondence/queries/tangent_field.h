@@ -147,7 +147,7 @@ in the face of the input: the vectors at its corners are taken into its frame, a
 \throws Invalid_input if the mesh is another one
 \complexity linear, and for each vertex that of `tangent_to_input()`
 */
-template <internal::Queried_triangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, class Mesh>
 Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_field& field,
                                          const Mesh& mesh) {
   return internal::Field_transfer(t, internal::axes_of_mesh(t.input(), mesh)).to_intrinsic(field);
@@ -158,7 +158,7 @@ Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_f
 
 See `tangent_field_to_intrinsic()`, which it undoes: vectors at inserted vertices are left out.
 */
-template <internal::Queried_triangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, class Mesh>
 Tangent_field tangent_field_to_input(const Triangulation& t, const Tangent_field& field,
                                      const Mesh& mesh) {
   return internal::Field_transfer(t, internal::axes_of_mesh(t.input(), mesh)).to_input(field);
@@ -171,7 +171,7 @@ mesh, but a soup or a gluing.
 See the overload with a mesh. The real axis at vertex `v` of the input runs along `t.input().outgoing_halfedge(v)`; vectors
 are at the user's number of the vertex; of a cover, at the number of the copy, `t.input().names().vertices.user(v)`, and vertices that were inserted follow in the order of their numbers.
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_field& field) {
   return internal::Field_transfer(t, internal::axes_of_input(t.input())).to_intrinsic(field);
 }
@@ -182,7 +182,7 @@ mesh.
 
 See `tangent_field_to_intrinsic()`, which it undoes.
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 Tangent_field tangent_field_to_input(const Triangulation& t, const Tangent_field& field) {
   return internal::Field_transfer(t, internal::axes_of_input(t.input())).to_input(field);
 }

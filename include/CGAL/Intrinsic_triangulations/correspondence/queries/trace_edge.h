@@ -31,7 +31,7 @@ namespace CGAL::Intrinsic_triangulations {
 \complexity linear in the number of crossings; with `Integer_coordinates`, in the number of steps of
   `follow_curves()`
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 Edge_path trace_edge(const Triangulation& t, typename Triangulation::edge_descriptor e) {
   return internal::queries(t).path_on_input(t.index(e));
 }
@@ -45,7 +45,7 @@ Edge_path trace_edge(const Triangulation& t, typename Triangulation::edge_descri
 \complexity linear in the number of crossings, in the degrees of its ends, and with `Signposts` in the number of
   inserted vertices
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 Edge_path trace_input_edge(const Triangulation& t, std::uint32_t x) {
   return internal::queries(t).path_on_intrinsic(x);
 }
@@ -59,7 +59,7 @@ Edge_path trace_input_edge(const Triangulation& t, std::uint32_t x) {
 \throws Invalid_input if the mesh is another one
 \complexity see the overload without mesh
 */
-template <internal::Queried_triangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, class Mesh>
 Edge_path trace_input_edge(const Triangulation& t,
                            typename boost::graph_traits<Mesh>::edge_descriptor e,
                            const Mesh& mesh) {

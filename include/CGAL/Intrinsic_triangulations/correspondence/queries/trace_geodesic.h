@@ -99,7 +99,7 @@ Geodesic trace_geodesic(const Triangulation& t, const Surface_point& start,
 See `trace_geodesic()`; points are those of the input.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 */
-template <internal::Queried_triangulation Triangulation,
+template <QueriedTriangulation Triangulation,
           NamedParameters NP = parameters::Parameters<>>
 Geodesic trace_geodesic_on_input(const Triangulation& t, const Surface_point& start,
                                  const Plane_vector<double>& direction, double length,
@@ -120,7 +120,7 @@ See `trace_geodesic()`; points are those of the input, and `face_location(t, poi
 \param np as there
 \throws Invalid_input if the start is in a polygon, or the mesh is another one
 */
-template <internal::Queried_triangulation Triangulation, class Mesh,
+template <QueriedTriangulation Triangulation, class Mesh,
           NamedParameters NP = parameters::Parameters<>>
   requires(!NamedParameters<Mesh>)
 Geodesic trace_geodesic(const Triangulation& t,

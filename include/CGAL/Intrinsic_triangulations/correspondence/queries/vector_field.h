@@ -152,7 +152,7 @@ face_vectors_in_space(const Triangulation& t, const Tangent_field& field,
 \pre the faces of the mesh have an area
 \complexity that of `tangent_to_input()` for each vertex
 */
-template <internal::Queried_triangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, class Mesh>
 std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
                                                     const Tangent_field& field, const Mesh& mesh) {
   return internal::vertex_vectors_in_space(t, field,
@@ -167,7 +167,7 @@ See the overload with a mesh.
 \param field the vectors
 \param points where the user's vertices are
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 std::vector<std::array<double, 3>>
 vectors_in_space(const Triangulation& t, const Tangent_field& field,
                  const std::vector<std::array<double, 3>>& points) {
@@ -190,7 +190,7 @@ Between the corners of an intrinsic face the field is interpolated, in the frame
 \pre the faces of the mesh have an area
 \complexity linear in the size of the subdivision
 */
-template <internal::Queried_triangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, class Mesh>
 std::vector<std::array<double, 3>>
 vectors_in_space(const Triangulation& t, const Tangent_field& field, const Common_subdivision& s,
                  const Mesh& mesh, unsigned degree = 1) {
@@ -206,7 +206,7 @@ or a gluing instead of a mesh.
 See the overload with a mesh.
 \param points where the user's vertices are
 */
-template <internal::Queried_triangulation Triangulation>
+template <QueriedTriangulation Triangulation>
 std::vector<std::array<double, 3>>
 vectors_in_space(const Triangulation& t, const Tangent_field& field, const Common_subdivision& s,
                  const std::vector<std::array<double, 3>>& points, unsigned degree = 1) {
