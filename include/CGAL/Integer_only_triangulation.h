@@ -209,8 +209,7 @@ public:
   \throws std::length_error if an edge has more than `Diamond_unfolder::maximal_crossings`
   \complexity linear
   */
-  template <class Traits, class Correspondence>
-    requires CorrespondingTriangulation<Intrinsic_triangulation<Mesh, Traits, Correspondence>>
+  template <IntrinsicTriangulationTraits Traits, internal::Answers_queries Correspondence>
   explicit Integer_only_triangulation(
       const Intrinsic_triangulation<Mesh, Traits, Correspondence>& t)
       : mesh_(t.mesh()), number_(mesh_, t.numbers(), t.mesh()),

@@ -29,6 +29,12 @@ using Correspondence_of =
 template <class Triangulation>
 concept Has_curves = CurveCoordinates<Correspondence_of<Triangulation>>;
 
+// A correspondence that queries are answered from. Asked of the model alone, as triangulations are not complete where they take it.
+template <class Correspondence>
+concept Answers_queries = requires(const Correspondence& c) {
+  { c.input() } -> std::same_as<const Input&>;
+};
+
 // The correspondence answers queries itself, see `Curve_queries`.
 template <class Triangulation>
 concept Has_queries = requires(const Triangulation& t) {

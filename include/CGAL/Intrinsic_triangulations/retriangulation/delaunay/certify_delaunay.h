@@ -77,12 +77,12 @@ counts: that is unfolded from the input (see `Integer_only_triangulation`). Inse
 \throws Invalid_input and std::length_error as the constructor of `Integer_only_triangulation`
 \complexity see the other overload
 */
-template <MutableDeltaComplex Mesh, class Traits, class Correspondence>
-  requires CorrespondingTriangulation<Intrinsic_triangulation<Mesh, Traits, Correspondence>>
-      Delaunay_certificate
-      certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& t) {
-    return certify_delaunay(Integer_only_triangulation<Mesh>(t));
-  }
+template <MutableDeltaComplex Mesh, IntrinsicTriangulationTraits Traits,
+          internal::Answers_queries Correspondence>
+Delaunay_certificate
+certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& t) {
+  return certify_delaunay(Integer_only_triangulation<Mesh>(t));
+}
 
 } // namespace CGAL::Intrinsic_triangulations
 
