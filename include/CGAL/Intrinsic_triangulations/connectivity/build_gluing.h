@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -35,32 +36,26 @@ concept TriangleRange = requires(const Range& triangles) {
 
 namespace internal {
 
-// Halfedges sorted by the lower end of their edge (counting sort), then by the upper one.
-class Halfedges_by_edge {
-public:
-  struct Entry {
-    std::uint32_t upper, halfedge;
-  };
-  using Iterator = std::vector<Entry>::iterator;
-
-  explicit Halfedges_by_edge(const Gluing& g);
-
-  // calls f(first, last) for the halfedges of each edge
-  template <class Function>
-  void for_each_edge(Function f) {
-    for (std::size_t v = 0; v + 1 < start_.size(); ++v)
-      for (auto i = begin(v); i != begin(v + 1);) {
-        const auto first = i;
-        while (i != begin(v + 1) && i->upper == first->upper) ++i;
-        f(first, i);
-      }
-  }
-
-private:
-  Iterator begin(std::size_t v) { return entries_.begin() + start_[v]; }
-  std::vector<std::uint32_t> start_;
-  std::vector<Entry> entries_;
+// A side of a triangle, and whether it runs along its edge or against it.
+struct Edge_side {
+  std::uint32_t halfedge;
+  bool is_along;
 };
+
+// Sides of triangles, those at one edge together.
+struct Sides_by_edge {
+  std::vector<Edge_side> sides;
+  std::vector<std::uint32_t> first; // where the sides of each edge begin, and last the number of all
+
+  std::uint32_t number_of_edges() const { return static_cast<std::uint32_t>(first.size() - 1); }
+  std::span<const Edge_side> operator[](std::uint32_t e) const {
+    return {sides.data() + first[e], sides.data() + first[e + 1]};
+  }
+};
+
+// Those of triangles that have an edge in common where they have both its ends; it runs from the lower one. The sides at an edge
+// are in the order of halfedges.
+Sides_by_edge sides_by_edge(const Gluing& g);
 
 // Triangles of which no side is glued yet.
 template <TriangleRange Triangles>
@@ -88,13 +83,11 @@ Gluing unglued_triangles(std::uint32_t number_of_vertices, const Triangles& tria
 }
 
 // "edge (0, 1) has 3 faces (4, 5, 6)"; of several triangles that are called alike, as they are parts of a polygon, it is a diagonal.
-std::string edge_with_faces(const Gluing& g, Halfedges_by_edge::Iterator first,
-                            Halfedges_by_edge::Iterator last,
+std::string edge_with_faces(const Gluing& g, std::span<const Edge_side> sides,
                             const std::vector<std::uint32_t>& names);
 
-// Refuses the sides of an edge with more than two faces.
-[[noreturn]] void fail_nonmanifold(const Gluing& g, Halfedges_by_edge::Iterator first,
-                                   Halfedges_by_edge::Iterator last,
+// Refuses an edge with more than two faces.
+[[noreturn]] void fail_nonmanifold(const Gluing& g, std::span<const Edge_side> sides,
                                    const std::vector<std::uint32_t>& names);
 
 // What was found where triangles share edges.
@@ -104,20 +97,21 @@ struct Shared_edges {
   std::size_t conflicts = 0; // number of these edges
 };
 
-// Glues triangles that share edges, whether they agree in orientation or not. Calls `nonmanifold(first, last)` for the sides of
-// edges with more than two faces, which are not glued.
+// Glues triangles that share edges, whether they agree in orientation or not. Calls `nonmanifold(e)` for each edge with more than
+// two faces, which are not glued.
 template <class Function>
-Shared_edges glue_pairs(Gluing& g, Halfedges_by_edge& sides, const Function& nonmanifold) {
+Shared_edges glue_pairs(Gluing& g, const Sides_by_edge& edges, const Function& nonmanifold) {
   Shared_edges result;
-  sides.for_each_edge([&](auto first, auto last) {
-    if (last - first > 2) nonmanifold(first, last);
-    if (last - first != 2) return;
-    const std::uint32_t h = first->halfedge, other = (last - 1)->halfedge;
-    const bool is_conflict = g.origin[h] == g.origin[other];
+  for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e) {
+    const std::span<const Edge_side> sides = edges[e];
+    if (sides.size() > 2) nonmanifold(e);
+    if (sides.size() != 2) continue;
+    const std::uint32_t h = sides[0].halfedge, other = sides[1].halfedge;
+    const bool is_conflict = sides[0].is_along == sides[1].is_along;
     if (is_conflict && result.conflicts++ == 0) result.conflict = h;
     g.glue[h] = is_conflict ? Gluing::reversed(other) : other;
     g.glue[other] = is_conflict ? Gluing::reversed(h) : h;
-  });
+  }
   return result;
 }
 

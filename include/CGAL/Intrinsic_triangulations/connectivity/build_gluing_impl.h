@@ -20,53 +20,69 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Halfedges_by_edge::Halfedges_by_edge(const Gluing& g)
-    : start_(g.number_of_vertices + 1, 0) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sides_by_edge sides_by_edge(const Gluing& g) {
+  struct Entry {
+    std::uint32_t upper, halfedge;
+  };
   const auto lower = [&](std::uint32_t h) {
     return std::min(g.origin[h], g.origin[Gluing::next(h)]);
   };
+  // sorted by the lower end (counting sort), then by the upper one
+  std::vector<std::uint32_t> start(g.number_of_vertices + 1, 0);
   const auto count = static_cast<std::uint32_t>(g.origin.size());
-  for (std::uint32_t h = 0; h < count; ++h) ++start_[lower(h) + 1];
-  for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
-  entries_.resize(count);
-  std::vector<std::uint32_t> fill(start_.begin(), start_.end() - 1);
+  for (std::uint32_t h = 0; h < count; ++h) ++start[lower(h) + 1];
+  for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
+  std::vector<Entry> entries(count);
+  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
   for (std::uint32_t h = 0; h < count; ++h)
-    entries_[fill[lower(h)]++] = {std::max(g.origin[h], g.origin[Gluing::next(h)]), h};
-  for (std::size_t v = 0; v + 1 < start_.size(); ++v)
-    std::sort(begin(v), begin(v + 1), [](const Entry& a, const Entry& b) {
-      return std::pair(a.upper, a.halfedge) < std::pair(b.upper, b.halfedge);
-    });
+    entries[fill[lower(h)]++] = {std::max(g.origin[h], g.origin[Gluing::next(h)]), h};
+  Sides_by_edge result;
+  result.sides.reserve(count);
+  result.first.reserve(count / 2 + 1);
+  for (std::uint32_t v = 0; v < g.number_of_vertices; ++v) {
+    std::sort(entries.begin() + start[v], entries.begin() + start[v + 1],
+              [](const Entry& a, const Entry& b) {
+                return std::pair(a.upper, a.halfedge) < std::pair(b.upper, b.halfedge);
+              });
+    for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
+      const std::uint32_t h = entries[i].halfedge;
+      if (i == start[v] || entries[i].upper != entries[i - 1].upper) result.first.push_back(i);
+      result.sides.push_back({h, g.origin[h] == v});
+    }
+  }
+  result.first.push_back(count);
+  return result;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string
-edge_with_faces(const Gluing& g, Halfedges_by_edge::Iterator first,
-                Halfedges_by_edge::Iterator last, const std::vector<std::uint32_t>& names) {
+edge_with_faces(const Gluing& g, std::span<const Edge_side> sides,
+                const std::vector<std::uint32_t>& names) {
   std::string faces, diagonal;
   std::uint32_t before = Gluing::none;
-  for (auto i = first; i != last; ++i) {
-    const std::uint32_t name = face_name(i->halfedge / 3, names);
-    faces += (i == first ? "" : ", ") + std::to_string(name);
+  for (const Edge_side& side : sides) {
+    const std::uint32_t name = face_name(side.halfedge / 3, names);
+    faces += (faces.empty() ? "" : ", ") + std::to_string(name);
     if (name == before) diagonal = ", a diagonal of face " + std::to_string(name) + ",";
     before = name;
   }
-  return "edge (" + std::to_string(g.origin[first->halfedge]) + ", " +
-         std::to_string(g.origin[Gluing::next(first->halfedge)]) + ")" + diagonal + " has " +
-         std::to_string(last - first) + " faces (" + faces + ")";
+  const std::uint32_t h = sides[0].halfedge;
+  return "edge (" + std::to_string(g.origin[h]) + ", " + std::to_string(g.origin[Gluing::next(h)]) +
+         ")" + diagonal + " has " + std::to_string(sides.size()) + " faces (" + faces + ")";
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-fail_nonmanifold(const Gluing& g, Halfedges_by_edge::Iterator first,
-                 Halfedges_by_edge::Iterator last, const std::vector<std::uint32_t>& names) {
-  throw Invalid_input(Element_kind::edge, first->halfedge,
-                      edge_with_faces(g, first, last, names) +
+fail_nonmanifold(const Gluing& g, std::span<const Edge_side> sides,
+                 const std::vector<std::uint32_t>& names) {
+  throw Invalid_input(Element_kind::edge, sides[0].halfedge,
+                      edge_with_faces(g, sides, names) +
                           "; remove faces or duplicate vertices so that at most two remain, or "
                           "take the tufted cover");
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Gluing
 glue_triangles(Gluing g, std::uint32_t& conflict, const std::vector<std::uint32_t>& names) {
-  Halfedges_by_edge sides(g);
-  const auto refuse = [&](auto first, auto last) { fail_nonmanifold(g, first, last, names); };
+  const Sides_by_edge sides = sides_by_edge(g);
+  const auto refuse = [&](std::uint32_t e) { fail_nonmanifold(g, sides[e], names); };
   conflict = glue_pairs(g, sides, refuse).conflict;
   return g;
 }

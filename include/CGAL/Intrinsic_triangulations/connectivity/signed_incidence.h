@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -86,8 +87,8 @@ Signed_incidence incidence(const Mesh& mesh) {
 
 namespace internal {
 
-// Reads faces, and glues them in pairs.
-class Gluing_from_incidence {
+// Reads faces.
+class Incidence_reader {
   struct Ends {
     std::uint32_t source = Gluing::none, target = Gluing::none;
   };
@@ -97,10 +98,7 @@ class Gluing_from_incidence {
   };
 
 public:
-  // \param shared what is made of edges with more than two faces: nothing is glued there, or an
-  //   error
-  enum class Shared_edges { leave, refuse };
-  explicit Gluing_from_incidence(const Signed_incidence& s, Shared_edges shared)
+  explicit Incidence_reader(const Signed_incidence& s)
       : in_(s), ends_(s.number_of_edges), sides_(3 * std::size_t{s.number_of_faces}) {
     if (s.number_of_faces > (Gluing::reversed_bit - 1) / 3)
       throw Invalid_input(Element_kind::none, 0, "a gluing holds at most 715827882 faces");
@@ -111,21 +109,21 @@ public:
     gluing.glue.assign(sides_.size(), Gluing::none);
     for (const Side& side : sides_) edge_of_halfedge.push_back(side.edge);
     find_faces_of_edges();
-    for (std::uint32_t e = 0; e < s.number_of_edges; ++e) {
-      if (faces_at(e) <= 2)
-        glue(e);
-      else if (shared == Shared_edges::refuse)
-        fail_shared(e);
-    }
   }
 
-  Gluing gluing;
+  Gluing gluing; // nothing is glued yet
   std::vector<std::uint32_t> edge_of_halfedge;
-  // sides of faces, those at one edge together, in the order of entries; and where each edge begins
-  std::vector<std::uint32_t> sides_of_edges, begin_of_edge;
+  Sides_by_edge edges; // in the order of entries
 
-  std::uint32_t faces_at(std::uint32_t e) const { return begin_of_edge[e + 1] - begin_of_edge[e]; }
-  bool is_along(std::uint32_t h) const { return sides_[h].along; }
+  // Refuses an edge with more than two faces.
+  [[noreturn]] void fail_shared(std::uint32_t e) const {
+    std::string faces;
+    for (const Edge_side& side : edges[e].first(3))
+      faces += std::to_string(side.halfedge / 3) + ", ";
+    fail(Element_kind::edge, e,
+         " has more than two faces (" + faces +
+             "...); split it so that at most two remain, or make a cover by `make_domain()`");
+  }
 
 private:
   [[noreturn]] static void fail(Element_kind kind, std::uint32_t i, const std::string& what) {
@@ -201,39 +199,21 @@ private:
   }
 
   void find_faces_of_edges() {
-    begin_of_edge.assign(std::size_t{in_.number_of_edges} + 1, 0);
-    for (const Side& side : sides_) ++begin_of_edge[side.edge + std::size_t{1}];
+    edges.first.assign(std::size_t{in_.number_of_edges} + 1, 0);
+    for (const Side& side : sides_) ++edges.first[side.edge + std::size_t{1}];
     for (std::uint32_t e = 0; e < in_.number_of_edges; ++e) {
-      if (begin_of_edge[e + 1] == 0) fail(Element_kind::edge, e, " has no face; remove it");
-      begin_of_edge[e + 1] += begin_of_edge[e];
+      if (edges.first[e + 1] == 0) fail(Element_kind::edge, e, " has no face; remove it");
+      edges.first[e + 1] += edges.first[e];
     }
-    std::vector<std::uint32_t> next(begin_of_edge.begin(), begin_of_edge.end() - 1);
+    std::vector<std::uint32_t> next(edges.first.begin(), edges.first.end() - 1);
     std::vector<char> is_taken(sides_.size(), 0);
-    sides_of_edges.resize(sides_.size());
+    edges.sides.resize(sides_.size());
     for (const Incidence_entry& x : in_.edge_face) {
       std::uint32_t h = 3 * x.row; // sides may have changed places
       while (is_taken[h] != 0 || sides_[h].edge != x.column || sides_[h].along != (x.sign > 0)) ++h;
       is_taken[h] = 1;
-      sides_of_edges[next[x.column]++] = h;
+      edges.sides[next[x.column]++] = {h, sides_[h].along};
     }
-  }
-
-  void glue(std::uint32_t e) {
-    if (faces_at(e) < 2) return;
-    const std::uint32_t g = sides_of_edges[begin_of_edge[e]],
-                        h = sides_of_edges[begin_of_edge[e] + 1];
-    const bool reversed = sides_[h].along == sides_[g].along;
-    gluing.glue[h] = reversed ? Gluing::reversed(g) : g;
-    gluing.glue[g] = reversed ? Gluing::reversed(h) : h;
-  }
-
-  [[noreturn]] void fail_shared(std::uint32_t e) const {
-    std::string faces;
-    for (std::uint32_t i = 0; i < 3; ++i)
-      faces += std::to_string(sides_of_edges[begin_of_edge[e] + i] / 3) + ", ";
-    fail(Element_kind::edge, e,
-         " has more than two faces (" + faces +
-             "...); split it so that at most two remain, or make a cover by `make_domain()`");
   }
 
   const Signed_incidence& in_;
@@ -259,9 +239,10 @@ their direction (see `Gluing::reversed()`).
 */
 inline Gluing gluing_from_incidence(const Signed_incidence& s,
                                     std::vector<std::uint32_t>& edge_of_halfedge) {
-  internal::Gluing_from_incidence result(s, internal::Gluing_from_incidence::Shared_edges::refuse);
-  edge_of_halfedge = std::move(result.edge_of_halfedge);
-  return std::move(result.gluing);
+  internal::Incidence_reader read(s);
+  internal::glue_pairs(read.gluing, read.edges, [&read](std::uint32_t e) { read.fail_shared(e); });
+  edge_of_halfedge = std::move(read.edge_of_halfedge);
+  return std::move(read.gluing);
 }
 
 /*!

@@ -122,10 +122,10 @@ private:
     for (std::uint32_t h = 0; h < faces_.glue.size(); ++h) {
       const std::uint32_t other = Gluing::partner(faces_.glue[h]);
       if (other == Gluing::none) {
-        if (kind == Domain_kind::tufted_cover) cover.glue(std::array{Double_cover::Side{h, true}});
+        if (kind == Domain_kind::tufted_cover) cover.glue(std::array{Edge_side{h, true}});
       } else if (h < other)
-        cover.glue(std::array{Double_cover::Side{h, true},
-                              Double_cover::Side{other, Gluing::is_reversed(faces_.glue[h])}});
+        cover.glue(std::array{Edge_side{h, true},
+                              Edge_side{other, Gluing::is_reversed(faces_.glue[h])}});
     }
     return finish(std::move(cover), kind, reason);
   }
@@ -168,6 +168,27 @@ inline void check_size_of_cover(std::size_t faces) {
                             " faces; split the mesh");
 }
 
+// Glues faces and makes a domain of them.
+// \param edge the edge of each halfedge, if `input` has squared lengths
+// \param refuse, describe called with an edge that has more than two faces: throws, or returns what it is
+template <class Refuse, class Describe>
+Domain domain_of_faces(Intrinsic_input&& input, Gluing&& faces, const Sides_by_edge& edges,
+                       std::vector<std::uint32_t> edge, Domain_kind kind, const Refuse& refuse,
+                       const Describe& describe) {
+  Domain_report report;
+  const Shared_edges shared = glue_pairs(faces, edges, [&](std::uint32_t e) {
+    if (kind == Domain_kind::manifold || kind == Domain_kind::orientation_cover) refuse(e);
+    if (report.nonmanifold_edges++ == 0) report.reason = describe(e);
+  });
+  report.unoriented_edges = shared.conflicts;
+  if (report.nonmanifold_edges == 0)
+    return Domain_maker(std::move(input), report, std::move(faces), std::move(edge))
+        .make(kind, shared.conflict);
+  Double_cover cover = tufted_cover(faces, edges, input.points);
+  return Domain_maker(std::move(input), report, std::move(faces), std::move(edge))
+      .finish(std::move(cover), Domain_kind::tufted_cover, report.reason);
+}
+
 } // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Triangle_soup soup, Domain_kind kind,
@@ -176,28 +197,18 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Triangle_soup soup, Doma
   internal::check_size_of_cover(soup.triangles.size());
   Gluing faces =
       internal::unglued_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
-  internal::Halfedges_by_edge sides(faces);
-  Domain_report report;
-  const internal::Shared_edges shared =
-      internal::glue_pairs(faces, sides, [&](auto first, auto last) {
-        if (kind == Domain_kind::manifold || kind == Domain_kind::orientation_cover)
-          internal::fail_nonmanifold(faces, first, last, soup.polygon_of_triangle);
-        if (report.nonmanifold_edges++ == 0)
-          report.reason = internal::edge_with_faces(faces, first, last, soup.polygon_of_triangle);
-      });
-  report.unoriented_edges = shared.conflicts;
+  const internal::Sides_by_edge edges = internal::sides_by_edge(faces);
   Intrinsic_input input;
   input.points = std::move(soup.points);
   input.mollification = mollification;
   input.triangulated_polygons = soup.triangulated_polygons;
   input.names.polygon_of_triangle = std::move(soup.polygon_of_triangle);
   input.planar_polygons = std::move(soup.planar_polygons);
-  if (report.nonmanifold_edges == 0)
-    return internal::Domain_maker(std::move(input), report, std::move(faces), {})
-        .make(kind, shared.conflict);
-  internal::Double_cover cover = internal::tufted_cover(faces, sides, input.points);
-  return internal::Domain_maker(std::move(input), report, std::move(faces), {})
-      .finish(std::move(cover), Domain_kind::tufted_cover, report.reason);
+  const std::vector<std::uint32_t>& names = input.names.polygon_of_triangle;
+  return internal::domain_of_faces(
+      std::move(input), std::move(faces), edges, {}, kind,
+      [&](std::uint32_t e) { internal::fail_nonmanifold(faces, edges[e], names); },
+      [&](std::uint32_t e) { return internal::edge_with_faces(faces, edges[e], names); });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Intrinsic_input input, Domain_kind kind) {
@@ -223,35 +234,23 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(const Signed_incidence& 
                                                         std::vector<double> squared_lengths,
                                                         Domain_kind kind,
                                                         Mollification mollification) {
-  using Read = internal::Gluing_from_incidence;
   internal::check_size_of_cover(s.number_of_faces);
   if (squared_lengths.size() != s.number_of_edges)
     throw Invalid_input(Element_kind::none, 0,
                         "there are " + std::to_string(squared_lengths.size()) +
                             " squared lengths; give one for each of the " +
                             std::to_string(s.number_of_edges) + " edges");
-  const bool takes_shared = kind != Domain_kind::manifold && kind != Domain_kind::orientation_cover;
-  Read read(s, takes_shared ? Read::Shared_edges::leave : Read::Shared_edges::refuse);
-  Domain_report report;
-  std::uint32_t conflict = Gluing::none;
-  for (std::uint32_t e = 0; e < s.number_of_edges; ++e) {
-    const std::uint32_t h = read.sides_of_edges[read.begin_of_edge[e]];
-    if (read.faces_at(e) > 2 && report.nonmanifold_edges++ == 0)
-      report.reason =
-          "edge " + std::to_string(e) + " has " + std::to_string(read.faces_at(e)) + " faces";
-    if (Gluing::is_reversed(read.gluing.glue[h]) && report.unoriented_edges++ == 0) conflict = h;
-  }
+  internal::Incidence_reader read(s);
   Intrinsic_input input;
   input.squared_lengths = std::move(squared_lengths);
   input.mollification = mollification;
-  if (report.nonmanifold_edges == 0)
-    return internal::Domain_maker(std::move(input), report, std::move(read.gluing),
-                                  std::move(read.edge_of_halfedge))
-        .make(kind, conflict);
-  internal::Double_cover cover = internal::tufted_cover(read);
-  return internal::Domain_maker(std::move(input), report, std::move(read.gluing),
-                                std::move(read.edge_of_halfedge))
-      .finish(std::move(cover), Domain_kind::tufted_cover, report.reason);
+  return internal::domain_of_faces(
+      std::move(input), std::move(read.gluing), read.edges, std::move(read.edge_of_halfedge), kind,
+      [&read](std::uint32_t e) { read.fail_shared(e); },
+      [&read](std::uint32_t e) {
+        return "edge " + std::to_string(e) + " has " + std::to_string(read.edges[e].size()) +
+               " faces";
+      });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

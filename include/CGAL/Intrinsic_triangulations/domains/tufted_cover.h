@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -81,12 +81,6 @@ inline std::vector<std::uint32_t> sort_around_edge(const std::vector<std::array<
 // The front and the back of each face of a gluing, as faces 2f and 2f + 1 of another one: the back of ijk is jik.
 class Double_cover {
 public:
-  // A side of a face, and whether it runs along the edge or against it.
-  struct Side {
-    std::uint32_t halfedge;
-    bool is_along;
-  };
-
   // \param faces of which only the origins are read
   explicit Double_cover(const Gluing& faces) {
     cover_.number_of_vertices = faces.number_of_vertices;
@@ -110,11 +104,10 @@ public:
 
   // Glues the faces at an edge (Algorithm 8 of the course): the copy of each that runs along the edge, to the copy of
   // the next one in the circle that runs against it.
-  // \param fan random access range of `Side`, counterclockwise about the edge
-  template <class Fan>
-  void glue(const Fan& fan) {
+  // \param fan counterclockwise about the edge
+  void glue(std::span<const Edge_side> fan) {
     for (std::size_t i = 0; i < fan.size(); ++i) {
-      const Side &here = fan[i], &next = fan[i + 1 < fan.size() ? i + 1 : 0];
+      const Edge_side &here = fan[i], &next = fan[i + 1 < fan.size() ? i + 1 : 0];
       const std::uint32_t along = here.is_along ? front(here.halfedge) : back(here.halfedge);
       const std::uint32_t against = next.is_along ? back(next.halfedge) : front(next.halfedge);
       cover_.glue[along] = against;
@@ -202,43 +195,27 @@ order_around_edge(const std::vector<std::array<double, 3>>& points, std::uint32_
   return order;
 }
 
-// The tufted cover of triangles, any number of which meet at an edge.
-inline Double_cover tufted_cover(const Gluing& faces, Halfedges_by_edge& sides,
+// The tufted cover of triangles, any number of which meet at an edge. Without points, they are in the order around it.
+inline Double_cover tufted_cover(const Gluing& faces, const Sides_by_edge& edges,
                                  const std::vector<std::array<double, 3>>& points) {
   Double_cover cover(faces);
-  std::vector<Double_cover::Side> fan, sorted;
+  std::vector<Edge_side> sorted;
   std::vector<std::uint32_t> apices, order;
-  sides.for_each_edge([&](auto first, auto last) {
-    fan.clear();
-    for (auto i = first; i != last; ++i) {
-      const std::uint32_t h = i->halfedge;
-      fan.push_back({h, faces.origin[h] < faces.origin[Gluing::next(h)]});
+  for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e) {
+    const std::span<const Edge_side> fan = edges[e];
+    if (fan.size() <= 2 || points.empty()) {
+      cover.glue(fan);
+      continue;
     }
-    if (fan.size() > 2) {
-      apices.clear();
-      for (const Double_cover::Side& s : fan)
-        apices.push_back(faces.origin[Gluing::next(Gluing::next(s.halfedge))]);
-      const std::uint32_t h = fan[0].halfedge;
-      if (!take_turns(apices, order))
-        order = order_around_edge(points, faces.origin[h], faces.origin[Gluing::next(h)], apices);
-      sorted.clear();
-      for (const std::uint32_t i : order) sorted.push_back(fan[i]);
-      fan.swap(sorted);
-    }
-    cover.glue(fan);
-  });
-  return cover;
-}
-
-// The same without points: around an edge, faces are in the order of their entries.
-inline Double_cover tufted_cover(const Gluing_from_incidence& read) {
-  Double_cover cover(read.gluing);
-  std::vector<Double_cover::Side> fan;
-  for (std::size_t e = 0; e + 1 < read.begin_of_edge.size(); ++e) {
-    fan.clear();
-    for (std::uint32_t i = read.begin_of_edge[e]; i < read.begin_of_edge[e + 1]; ++i)
-      fan.push_back({read.sides_of_edges[i], read.is_along(read.sides_of_edges[i])});
-    cover.glue(fan);
+    apices.clear();
+    for (const Edge_side& s : fan)
+      apices.push_back(faces.origin[Gluing::next(Gluing::next(s.halfedge))]);
+    const std::uint32_t h = fan[0].halfedge;
+    if (!take_turns(apices, order))
+      order = order_around_edge(points, faces.origin[h], faces.origin[Gluing::next(h)], apices);
+    sorted.clear();
+    for (const std::uint32_t i : order) sorted.push_back(fan[i]);
+    cover.glue(sorted);
   }
   return cover;
 }
