@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -81,9 +82,7 @@ edge_connection_laplacian(const Face_table& table) {
     }
   }
   const auto size = static_cast<Eigen::Index>(table.number_of_edges);
-  Eigen::SparseMatrix<Complex> l(size, size);
-  l.setFromTriplets(entries.begin(), entries.end());
-  return l;
+  return matrix_of(size, size, entries);
 }
 
 // a third of the areas of the faces at each edge

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
@@ -111,9 +112,7 @@ public:
       for (std::size_t k = 0; k < 3; ++k)
         if (faces_[f].area > 0)
           entries.emplace_back(static_cast<int>(f), faces_[f].row[k], faces_[f].hat_gradient[k]);
-    Eigen::SparseMatrix<Vector> m(number_of_faces(), vertices_);
-    m.setFromTriplets(entries.begin(), entries.end());
-    return m;
+    return internal::matrix_of(number_of_faces(), vertices_, entries);
   }
 
 private:

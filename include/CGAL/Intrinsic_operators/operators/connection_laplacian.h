@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_CONNECTION_LAPLACIAN_H
 
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -73,9 +74,7 @@ Eigen::SparseMatrix<Scalar> scaled_laplacian(const Connection_graph& graph, int 
   for (std::size_t i = 0; i < graph.size; ++i)
     entries.emplace_back(static_cast<int>(i), static_cast<int>(i), diagonal[i]);
   const auto size = static_cast<Eigen::Index>(graph.size);
-  Eigen::SparseMatrix<Scalar> result(size, size);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
+  return matrix_of(size, size, entries);
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/SparseCore>
@@ -46,10 +47,7 @@ Eigen::SparseMatrix<double> exterior_derivative_0(const Triangulation& t) {
     entries.emplace_back(row, i, -1);
     entries.emplace_back(row, j, 1);
   }
-  Eigen::SparseMatrix<double> d(static_cast<int>(t.numbers().edge_capacity(mesh)),
-                                checked_matrix_size(t));
-  d.setFromTriplets(entries.begin(), entries.end());
-  return d;
+  return internal::matrix_of(t.numbers().edge_capacity(mesh), checked_matrix_size(t), entries);
 }
 
 /*!
@@ -73,10 +71,8 @@ Eigen::SparseMatrix<double> exterior_derivative_1(const Triangulation& t) {
                            halfedge(e, mesh) == h ? 1 : -1);
     }
   }
-  Eigen::SparseMatrix<double> d(static_cast<int>(t.numbers().face_capacity(mesh)),
-                                static_cast<int>(t.numbers().edge_capacity(mesh)));
-  d.setFromTriplets(entries.begin(), entries.end());
-  return d;
+  return internal::matrix_of(t.numbers().face_capacity(mesh), t.numbers().edge_capacity(mesh),
+                             entries);
 }
 
 /*!

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_TRANSFER_H
 
 #include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
@@ -159,11 +160,8 @@ private:
     for (int i = 0; i < mass_.rows(); ++i)
       if (diagonal[i] == 0) ones.emplace_back(i, i, 1);
     if (ones.empty()) return;
-    Matrix one(mass_.rows(), mass_.cols()), copy(cross_.rows(), cross_.cols());
-    one.setFromTriplets(ones.begin(), ones.end());
-    copy.setFromTriplets(copies.begin(), copies.end());
-    mass_ += one;
-    cross_ += copy;
+    mass_ += internal::matrix_of(mass_.rows(), mass_.cols(), ones);
+    cross_ += internal::matrix_of(cross_.rows(), cross_.cols(), copies);
   }
 
   Matrix mass_;

@@ -138,9 +138,7 @@ conformal_energy(const Eigen::SparseMatrix<double>& laplacian, const Disk_border
     area.emplace_back(i, j, std::complex<double>(0, -0.25));
     area.emplace_back(j, i, std::complex<double>(0, 0.25));
   }
-  Complex_matrix a(c.rows(), c.cols());
-  a.setFromTriplets(area.begin(), area.end());
-  c -= a;
+  c -= matrix_of(c.rows(), c.cols(), area);
   c.makeCompressed();
   return c;
 }

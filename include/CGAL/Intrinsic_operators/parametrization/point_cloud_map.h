@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H
 
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/compilation.h>
 
 #include <Eigen/Core>
@@ -65,9 +66,7 @@ inline Complex_matrix area_form(const Cloud_connection& cloud) {
       entries.emplace_back(j, i, std::complex<double>(0, 1. / 12));
     }
   const auto n = static_cast<Eigen::Index>(cloud.places().size());
-  Complex_matrix form(n, n);
-  form.setFromTriplets(entries.begin(), entries.end());
-  return form;
+  return matrix_of(n, n, entries);
 }
 
 // Half of the Dirichlet energy, minus the area.
@@ -79,8 +78,7 @@ inline Complex_matrix conformal_energy(const Cloud_connection& cloud, const Comp
     entries.emplace_back(i, j, -e.weight / 2);
     entries.emplace_back(j, i, -e.weight / 2);
   }
-  Complex_matrix energy(area.rows(), area.cols());
-  energy.setFromTriplets(entries.begin(), entries.end());
+  Complex_matrix energy = matrix_of(area.rows(), area.cols(), entries);
   energy -= area;
   energy.makeCompressed();
   return energy;

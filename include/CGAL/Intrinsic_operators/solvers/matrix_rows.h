@@ -4,15 +4,14 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MATRIX_ROWS_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_MATRIX_ROWS_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -22,23 +21,13 @@ namespace internal {
 // A row of a matrix as the index of a standard container: Eigen's indices have a sign. \pre not negative
 inline std::size_t row_number(Eigen::Index row) { return static_cast<std::size_t>(row); }
 
-// The least number of the set of each, if the pairs that `for_each_pair()` calls its argument with
-// join sets.
-template <class For_each_pair>
-std::vector<std::uint32_t> joined_sets(std::size_t size, const For_each_pair& for_each_pair) {
-  std::vector<std::uint32_t> parent(size);
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&parent](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for_each_pair([&](auto i, auto j) {
-    const std::uint32_t r = root(static_cast<std::uint32_t>(i)),
-                        s = root(static_cast<std::uint32_t>(j));
-    parent[std::max(r, s)] = std::min(r, s);
-  });
-  for (std::uint32_t i = 0; i < size; ++i) parent[i] = root(i);
-  return parent;
+// The matrix with some entries; those at one place are added.
+template <class Scalar>
+Eigen::SparseMatrix<Scalar> matrix_of(Eigen::Index rows, Eigen::Index columns,
+                                      const std::vector<Eigen::Triplet<Scalar>>& entries) {
+  Eigen::SparseMatrix<Scalar> result(rows, columns);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
 }
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -105,6 +106,25 @@ struct Orientation_result {
 };
 
 namespace internal {
+
+// The least number of the set of each, if the pairs that `for_each_pair()` calls its argument with
+// join sets.
+template <class For_each_pair>
+std::vector<std::uint32_t> joined_sets(std::size_t size, const For_each_pair& for_each_pair) {
+  std::vector<std::uint32_t> parent(size);
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&parent](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for_each_pair([&](auto i, auto j) {
+    const std::uint32_t r = root(static_cast<std::uint32_t>(i)),
+                        s = root(static_cast<std::uint32_t>(j));
+    parent[std::max(r, s)] = std::min(r, s);
+  });
+  for (std::uint32_t i = 0; i < size; ++i) parent[i] = root(i);
+  return parent;
+}
 
 // What a face is called in messages: by its number if there are no names.
 inline std::uint32_t face_name(std::uint32_t f, const std::vector<std::uint32_t>& names) {

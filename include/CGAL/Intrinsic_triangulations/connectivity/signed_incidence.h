@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -89,9 +90,7 @@ namespace internal {
 
 // Reads faces.
 class Incidence_reader {
-  struct Ends {
-    std::uint32_t source = Gluing::none, target = Gluing::none;
-  };
+  using Ends = std::array<std::uint32_t, 2>; // source and target
   struct Side {
     std::uint32_t edge = Gluing::none;
     bool along = false;
@@ -99,7 +98,7 @@ class Incidence_reader {
 
 public:
   explicit Incidence_reader(const Signed_incidence& s)
-      : in_(s), ends_(s.number_of_edges), sides_(3 * std::size_t{s.number_of_faces}) {
+      : in_(s), ends_(s.number_of_edges, {Gluing::none, Gluing::none}), sides_(3 * std::size_t{s.number_of_faces}) {
     if (s.number_of_faces > (Gluing::reversed_bit - 1) / 3)
       throw Invalid_input(Element_kind::none, 0, "a gluing holds at most 715827882 faces");
     read_edges();
@@ -146,7 +145,7 @@ private:
   void read_edges() {
     for (const Incidence_entry& x : in_.vertex_edge) {
       check_entry(x, in_.number_of_edges, in_.number_of_vertices, Element_kind::edge, "vertex");
-      std::uint32_t& end = x.sign < 0 ? ends_[x.row].source : ends_[x.row].target;
+      std::uint32_t& end = ends_[x.row][x.sign < 0 ? 0 : 1];
       if (end != Gluing::none)
         fail(Element_kind::edge, x.row,
              x.sign < 0 ? " starts from two vertices; give one -1 and one +1"
@@ -154,7 +153,7 @@ private:
       end = x.column;
     }
     for (std::uint32_t e = 0; e < in_.number_of_edges; ++e)
-      if (ends_[e].source == Gluing::none || ends_[e].target == Gluing::none)
+      if (ends_[e][0] == Gluing::none || ends_[e][1] == Gluing::none)
         fail(Element_kind::edge, e,
              " has fewer than two ends; give one -1 and one +1, for a loop at the same vertex");
   }
@@ -173,12 +172,8 @@ private:
                  " sides; give three entries, two of them at an edge where it is glued to itself");
   }
 
-  std::uint32_t source(const Side& s) const {
-    return s.along ? ends_[s.edge].source : ends_[s.edge].target;
-  }
-  std::uint32_t target(const Side& s) const {
-    return s.along ? ends_[s.edge].target : ends_[s.edge].source;
-  }
+  std::uint32_t source(const Side& s) const { return ends_[s.edge][s.along ? 0 : 1]; }
+  std::uint32_t target(const Side& s) const { return ends_[s.edge][s.along ? 1 : 0]; }
 
   // puts the sides of a face in cyclic order and appends their origins
   void chain(std::uint32_t f) {

@@ -12,7 +12,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -141,25 +140,16 @@ template <ReadableFaceGraph Mesh>
 Face_components connected_components(const Mesh& mesh) {
   const internal::As_gluing_map read(mesh);
   const Gluing_map& m = *read;
+  const std::vector<std::uint32_t> first =
+      internal::joined_sets(m.number_of_faces(), [&m](const auto& join) {
+        for (std::uint32_t e = 0; e < m.number_of_edges(); ++e) {
+          const std::uint32_t f = m.face({2 * e}).index, g = m.face({2 * e + 1}).index;
+          if (f != Gluing::none && g != Gluing::none) join(f, g);
+        }
+      });
   Face_components c;
-  c.of_face.assign(m.number_of_faces(), Gluing::none);
-  std::vector<std::uint32_t> stack;
-  for (std::uint32_t start = 0; start < m.number_of_faces(); ++start) {
-    if (c.of_face[start] != Gluing::none) continue;
-    c.of_face[start] = c.count;
-    stack.push_back(start);
-    while (!stack.empty()) {
-      const std::array<Gluing_map::Halfedge, 3> sides = m.sides({stack.back()});
-      stack.pop_back();
-      for (const Gluing_map::Halfedge h : sides) {
-        const std::uint32_t f = m.face(Gluing_map::opposite(h)).index;
-        if (f == Gluing::none || c.of_face[f] != Gluing::none) continue;
-        c.of_face[f] = c.count;
-        stack.push_back(f);
-      }
-    }
-    ++c.count;
-  }
+  for (std::uint32_t f = 0; f < first.size(); ++f)
+    c.of_face.push_back(first[f] == f ? c.count++ : c.of_face[first[f]]);
   return c;
 }
 
