@@ -14,7 +14,6 @@
 BEGIN {
   group["IO/"]                                               = "ref_io"
   group["IO/support/"]                                       = "ref_inside"
-  group["IO/idt/Compact_numbers.h"]                          = "ref_inside"
   group["IO/idt/Connectivity_reader.h"]                      = "ref_inside"
   group["IO/idt/Coordinates_reader.h"]                       = "ref_inside"
   group["IO/idt/Input_reader.h"]                             = "ref_inside"
@@ -72,7 +71,6 @@ BEGIN {
   group["Intrinsic_operators/editing/"]                      = "ref_applications"
   group["Intrinsic_operators/parametrization/"]              = "ref_applications"
   group["Intrinsic_operators/vectors/"]                      = "ref_applications"
-  group["Intrinsic_operators/editing/Biharmonic_interpolation.h"] = "ref_inside"
   group["Intrinsic_operators/vectors/Direction_problem.h"]   = "ref_inside"
   group["Intrinsic_operators/vectors/Heat_transport.h"]      = "ref_inside"
   group["Intrinsic_operators/vectors/Point_frames.h"]        = "ref_inside"

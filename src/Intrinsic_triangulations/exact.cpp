@@ -6,7 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates_impl.h>
 #include <CGAL/Intrinsic_triangulations/exact/ladder.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
-#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 
 #include <CGAL/Interval_nt.h>
 

@@ -3,12 +3,14 @@
 
 // What reads and prepares inputs, and writes files; what refinement keeps of them.
 
+#define CGAL_INTRINSIC_TRIANGULATIONS_IN_INPUT 1
+
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup_impl.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view_impl.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
-#include <CGAL/Intrinsic_triangulations/domains/Point_cloud_impl.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_flattener_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper_impl.h>

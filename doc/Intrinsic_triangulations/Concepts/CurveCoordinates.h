@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class CurveCoordinates CurveCoordinates.h <CGAL/Intrinsic_triangulations/correspondence/curves/CurveCoordinates.h>
+\class CurveCoordinates Vertex_fans.h <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 \cgalConcept
 
 The concept `CurveCoordinates` describes a correspondence that stores, as integers, how the input's

@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class Factorization Factorization.h <CGAL/Intrinsic_operators/solvers/Factorization.h>
+\class Factorization Cholesky_factorization.h <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 \cgalConcept
 
 The concept `Factorization` describes a positive definite matrix that was factored once, and solves

@@ -29,6 +29,18 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+/*!
+\brief asks for a matrix that was factored once, for any number of right sides.
+
+Syntax of \ref ::Factorization, where its meaning is described.
+*/
+template <class F>
+concept Factorization = std::copyable<F> && requires(const F& f, const typename F::Vectors& b) {
+  typename F::Matrix;
+  { f.size() } -> std::same_as<Eigen::Index>;
+  { f.solve(b) } -> std::convertible_to<typename F::Vectors>;
+};
+
 /// A matrix is not positive definite, up to rounding.
 class Indefinite_matrix : public std::runtime_error {
 public:

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_IMPL_H
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>

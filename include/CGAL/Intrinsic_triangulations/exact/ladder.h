@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/nearest_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/field.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGON_FLATTENER_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper.h>
 
@@ -132,20 +133,6 @@ namespace polygon {
 
 using Space_point = Polygon_flattener::Point;
 
-inline Space_point cross(const Space_point& a, const Space_point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-inline Space_point difference(const Space_point& a, const Space_point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-inline double inner(const Space_point& a, const Space_point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline double norm(const Space_point& a) { return std::hypot(a[0], a[1], a[2]); }
-
 // The exponent of the power of two that is near to the largest coordinate, relative to the first point.
 inline int exponent_of(const std::vector<Space_point>& points) {
   double extent = 0;
@@ -168,7 +155,7 @@ inline std::vector<Space_point> moved(const std::vector<Space_point>& points, in
 inline Space_point vector_area(const std::vector<Space_point>& p) {
   Space_point sum{};
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const Space_point c = cross(p[i], p[(i + 1) % p.size()]);
+    const Space_point c = cross_product(p[i], p[(i + 1) % p.size()]);
     for (std::size_t k = 0; k < 3; ++k) sum[k] += c[k];
   }
   return sum;
@@ -196,12 +183,12 @@ Polygon_flattener::is_planar(const std::vector<Point>& points) {
   const int exponent = polygon::exponent_of(points);
   const std::vector<Point> p = polygon::moved(points, exponent);
   const Point normal = polygon::vector_area(p);
-  const double length = polygon::norm(normal);
+  const double length = norm(normal);
   double largest = 0, low = 0, high = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     for (const double x : points[i])
       largest = std::max(largest, std::abs(std::scalbn(x, -exponent)));
-    const double height = polygon::inner(p[i], normal);
+    const double height = inner_product(p[i], normal);
     low = std::min(low, height);
     high = std::max(high, height);
   }
@@ -215,7 +202,7 @@ Polygon_flattener::measure(const std::vector<Point>& points) {
   const std::vector<Point> p = polygon::moved(points, exponent_);
   const std::size_t n = p.size();
   normal_ = polygon::vector_area(p);
-  const double area = polygon::norm(normal_);
+  const double area = norm(normal_);
   if (!(area > 0x1p-40)) return false;
   for (double& x : normal_) x /= area;
   sides_.resize(n);
@@ -224,16 +211,16 @@ Polygon_flattener::measure(const std::vector<Point>& points) {
   perimeter_ = 0;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < 3; ++k) sides_[i][k] = p[(i + 1) % n][k] - p[i][k];
-    lengths_[i] = polygon::norm(sides_[i]);
+    lengths_[i] = norm(sides_[i]);
     if (lengths_[i] == 0) return false;
     perimeter_ += lengths_[i];
   }
   for (double& l : lengths_) l /= perimeter_;
   for (std::size_t i = 0; i < n; ++i) {
     const Point &before = sides_[(i + n - 1) % n], &after = sides_[i];
-    const Point c = polygon::cross(before, after);
-    const double angle = std::atan2(polygon::norm(c), polygon::inner(before, after));
-    targets_[i] = polygon::inner(c, normal_) < 0 ? -angle : angle;
+    const Point c = cross_product(before, after);
+    const double angle = std::atan2(norm(c), inner_product(before, after));
+    targets_[i] = inner_product(c, normal_) < 0 ? -angle : angle;
   }
   return true;
 }
@@ -243,9 +230,9 @@ inline std::vector<double> Polygon_flattener::projected_angles() const {
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Point &before = sides_[(i + sides_.size() - 1) % sides_.size()], &after = sides_[i];
     result.push_back(
-        std::atan2(polygon::inner(polygon::cross(before, after), normal_),
-                   polygon::inner(before, after) -
-                       polygon::inner(before, normal_) * polygon::inner(after, normal_)));
+        std::atan2(inner_product(cross_product(before, after), normal_),
+                   inner_product(before, after) -
+                       inner_product(before, normal_) * inner_product(after, normal_)));
   }
   return result;
 }

@@ -65,8 +65,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Polygon_triangulator::load(std::vector
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
 Polygon_triangulator::triangulate(std::vector<Triangle>& result) const {
   if (points_.size() == 4) {
-    const bool at_0 = polygon::inner(cross(0, 1, 2), cross(0, 2, 3)) >
-                      polygon::inner(cross(1, 2, 3), cross(1, 3, 0));
+    const bool at_0 = inner_product(cross(0, 1, 2), cross(0, 2, 3)) >
+                      inner_product(cross(1, 2, 3), cross(1, 3, 0));
     if (at_0)
       result = {{0, 1, 2}, {0, 2, 3}};
     else
@@ -96,8 +96,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Polygon_triangulator::triangulate_leas
           best = c;
           apex[i * n + j] = static_cast<std::uint32_t>(k);
         }
-      const Point diagonal = polygon::difference(points_[j], points_[i]);
-      cost[i * n + j] = best + 1e-9 * polygon::inner(diagonal, diagonal);
+      const Point diagonal = difference(points_[j], points_[i]);
+      cost[i * n + j] = best + 1e-9 * inner_product(diagonal, diagonal);
     }
   if (cost[n - 1] == infinity) return false;
   collect(apex, result);
@@ -107,10 +107,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Polygon_triangulator::triangulate_leas
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE double
 Polygon_triangulator::weight(std::size_t i, std::size_t j, std::size_t k, bool upright) const {
   const Point c = cross(i, j, k);
-  const double against = -polygon::inner(c, normal_);
-  if (upright && against > 1e-9 * polygon::inner(normal_, normal_))
+  const double against = -inner_product(c, normal_);
+  if (upright && against > 1e-9 * inner_product(normal_, normal_))
     return std::numeric_limits<double>::infinity();
-  return std::sqrt(polygon::inner(c, c));
+  return std::sqrt(inner_product(c, c));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
@@ -187,8 +187,8 @@ Polygon_triangulator::orient_disk(std::vector<Triangle>& triangles) const {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Polygon_triangulator::Point
 Polygon_triangulator::cross(std::size_t i, std::size_t j, std::size_t k) const {
-  return polygon::cross(polygon::difference(points_[j], points_[i]),
-                        polygon::difference(points_[k], points_[i]));
+  return cross_product(difference(points_[j], points_[i]),
+                        difference(points_[k], points_[i]));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Polygon_shaper::load(std::vector<Point> points,

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INITIAL_VALUES_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
@@ -87,18 +88,20 @@ struct Embedded_area {
   FT squared;
 
   Embedded_area(const Input_metric& m, std::uint32_t f) {
-    find_sides(m, f);
+    const Input_metric::Sides& s = m.sides(f);
+    const auto point = [&](unsigned k) {
+      const Input_metric::Point& p = m.points()[s[k]];
+      return Space_vector<FT>{FT(p[0]), FT(p[1]), FT(p[2])};
+    };
+    u_ = difference(point(1), point(0));
+    v_ = difference(point(2), point(0));
     if (m.has_excess(f)) {
       squared = m.squared_quadruple_area<FT>(f);
       return;
     }
-    const FT x = u_[1] * v_[2] - u_[2] * v_[1];
-    const FT y = u_[2] * v_[0] - u_[0] * v_[2];
-    const FT z = u_[0] * v_[1] - u_[1] * v_[0];
-    squared = FT(4) * (square(x) + square(y) + square(z));
+    squared = FT(4) * norm(cross_product(u_, v_));
     if (m.delta() > 0) { // adding delta to all L adds 2 delta (L_0 + L_1 + L_2) + 3 delta^2 to D
       const FT delta(m.delta());
-      const Input_metric::Sides& s = m.sides(f);
       const FT sum = norm(u_) + norm(v_) +
                      Input_metric::squared_distance<FT>(m.points()[s[1]], m.points()[s[2]]);
       squared = squared + delta * (FT(2) * sum + FT(3) * delta);
@@ -110,17 +113,9 @@ struct Embedded_area {
   FT scale() const { return norm(u_) * norm(v_); }
 
 private:
-  void find_sides(const Input_metric& m, std::uint32_t f) {
-    const Input_metric::Sides& s = m.sides(f);
-    const Input_metric::Point &p = m.points()[s[0]], &q = m.points()[s[1]], &r = m.points()[s[2]];
-    for (std::size_t k = 0; k < 3; ++k) {
-      u_[k] = FT(q[k]) - FT(p[k]);
-      v_[k] = FT(r[k]) - FT(p[k]);
-    }
-  }
-  static FT norm(const FT (&a)[3]) { return square(a[0]) + square(a[1]) + square(a[2]); }
+  static FT norm(const Space_vector<FT>& a) { return square(a[0]) + square(a[1]) + square(a[2]); }
 
-  FT u_[3], v_[3];
+  Space_vector<FT> u_, v_;
 };
 
 // |p - q|^2, when rounding upwards; faster than interval arithmetic, which does not know that both

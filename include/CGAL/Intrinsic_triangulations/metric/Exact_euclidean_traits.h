@@ -227,7 +227,10 @@ private:
   // in which values are computed, one after the other until they are narrow
   static constexpr std::array<unsigned, 6> precisions{53, 106, 256, 1024, 2048, 4096};
 
-  static Enclosed_values enclose(const Gluing_map& mesh, const Input_metric& input);
+  static Enclosed_values enclose(const Gluing_map& mesh, const Input_metric& input) {
+    const Scope scope;
+    return {squared_lengths<FT>(input, mesh), quadruple_areas<FT>(input)};
+  }
 
   static Vertex_move_values<double> approximations(const Vertex_move_values<FT>& values) {
     Vertex_move_values<double> result{};
@@ -342,9 +345,5 @@ struct Exact_euclidean_traits {
 };
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_EUCLIDEAN_TRAITS_H

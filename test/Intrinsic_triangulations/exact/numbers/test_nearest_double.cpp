@@ -3,9 +3,8 @@
 
 #include "meshes.h"
 
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/nearest_double.h>
-#include <CGAL/Intrinsic_triangulations/exact/unfolding/Input_side_values.h>
 
 #include <CGAL/Gmpq.h>
 

@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_WRITE_INTRINSIC_TRIANGULATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_WRITE_INTRINSIC_TRIANGULATION_H
 
-#include <CGAL/Intrinsic_triangulations/IO/idt/Compact_numbers.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/intrinsic_triangulation_format.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
@@ -18,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -30,6 +30,49 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+// Numbers elements of a triangulation anew: in their order, but without the gaps that removals leave.
+struct Compact_order {
+  template <class Triangulation, class Range>
+  Compact_order(const Triangulation& t, const Range& range) {
+    for (const auto element : range) old.push_back(t.index(element));
+    std::sort(old.begin(), old.end());
+    if (!old.empty()) now.resize(old.back() + std::size_t{1});
+    for (std::uint32_t i = 0; i < old.size(); ++i) now[old[i]] = i;
+  }
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(old.size()); }
+
+  std::vector<std::uint32_t> old, now; // numbers, by those now and by the old ones
+};
+
+// Vertices of the input come first. To be used like a `Mesh_adaptor`.
+template <class Triangulation>
+struct Compact_numbers {
+  using Mesh = typename Triangulation::Mesh;
+
+  explicit Compact_numbers(const Triangulation& triangulation)
+      : t(triangulation), of_vertices(t, vertices(t.mesh())), of_edges(t, edges(t.mesh())),
+        of_faces(t, faces(t.mesh())) {}
+
+  std::uint32_t vertex(typename Triangulation::vertex_descriptor v) const {
+    return of_vertices.now[t.index(v)];
+  }
+  std::uint32_t halfedge(typename Triangulation::halfedge_descriptor h) const {
+    const std::uint32_t i = t.numbers().halfedge(h);
+    return 2 * of_edges.now[i / 2] + i % 2;
+  }
+  std::uint32_t face(typename Triangulation::face_descriptor f) const {
+    return of_faces.now[t.index(f)];
+  }
+
+  std::uint32_t vertex_capacity(const Mesh&) const { return of_vertices.count(); }
+  std::uint32_t edge_capacity(const Mesh&) const { return of_edges.count(); }
+  std::uint32_t face_capacity(const Mesh&) const { return of_faces.count(); }
+
+  const Triangulation& t;
+  Compact_order of_vertices, of_edges, of_faces;
+};
 
 // Writes the sections of the file format in their order.
 template <class Triangulation>
@@ -198,7 +241,7 @@ private:
   void write_edges() {
     out_.line("edges", mesh_.number_of_edges());
     for (std::uint32_t i = 0; i < mesh_.number_of_edges(); ++i) {
-      const std::uint32_t e = numbers_.edge_ranks().number(i);
+      const std::uint32_t e = numbers_.of_edges.old[i];
       write_value(t_.metric().squared_length(e), t_.metric().approximate_squared_length(e));
       if (coordinates_ != nullptr) {
         out_.words(coordinates_->normal_coordinate(e));
@@ -215,7 +258,7 @@ private:
     out_.line("faces", mesh_.number_of_faces());
     for (std::uint32_t i = 0; i < mesh_.number_of_faces(); ++i) {
       write_sides(mesh_, i);
-      const std::uint32_t f = numbers_.face_ranks().number(i);
+      const std::uint32_t f = numbers_.of_faces.old[i];
       write_value(t_.metric().quadruple_area(f), t_.metric().approximate_quadruple_area(f));
       out_.line();
     }
@@ -234,7 +277,7 @@ private:
     const std::uint32_t of_input = t_.input().number_of_vertices();
     out_.line("places", mesh_.number_of_vertices() - of_input);
     for (std::uint32_t i = of_input; i < mesh_.number_of_vertices(); ++i) {
-      const auto v = t_.numbers().vertex_at(numbers_.vertex_ranks().number(i));
+      const auto v = t_.numbers().vertex_at(numbers_.of_vertices.old[i]);
       const std::uint32_t to = t_.numbers().halfedge(halfedge(v, t_.mesh()));
       const auto& [h, w] = coordinates_->location(t_.index(v));
       // no curve starts from a vertex inside a face

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 
 #include <algorithm>
 #include <array>
@@ -239,14 +240,8 @@ using STL_point = std::array<double, 3>;
 
 // The unit normal of a triangle; 0 if its corners are collinear.
 inline STL_point STL_normal(const STL_point& a, const STL_point& b, const STL_point& c) {
-  STL_point u, v;
-  for (std::size_t i = 0; i < 3; ++i) {
-    u[i] = b[i] - a[i];
-    v[i] = c[i] - a[i];
-  }
-  const STL_point n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                    u[0] * v[1] - u[1] * v[0]};
-  const double length = std::hypot(n[0], n[1], n[2]);
+  const STL_point n = cross_product(difference(b, a), difference(c, a));
+  const double length = norm(n);
   return length > 0 ? STL_point{n[0] / length, n[1] / length, n[2] / length} : STL_point{0, 0, 0};
 }
 

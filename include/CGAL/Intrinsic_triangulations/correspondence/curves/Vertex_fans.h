@@ -5,8 +5,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_VERTEX_FANS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
@@ -108,6 +111,22 @@ private:
   std::vector<std::uint32_t> halfedge_; // per slot
   std::vector<Fan> fan_;                // per slot
   std::vector<std::uint32_t> free_;     // fans on edges that were removed
+};
+
+/*!
+\brief asks for integers that tell how the edges of the input run over the intrinsic triangulation.
+
+Syntax of \ref ::CurveCoordinates, where its meaning is described.
+*/
+template <class Coordinates>
+concept CurveCoordinates = requires(const Coordinates& c, std::uint32_t i) {
+  { c.input() } -> std::same_as<const Input&>;
+  { c.fans() } -> std::same_as<const Vertex_fans&>;
+  { c.number_of_edges() } -> std::same_as<std::uint32_t>;
+  { c.normal_coordinate(i) } -> std::same_as<Normal_coordinate>;
+  { c.roundabout(i) } -> std::same_as<std::uint32_t>;
+  { c.is_inserted(i) } -> std::same_as<bool>;
+  { c.location(i) } -> std::same_as<const Surface_point&>;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
@@ -23,22 +24,6 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
-
-template <class FT>
-using Space_vector = std::array<FT, 3>;
-
-template <class FT>
-Space_vector<FT> difference(const Space_vector<FT>& a, const Space_vector<FT>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-template <class FT>
-Space_vector<FT> space_cross(const Space_vector<FT>& a, const Space_vector<FT>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <class FT>
-FT space_dot(const Space_vector<FT>& a, const Space_vector<FT>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // The plane of an input face in space.
 template <class FT>
@@ -60,16 +45,16 @@ public:
   Uncertain<bool> contains(std::uint32_t face, std::uint32_t slot) const {
     const Input_metric::Sides& s = input_.sides(face);
     const Vector side = difference(point(s[slot]), point(s[(slot + 1) % 3]));
-    const Uncertain<bool> is_in_plane = space_dot(normal_, side) == FT(0);
+    const Uncertain<bool> is_in_plane = inner_product(normal_, side) == FT(0);
     if (!possibly(is_in_plane)) return false;
-    return is_in_plane & (space_dot(normal_, normal_of(face)) > FT(0));
+    return is_in_plane & (inner_product(normal_, normal_of(face)) > FT(0));
   }
 
 private:
   Vector normal_of(std::uint32_t face) const {
     const auto [i, j, k] = input_.sides(face);
     const Vector a = point(i);
-    return space_cross(difference(point(j), a), difference(point(k), a));
+    return cross_product(difference(point(j), a), difference(point(k), a));
   }
 
   const Input_metric& input_;
@@ -89,14 +74,14 @@ public:
   // areas in units of the length of a normal, exactly
   Diamond_values<FT> scaled_values() const {
     const auto area = [this](const Vector& a, const Vector& b) {
-      return FT(2) * space_dot(plane_.normal(), space_cross(a, b));
+      return FT(2) * inner_product(plane_.normal(), cross_product(a, b));
     };
     return values(area);
   }
   // areas by square roots. \pre they are not negative
   Diamond_values<FT> values() const {
     return values([](const Vector& a, const Vector& b) {
-      const Vector n = space_cross(a, b);
+      const Vector n = cross_product(a, b);
       return FT(2) * CGAL::sqrt(CGAL::square(n[0]) + CGAL::square(n[1]) + CGAL::square(n[2]));
     });
   }

@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_INPUT_INTEGERS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_INPUT_INTEGERS_H
 
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Binary_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Word_integer.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>

@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_PRISM_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_PRISM_H
 
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Binary_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Word_integer.h>
@@ -12,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Gmpq.h>
@@ -61,7 +61,7 @@ public:
     if (!is_valid_) return;
     for (std::size_t c = 0; c < 4; ++c) {
       const std::uint32_t p = diamond.point(c);
-      x_[c] = product(points_[p], ruling_);
+      x_[c] = inner_product(points_[p], ruling_);
       y_[c] = height(panel_[diamond.corners[c].triangle], p);
     }
   }
@@ -111,15 +111,6 @@ private:
     Roots height;       // y there
   };
 
-  static Vector difference(const Vector& a, const Vector& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-  static Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-  static Integer product(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
   static Wide wide_product(const Vector& a, const Vector& b) {
     Wide sum;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -136,20 +127,20 @@ private:
   bool add(const Unfolded_diamond::Triangle& t) {
     const Vector& start = points_[t.point[0]];
     const Vector side = difference(points_[t.point[1]], start),
-                 apex = difference(points_[t.point[2]], start), normal = cross(side, apex);
+                 apex = difference(points_[t.point[2]], start), normal = cross_product(side, apex);
     if (is_zero(normal)) return false;
     Roots height_of_base;
     if (!panels_.empty()) {
       const std::uint32_t p = panel_[t.parent()];
       const Vector& n = panels_[p].normal;
-      const bool may_be_flat = product(apex, n).is_zero(); // modulo 2^(64 words)
+      const bool may_be_flat = inner_product(apex, n).is_zero(); // modulo 2^(64 words)
       if (may_be_flat && wide_product(apex, n).is_zero() && wide_product(normal, n).sign() > 0) {
         panel_.push_back(p);
         return true;
       }
       if (panels_.size() == 1)
         ruling_ = side;
-      else if (!is_zero(cross(side, ruling_)))
+      else if (!is_zero(cross_product(side, ruling_)))
         return false;
       height_of_base = height(p, t.point[0]);
     }
@@ -162,7 +153,7 @@ private:
   Roots height(std::uint32_t panel, std::uint32_t point) {
     const auto& [normal, base, height_of_base] = panels_[panel];
     Roots result = height_of_base;
-    const Vector v = cross(ruling_, difference(points_[point], points_[base]));
+    const Vector v = cross_product(ruling_, difference(points_[point], points_[base]));
     const int sign = wide_product(normal, v).sign();
     if (sign == 0) return result;
     const Wide square = wide_product(v, v);

@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_FIGURES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_FIGURES_H
 
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Complex_ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
@@ -69,8 +70,7 @@ struct Metric_source {
 
   // from the source of a halfedge to its target
   std::array<double, 3> side_in_space(Gluing_map::Halfedge h) const {
-    const auto &p = in.points[in.mesh.source(h).index], &q = in.points[in.mesh.target(h).index];
-    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    return difference(in.points[in.mesh.target(h).index], in.points[in.mesh.source(h).index]);
   }
 };
 

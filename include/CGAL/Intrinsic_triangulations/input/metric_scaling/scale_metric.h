@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_SCALE_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/Scaled_metric.h>
@@ -58,19 +59,13 @@ inline Plane_sides planar_sides(double L_ij, double L_jk, double L_ki) {
 }
 
 // The same of the sides i -> j, j -> k, k -> i as vectors of space.
-using Space_sides = std::array<std::array<double, 3>, 3>;
+using Space_sides = std::array<Space_vector<double>, 3>;
 inline Plane_sides planar_sides(const Space_sides& s) {
-  const auto length = [](const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); };
-  const double l = length(s[0]);
-  if (l == 0) return {{{0, 0}, {length(s[1]), 0}, {-length(s[2]), 0}}};
-  const std::array<double, 3> x{s[0][0] / l, s[0][1] / l, s[0][2] / l};
-  const auto along = [&x](const std::array<double, 3>& v) {
-    return x[0] * v[0] + x[1] * v[1] + x[2] * v[2];
-  };
-  const auto across = [&x](const std::array<double, 3>& v) {
-    return std::hypot(x[1] * v[2] - x[2] * v[1], x[2] * v[0] - x[0] * v[2],
-                      x[0] * v[1] - x[1] * v[0]);
-  };
+  const double l = norm(s[0]);
+  if (l == 0) return {{{0, 0}, {norm(s[1]), 0}, {-norm(s[2]), 0}}};
+  const Space_vector<double> x{s[0][0] / l, s[0][1] / l, s[0][2] / l};
+  const auto along = [&x](const Space_vector<double>& v) { return inner_product(x, v); };
+  const auto across = [&x](const Space_vector<double>& v) { return norm(cross_product(x, v)); };
   return {{{l, 0}, {along(s[1]), across(s[1])}, {along(s[2]), -across(s[2])}}};
 }
 
