@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../../../../benchmark/synthetic_meshes.h"
+#include "../../benchmark/synthetic_meshes.h"
 #include "meshes.h"
 #include "properties.h"
 
