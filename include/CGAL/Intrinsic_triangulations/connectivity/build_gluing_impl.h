@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -21,33 +21,26 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sides_by_edge sides_by_edge(const Gluing& g) {
-  struct Entry {
-    std::uint32_t upper, halfedge;
-  };
-  const auto lower = [&](std::uint32_t h) {
-    return std::min(g.origin[h], g.origin[Gluing::next(h)]);
-  };
-  // sorted by the lower end (counting sort), then by the upper one
-  std::vector<std::uint32_t> start(g.number_of_vertices + 1, 0);
+  const auto end = [&](std::uint32_t h) { return g.origin[Gluing::next(h)]; };
   const auto count = static_cast<std::uint32_t>(g.origin.size());
-  for (std::uint32_t h = 0; h < count; ++h) ++start[lower(h) + 1];
-  for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
-  std::vector<Entry> entries(count);
-  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-  for (std::uint32_t h = 0; h < count; ++h)
-    entries[fill[lower(h)]++] = {std::max(g.origin[h], g.origin[Gluing::next(h)]), h};
+  // counting sort by the lower end: where sides of a vertex go next, and at last where they end
+  std::vector<std::uint32_t> place(g.number_of_vertices + 1, 0);
+  for (std::uint32_t h = 0; h < count; ++h) ++place[std::min(g.origin[h], end(h)) + 1];
+  for (std::size_t v = 1; v < place.size(); ++v) place[v] += place[v - 1];
+  // then by the upper one; keys: that, the halfedge (31 bits), whether it runs along the edge
+  std::vector<std::uint64_t> keys(count);
+  for (std::uint32_t h = 0; h < count; ++h) {
+    const auto [low, high] = std::minmax({g.origin[h], end(h)});
+    keys[place[low]++] = std::uint64_t{high} << 32U | h << 1U | (low == g.origin[h] ? 1U : 0U);
+  }
   Sides_by_edge result;
   result.sides.reserve(count);
   result.first.reserve(count / 2 + 1);
-  for (std::uint32_t v = 0; v < g.number_of_vertices; ++v) {
-    std::sort(entries.begin() + start[v], entries.begin() + start[v + 1],
-              [](const Entry& a, const Entry& b) {
-                return std::pair(a.upper, a.halfedge) < std::pair(b.upper, b.halfedge);
-              });
-    for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
-      const std::uint32_t h = entries[i].halfedge;
-      if (i == start[v] || entries[i].upper != entries[i - 1].upper) result.first.push_back(i);
-      result.sides.push_back({h, g.origin[h] == v});
+  for (std::uint32_t v = 0, i = 0; v < g.number_of_vertices; ++v) {
+    std::sort(keys.begin() + i, keys.begin() + place[v]);
+    for (const std::uint32_t begin = i; i < place[v]; ++i) {
+      if (i == begin || keys[i] >> 32U != keys[i - 1] >> 32U) result.first.push_back(i);
+      result.sides.push_back({static_cast<std::uint32_t>(keys[i]) >> 1U, (keys[i] & 1U) != 0});
     }
   }
   result.first.push_back(count);
