@@ -36,6 +36,10 @@ enum class Deformation_energy {
 
 namespace internal {
 
+// The fixed rows that a matrix joins with free ones, without repetition.
+std::vector<std::uint32_t> rows_beside_free_ones(const Eigen::SparseMatrix<double>& a,
+                                                 std::span<const std::uint32_t> fixed);
+
 /*!
 Functions d with given values in some rows and L M^-1 L d = 0 in the others, F, without that product, of which no double holds the small eigenvalues once
 weights span eight orders of magnitude or so.
@@ -143,9 +147,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The fixed rows that a matrix joins with free ones, without repetition.
-inline std::vector<std::uint32_t> rows_beside_free_ones(const Eigen::SparseMatrix<double>& a,
-                                                        std::span<const std::uint32_t> fixed) {
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::uint32_t>
+rows_beside_free_ones(const Eigen::SparseMatrix<double>& a, std::span<const std::uint32_t> fixed) {
   std::vector<char> is_fixed(row_number(a.rows()), 0);
   for (const std::uint32_t r : fixed) is_fixed[r] = 1;
   std::vector<std::uint32_t> beside;
