@@ -15,7 +15,7 @@ import unittest
 
 TIME_LIMIT = 60  # seconds, for machines that are slow or busy
 
-REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "benchmark",
+REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "benchmark",
                       "study", "report.py")
 # Debian's packages pandas and matplotlib are not for a Python that is found before its own.
 REPORT_PYTHON = (sys.executable

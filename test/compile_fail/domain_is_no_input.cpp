@@ -1,4 +1,4 @@
-// expect at once: of a Domain or Point_cloud pass its input
+// expect at once: for a Domain or Point_cloud pass its input
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
