@@ -31,6 +31,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace polygon {
 
+// Declared here as well: the header that defines it includes this one when it is included first.
+inline int exponent_of(const std::vector<Polygon_flattener::Point>& points);
+
 template <class Triangulation>
 void mark_outside(Triangulation& plane) {
   for (const auto f : plane.all_face_handles()) f->info() = false;
