@@ -15,13 +15,12 @@ first. Fails, and says where, if
 - an exception below is not needed any more.
 """
 
-import argparse
 import collections
 import pathlib
 import re
-import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+import run_check
+
 PACKAGES = ["CGAL/Intrinsic_triangulations", "CGAL/Intrinsic_geodesics", "CGAL/Intrinsic_operators"] # lowest first
 MOST_HEADERS = 15
 MOST_LINES = 350
@@ -180,15 +179,5 @@ def check(include):
     yield from check_exceptions(used)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--include", type=pathlib.Path, default=ROOT / "include",
-                        help="directory of the headers; default: that of this project")
-    errors = list(check(parser.parse_args().include))
-    for error in errors:
-        print(error, file=sys.stderr)
-    return 1 if errors else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    run_check.run(check, __doc__)

@@ -9,12 +9,11 @@ parameter that is documented as "any type" needs none. Fails for a template that
 and for one in ALLOWED that is not needed any more.
 """
 
-import argparse
 import pathlib
 import re
-import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+import run_check
+
 
 # Templates without a concept today, wherever they are. Shrinks only. `Mesh_adaptor` is specialised by users; the classes of
 # sessions and `Metric_values` are named before their arguments are complete.
@@ -255,15 +254,5 @@ def check(include):
         yield f"check_templates.py allows {name}, which is not needed any more: remove it"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--include", type=pathlib.Path, default=ROOT / "include",
-                        help="directory of the headers; default: that of this project")
-    errors = list(check(parser.parse_args().include))
-    for error in errors:
-        print(error, file=sys.stderr)
-    return 1 if errors else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    run_check.run(check, __doc__)

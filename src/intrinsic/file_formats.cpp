@@ -54,13 +54,9 @@ std::string listed(const std::vector<std::string>& words) {
 } // namespace
 
 bool is_file_of(Contents contents, const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  if (extension.empty()) return false;
-  std::ranges::transform(extension, extension.begin(), [](char c) {
-    return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return std::ranges::count(format(contents).extensions, std::string_view(extension).substr(1)) !=
-         0;
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return std::ranges::count(format(contents).extensions,
+                            IT::internal::plain_extension(extension)) != 0;
 }
 
 std::string extensions_of(Contents contents) {

@@ -108,13 +108,13 @@ public:
       : t_(&t), field_(internal::corner_table(t)) {
     using namespace internal::tags;
     internal::expect_names<maximum_distance, targets, maximum_number, visitor>(np);
-    for_each_place(sources, [&](const auto& p) { add_source(p); });
+    for_each_place(sources, [&](const auto& p) { sources_.add(p); });
     internal::Propagation_limits limits;
     limits.radius = internal::value_or<maximum_distance>(np, limits.radius) / field_.table.unit;
     limits.windows = internal::value_or<maximum_number>(np, field_.default_cap());
     for_each_place(internal::object_or<targets>(np, std::array<Surface_point, 0>()),
-                   [&](const auto& p) { limits.add_target(p); });
-    if (!limits.points.empty()) field_.windows.keep(field_.table.corners.size());
+                   [&](const auto& p) { limits.targets.add(p); });
+    if (!limits.targets.points.empty()) field_.windows.keep(field_.table.corners.size());
     auto stored_visitor = internal::object_or<visitor>(np, Polyhedral_distance_visitor());
     auto& observed = internal::unwrapped(stored_visitor);
     std::tie(status_, number_of_windows_) =
@@ -183,16 +183,13 @@ public:
 private:
   using Halfedge = typename Triangulation::halfedge_descriptor;
 
-  void add_source(std::uint32_t v) { source_vertices_.push_back(v); }
-  void add_source(const internal::Point_in_face& p) { source_points_.push_back(p); }
-
   // Finds distances; returns the status and the number of windows.
   template <class Progress>
   std::pair<Status, std::uint64_t> search(const internal::Propagation_limits& limits,
                                           const Progress& progress) const {
     internal::Window_propagation propagation(field_);
-    for (const std::uint32_t v : source_vertices_) propagation.add_source(v);
-    for (const internal::Point_in_face& p : source_points_) propagation.add_source(p);
+    for (const std::uint32_t v : sources_.vertices) propagation.add_source(v);
+    for (const internal::Point_in_face& p : sources_.points) propagation.add_source(p);
     const Status status = propagation.run(limits, progress);
     return {status, propagation.number_of_windows()};
   }
@@ -275,8 +272,7 @@ private:
   }
 
   const Triangulation* t_;
-  std::vector<std::uint32_t> source_vertices_;
-  std::vector<internal::Point_in_face> source_points_;
+  internal::Places sources_;
   mutable internal::Distance_field field_;
   Status status_ = Status::done;
   std::uint64_t number_of_windows_ = 0;

@@ -139,17 +139,21 @@ private:
   std::vector<std::uint32_t> free_; // of the pool
 };
 
+/// Vertices and points in faces, such as sources and targets.
+struct Places {
+  std::vector<std::uint32_t> vertices; ///< by their numbers
+  std::vector<Point_in_face> points;   ///< others
+
+  /// adds a vertex.
+  void add(std::uint32_t v) { vertices.push_back(v); }
+  /// adds a point in a face.
+  void add(const Point_in_face& p) { points.push_back(p); }
+};
+
 struct Propagation_limits {
   double radius = std::numeric_limits<double>::infinity();           ///< in scaled units
   std::uint64_t windows = std::numeric_limits<std::uint64_t>::max(); ///< number to look through
-  std::vector<std::uint32_t>
-      vertices; ///< targets: if there are any, it stops once their distances are known
-  std::vector<Point_in_face> points; ///< targets, too
-
-  /// adds a vertex to the targets.
-  void add_target(std::uint32_t v) { vertices.push_back(v); }
-  /// adds a point in a face to the targets.
-  void add_target(const Point_in_face& p) { points.push_back(p); }
+  Places targets; ///< if there are any, it stops once their distances are known
 };
 
 /*!
@@ -204,8 +208,9 @@ private:
   void part_at_sources(std::uint32_t side, Window& w);
   void look_through(std::uint32_t side);
   void collect_views(std::uint32_t side, const Window_face& face);
-  void show_apex(std::uint32_t side, const Window_face& face);
-  void pass_on(const View& view, const Window_face& face, const Split& nearest);
+  const View* show_apex(std::uint32_t side, const Window_face& face);
+  void pass_on(const View& view, const Window_face& face, double nearest_crossing,
+               bool is_nearest);
   bool knows_targets(const Propagation_limits& limits) const;
 
   Distance_field& field_;

@@ -213,9 +213,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::part_at_sources(st
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::look_through(std::uint32_t side) {
   const Window_face face(table_, side);
   collect_views(side, face);
-  show_apex(side, face);
-  const Split nearest = split_[side];
-  for (const View& view : views_) pass_on(view, face, nearest);
+  const View* nearest = show_apex(side, face);
+  const double crossing = split_[side].crossing;
+  for (const View& view : views_) pass_on(view, face, crossing, &view == nearest);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
@@ -232,31 +232,34 @@ Window_propagation::collect_views(std::uint32_t side, const Window_face& face) {
   });
 }
 
-// Finds the nearest window that shows the far corner.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::show_apex(std::uint32_t side,
-                                                                        const Window_face& face) {
+// Finds the nearest window that shows the far corner; null if an earlier one of the side is as near.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE const Window_propagation::View*
+Window_propagation::show_apex(std::uint32_t side, const Window_face& face) {
   Split& nearest = split_[side];
-  for (const auto& [w, apex] : views_) {
+  const View* result = nullptr;
+  for (const View& view : views_) {
+    const auto& [w, apex] = view;
     if (!apex.is_seen()) continue;
     const double distance = w.offset + std::sqrt(apex.squared_distance);
     if (!(distance < nearest.distance)) continue;
     nearest = {distance, apex.crossing};
+    result = &view;
     reach(face.left.origin, distance, {w.image, side, w.source, Arrival::Kind::straight});
   }
+  return result;
 }
 
 // Passes a window on to the other sides of its face. If it shows the far corner it goes to the side where it does not cross the
 // paths of the nearest. Where its line to the corner is the same as that of the nearest, none of the two crosses paths of the
 // other: it goes on to the sides where more of it is than rounding makes.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Window_propagation::pass_on(const View& view, const Window_face& face, const Split& nearest) {
+Window_propagation::pass_on(const View& view, const Window_face& face, double nearest_crossing,
+                            bool is_nearest) {
   const auto& [w, apex] = view;
   bool left = apex.is_not_before, right = apex.is_not_after;
-  const bool is_nearest = apex.is_seen() && apex.crossing == nearest.crossing &&
-                          w.offset + std::sqrt(apex.squared_distance) == nearest.distance;
   if (apex.is_seen() && !is_nearest) {
-    if (!apex.is_near(nearest.crossing)) {
-      left = apex.crossing < nearest.crossing;
+    if (!apex.is_near(nearest_crossing)) {
+      left = apex.crossing < nearest_crossing;
       right = !left;
     } else {
       left = !apex.is_near_begin(w);
@@ -281,11 +284,12 @@ Window_propagation::pass_on(const View& view, const Window_face& face, const Spl
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
 Window_propagation::knows_targets(const Propagation_limits& limits) const {
-  if (limits.vertices.empty() && limits.points.empty()) return false;
+  const auto& [vertices, points] = limits.targets;
+  if (vertices.empty() && points.empty()) return false;
   const double least = queue_.least();
-  return std::all_of(limits.vertices.begin(), limits.vertices.end(),
+  return std::all_of(vertices.begin(), vertices.end(),
                      [&](std::uint32_t v) { return field_.vertices[v].distance <= least; }) &&
-         std::all_of(limits.points.begin(), limits.points.end(),
+         std::all_of(points.begin(), points.end(),
                      [&](const Point_in_face& p) { return field_.at(p).distance <= least; });
 }
 

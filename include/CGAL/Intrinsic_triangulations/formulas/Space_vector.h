@@ -4,8 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_SPACE_VECTOR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_SPACE_VECTOR_H
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -26,6 +29,15 @@ Space_vector<FT> cross_product(const Space_vector<FT>& a, const Space_vector<FT>
 template <class FT>
 FT inner_product(const Space_vector<FT>& a, const Space_vector<FT>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// The exponent of the power of two that is near to the largest coordinate, relative to the first point.
+inline int exponent_of_extent(const std::vector<Space_vector<double>>& points) {
+  double extent = 0;
+  for (const Space_vector<double>& p : points)
+    for (std::size_t k = 0; k < 3; ++k)
+      extent = std::max(extent, std::abs(p[k] / 2 - points[0][k] / 2));
+  return extent > 0 ? std::ilogb(extent) : 0;
 }
 
 inline double norm(const Space_vector<double>& a) { return std::hypot(a[0], a[1], a[2]); }

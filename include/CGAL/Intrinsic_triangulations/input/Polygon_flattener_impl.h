@@ -133,15 +133,6 @@ namespace polygon {
 
 using Space_point = Polygon_flattener::Point;
 
-// The exponent of the power of two that is near to the largest coordinate, relative to the first point.
-inline int exponent_of(const std::vector<Space_point>& points) {
-  double extent = 0;
-  for (const Space_point& p : points)
-    for (std::size_t k = 0; k < 3; ++k)
-      extent = std::max(extent, std::abs(p[k] / 2 - points[0][k] / 2));
-  return extent > 0 ? std::ilogb(extent) : 0;
-}
-
 // from the first point, scaled
 inline std::vector<Space_point> moved(const std::vector<Space_point>& points, int exponent) {
   std::vector<Space_point> result(points.size());
@@ -180,7 +171,7 @@ inline bool is_exactly_planar(const std::vector<Space_point>& points) {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
 Polygon_flattener::is_planar(const std::vector<Point>& points) {
-  const int exponent = polygon::exponent_of(points);
+  const int exponent = exponent_of_extent(points);
   const std::vector<Point> p = polygon::moved(points, exponent);
   const Point normal = polygon::vector_area(p);
   const double length = norm(normal);
@@ -198,7 +189,7 @@ Polygon_flattener::is_planar(const std::vector<Point>& points) {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
 Polygon_flattener::measure(const std::vector<Point>& points) {
-  exponent_ = polygon::exponent_of(points);
+  exponent_ = exponent_of_extent(points);
   const std::vector<Point> p = polygon::moved(points, exponent_);
   const std::size_t n = p.size();
   normal_ = polygon::vector_area(p);

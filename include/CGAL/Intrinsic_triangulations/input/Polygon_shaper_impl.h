@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGON_SHAPER_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
@@ -31,9 +32,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace polygon {
 
-// Declared here as well: the header that defines it includes this one when it is included first.
-inline int exponent_of(const std::vector<Polygon_flattener::Point>& points);
-
 template <class Triangulation>
 void mark_outside(Triangulation& plane) {
   for (const auto f : plane.all_face_handles()) f->info() = false;
@@ -55,7 +53,7 @@ void mark_outside(Triangulation& plane) {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Polygon_triangulator::load(std::vector<Point> points) {
   points_ = std::move(points);
   const Point origin = points_[0];
-  const int exponent = polygon::exponent_of(points_);
+  const int exponent = exponent_of_extent(points_);
   for (Point& p : points_)
     for (unsigned k = 0; k < 3; ++k) p[k] = std::scalbn(p[k] / 2 - origin[k] / 2, -exponent);
   normal_ = {};
