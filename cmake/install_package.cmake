@@ -8,13 +8,15 @@ set(package_component Intrinsic_triangulations_Development)
 
 set_target_properties(Intrinsic_triangulations_header_only PROPERTIES EXPORT_NAME header_only)
 set_target_properties(Intrinsic_triangulations_core PROPERTIES EXPORT_NAME core)
-set_target_properties(Intrinsic_triangulations_applications PROPERTIES EXPORT_NAME applications)
-install(TARGETS Intrinsic_triangulations Intrinsic_triangulations_core Intrinsic_triangulations_applications
+set_target_properties(Intrinsic_triangulations_operators PROPERTIES EXPORT_NAME operators)
+install(TARGETS Intrinsic_triangulations Intrinsic_triangulations_core Intrinsic_triangulations_operators
     Intrinsic_triangulations_header_only
   EXPORT Intrinsic_triangulations_targets
   ARCHIVE
     DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${package_component}
   FILE_SET HEADERS
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
+  FILE_SET sources
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
   FILE_SET included_texts
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}

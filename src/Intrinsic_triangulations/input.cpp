@@ -5,7 +5,6 @@
 
 #define CGAL_INTRINSIC_TRIANGULATIONS_IN_INPUT 1
 
-#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup_impl.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view_impl.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing_impl.h>

@@ -58,8 +58,4 @@ Triangle_soup read_triangle_soup(const std::string& filename,
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup_impl.h>
-#endif
-
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_H

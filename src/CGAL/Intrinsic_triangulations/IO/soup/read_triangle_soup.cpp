@@ -1,15 +1,11 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_IMPL_H
-
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_OFF.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_PLY.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_STL.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 
 #include <CGAL/IO/GOCAD.h>
@@ -130,10 +126,6 @@ private:
   std::vector<std::int64_t> face_;
 };
 
-} // namespace internal
-
-namespace internal {
-
 // Scans a list of points: three coordinates at the start of each line. What follows is skipped, as programs write normals and
 // colors there.
 class XYZ_scanner {
@@ -189,7 +181,7 @@ private:
 };
 
 // Scans a triangulated surface of GOCAD by CGAL's reader, which has no bound on lines: they are looked at before.
-inline void scan_GOCAD(std::istream& in, Soup_builder& out) {
+void scan_GOCAD(std::istream& in, Soup_builder& out) {
   Buffered_input lines(in);
   for (std::string_view line; lines.next_line(line);) continue;
   in.clear();
@@ -210,7 +202,7 @@ inline void scan_GOCAD(std::istream& in, Soup_builder& out) {
              "; get a complete copy if it is truncated, or correct what follows them");
 }
 
-inline void scan_mesh_file(const std::string& filename, std::uintmax_t size, Soup_builder& out) {
+void scan_mesh_file(const std::string& filename, std::uintmax_t size, Soup_builder& out) {
   std::ifstream in(filename, std::ios::binary);
   if (!in) out.fail("the file cannot be opened; check its permissions");
   const std::string extension =
@@ -235,9 +227,8 @@ inline void scan_mesh_file(const std::string& filename, std::uintmax_t size, Sou
 
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Triangle_soup read_triangle_soup(const std::string& filename,
-                                                                      Nonplanar_polygons polygons,
-                                                                      File_faces faces) {
+Triangle_soup read_triangle_soup(const std::string& filename, Nonplanar_polygons polygons,
+                                 File_faces faces) {
   internal::Soup_builder out(filename, polygons);
   out.needs_faces = faces == File_faces::needed;
   out.takes_faces = faces != File_faces::ignored;
@@ -265,5 +256,3 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Triangle_soup read_triangle_soup(const std:
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_READ_TRIANGLE_SOUP_IMPL_H
