@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks that the headers keep to their rooms.
+"""Checks that headers and sources keep to their rooms.
 
 The packages are in the order of PACKAGES, the rooms of each in that of the headings of its README.md, lowest
-first. Fails, and says where, if
+first. Headers are in `include/`. Sources, and headers that only sources need, are in the folders of the same
+rooms in `src/`. Fails, and says where, if
 
-- a header includes one of a higher room or package (so folders cannot form a cycle either),
+- a file includes one of a higher room or package (so folders cannot form a cycle either),
 - headers of one room include each other in a circle,
-- a header lies in no room, or a room has no headers,
+- a file lies in no room, or a room has no headers,
 - a room has more than 15 headers, `*_impl.h` not counted, or a header more than 350 lines,
 - an include guard is not the path of its header,
 - an own header is included by a path that is not the full one, or that does not exist,
+- `CGAL/PACKAGE_sources.h` does not list the sources of its package, sorted,
 - an exception below is not needed any more.
 """
 
@@ -58,9 +60,10 @@ def room_numbers(rooms):
     return places
 
 
-def place_of(header, places):
-    """Returns the place of a header in the order of rooms, None if it lies in no room."""
-    return places.get(header, places.get(header.rpartition("/")[0]))
+def place_of(file, places):
+    """Returns the place of a header or source in the order of rooms, None if it lies in no room."""
+    header = file.removesuffix(".cpp") + ".h" if file.endswith(".cpp") else file
+    return places.get(header, places.get(file.rpartition("/")[0]))
 
 
 def short(header):
@@ -68,7 +71,7 @@ def short(header):
 
 
 def own_includes(text):
-    """Returns what a header includes of this package, and includes in quotes, as they are written.
+    """Returns what a file includes of this package, and includes in quotes, as they are written.
 
     What it includes only with or only without the library is a part of it, whatever its room."""
     text = re.sub(r"^#ifn?def \w+_COMPILED\n#include .*\n#endif$", "", text, flags=re.MULTILINE)
@@ -100,10 +103,14 @@ def expected_guard(header):
     return re.sub(r"[/.]", "_", header).upper()
 
 
-def check_header(header, text, places, used):
-    """Yields what is wrong with a header by itself."""
-    if place_of(header, places) is None:
-        yield f"{header} lies in no room: name its folder in the README.md of its package"
+def check_file(file, places):
+    """Yields what is wrong with a header or source by itself."""
+    if place_of(file, places) is None:
+        yield f"{file} lies in no room: name its folder in the README.md of its package"
+
+
+def check_header(header, text, used):
+    """Yields what is wrong with a header, besides what may be wrong with any file."""
     guard = re.search(r"^#ifndef (\w+)\n#define (\w+)$", text, re.MULTILINE)
     if not guard or set(guard.groups()) != {expected_guard(header)}:
         yield f"{header} needs the include guard {expected_guard(header)}"
@@ -158,24 +165,49 @@ def check_circles(headers):
         yield "headers include each other in a circle: " + " -> ".join(map(short, circle))
 
 
+def check_lists_of_sources(sources):
+    """Yields what is wrong with the headers that list the sources of packages."""
+    listed = {package: [name[1:-1] for name in own_includes(sources.get(f"{package}_sources.h", ""))
+                        if name.endswith(".cpp>")] for package in PACKAGES}
+    for package, names in listed.items():
+        existing = sorted(name for name in sources if name.startswith(package + "/") and name.endswith(".cpp"))
+        for name in sorted(set(existing) - set(names)):
+            yield f"{package}_sources.h does not include {name}"
+        for name in sorted(set(names) - set(existing)):
+            yield f"{package}_sources.h includes {name}, which is no source of the package"
+        if names != sorted(set(names)):
+            yield f"{package}_sources.h does not list its sources in their order, each once"
+
+
 def check_exceptions(used):
     for name in [*ALLOWED_INCLUDES, *ALLOWED_LENGTHS, *ALLOWED_SIZES]:
         if name not in used:
             yield f"check_rooms.py allows {name}, which is not needed any more: remove it"
 
 
+def read_files(root, *endings):
+    return {path.relative_to(root).as_posix(): path.read_text()
+            for path in sorted(root.rglob("CGAL/**/*")) if path.suffix in endings}
+
+
 def check(include):
-    """Yields all that is wrong with the headers below the directory `include`."""
+    """Yields all that is wrong with the headers below the directory `include` and the sources in `src` beside it."""
     rooms = [room for package in PACKAGES for room in read_rooms(include, package)]
     places = room_numbers(rooms)
-    headers = {path.relative_to(include).as_posix(): path.read_text()
-               for path in sorted(include.rglob("*.h"))}
+    public = read_files(include, ".h")
+    sources = read_files(include.parent / "src", ".h", ".cpp")
+    lists = [name for name in sources if name.endswith("_sources.h")]
+    files = {**public, **{name: text for name, text in sources.items() if name not in lists}}
+    headers = {name: text for name, text in files.items() if name.endswith(".h")}
     used = set()
+    for file, text in files.items():
+        yield from check_file(file, places)
+        yield from check_includes(include, file, text, headers, places, used)
     for header, text in headers.items():
-        yield from check_header(header, text, places, used)
-        yield from check_includes(include, header, text, headers, places, used)
-    yield from check_rooms(headers, rooms, used)
+        yield from check_header(header, text, used)
+    yield from check_rooms(public, rooms, used)
     yield from check_circles(headers)
+    yield from check_lists_of_sources(sources)
     yield from check_exceptions(used)
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests of check_rooms.py: each test is a small tree of headers with one thing wrong."""
+"""Tests of check_rooms.py: each test is a small tree of files with one thing wrong."""
 
 import pathlib
 import tempfile
@@ -11,6 +11,7 @@ import unittest.mock
 import check_rooms
 
 OWNER = "CGAL/Intrinsic_triangulation.h"
+SOURCES = "../src/" + check_rooms.PACKAGES[0]
 README = "# Rooms\n\n## `low/`\n\nText.\n\n## `high/inner/`\n\n## The owner: `Intrinsic_triangulation.h`\n"
 
 
@@ -37,7 +38,8 @@ class Rooms(unittest.TestCase):
         texts = {name: header(name, *included) for name, included in files.items()}
         texts.update(changes or {})
         with tempfile.TemporaryDirectory() as directory:
-            root = pathlib.Path(directory)
+            root = pathlib.Path(directory, "include")
+            root.mkdir()
             readmes = {f"{package}/README.md": "" for package in check_rooms.PACKAGES}
             for name, text in {**readmes, path("README.md"): readme, **texts}.items():
                 (root / name).parent.mkdir(parents=True, exist_ok=True)
@@ -103,6 +105,28 @@ class Rooms(unittest.TestCase):
         name, page = path("low/c.h"), path("low/page.html")
         self.assert_one_error("not the full path", {name: header(name, page)})
         self.assertEqual(self.errors({name: header(name, page), page: 'R"(text)"\n'}), [])
+
+    def test_sources_are_listed_in_their_order(self):
+        one, two = (f"{SOURCES}/{name}" for name in ("high/inner/b.cpp", "low/a.cpp"))
+        include = [f"#include <{check_rooms.PACKAGES[0]}/{name}>\n" for name in ("high/inner/b.cpp", "low/a.cpp")]
+        files, listing = {one: "", two: ""}, f"{SOURCES}_sources.h"
+        self.assertEqual(self.errors({**files, listing: "".join(include)}), [])
+        self.assert_one_error("does not include", {**files, listing: include[0]})
+        self.assert_one_error("no source of the package", {one: "", listing: "".join(include)})
+        self.assert_one_error("in their order", {**files, listing: "".join(reversed(include))})
+
+    def test_sources_keep_to_rooms(self):
+        listing = f"{SOURCES}_sources.h"
+        for source, included, expected in (("low/a.cpp", "high/inner/b.h", "of a higher room"),
+                                           ("other/c.cpp", "low/a.h", "lies in no room")):
+            texts = {f"{SOURCES}/{source}": f"#include <{path(included)}>\n", listing: f"#include <{path(source)}>\n"}
+            self.assert_one_error(expected, texts)
+
+    def test_headers_that_only_sources_need_keep_to_rooms(self):
+        name, source, listing = path("low/c.h"), f"{SOURCES}/low/a.cpp", f"{SOURCES}_sources.h"
+        texts = {source: f"#include <{name}>\n", listing: f"#include <{path('low/a.cpp')}>\n"}
+        self.assertEqual(self.errors({**texts, f"../src/{name}": header(name)}), [])
+        self.assert_one_error("of a higher room", {**texts, f"../src/{name}": header(name, path("high/inner/b.h"))})
 
     def test_a_room_must_not_be_named_twice(self):
         with self.assertRaises(ValueError):

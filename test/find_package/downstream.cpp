@@ -1,12 +1,15 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A user's program: a quick check that what the library needs is found and linked, and those that were asked for.
+// A user's program: checks quickly that CMake finds and links what the library needs, and runs the other checks.
 
 #include "checks.h"
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
+#ifdef DOWNSTREAM_INCLUDES_SOURCES // does not link the library
+#include <CGAL/Intrinsic_triangulations_sources.h>
+#endif
 
 #include <iostream>
 
@@ -17,7 +20,7 @@ bool expect(bool condition, const char* what) {
   return condition;
 }
 
-// A header of the library, and MPFR and GMP.
+// Uses a header of the library, MPFR and GMP.
 bool check_link() {
   CGAL::Intrinsic_triangulations::Gluing gluing;
   gluing.number_of_vertices = 1;
