@@ -2,18 +2,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_steps.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 
+#include "number_archetypes.h"
+
+#include <CGAL/CORE_Expr.h>
 #include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <random>
+#include <vector>
 
 using namespace CGAL::Intrinsic_triangulations;
 using CGAL::Gmpq;
 
 namespace {
+
+using archetypes::Field_number;
+using archetypes::Ring_number;
+
+static_assert(RingNumber<Ring_number> && !FieldNumber<Ring_number>);
+static_assert(FieldNumber<Field_number> && FieldNumber<float> && FieldNumber<Gmpq>);
+static_assert(FieldNumber<CGAL::Interval_nt<false>> && FieldNumber<CORE::Expr>);
+static_assert(RingNumber<Expression_degree> && !FieldNumber<Expression_degree>);
+static_assert(!RingNumber<Diamond> && !RingNumber<const double> && !RingNumber<void>);
 
 using Point = std::array<Gmpq, 2>;
 
@@ -122,6 +139,28 @@ TEST(Diamond, a_cap_on_the_left_is_not_delaunay_and_flips_to_two_proper_triangle
   EXPECT_EQ(f.km, 10);
   EXPECT_EQ(f.area_f, 18);
   EXPECT_EQ(f.area_g, 6);
+}
+
+TEST(Diamond, formulas_use_no_more_than_their_concepts_ask_for) {
+  const auto ring = [](double x) { return Ring_number(x, Ring_number::Tag()); };
+  const Ring_number one = ring(1), two = ring(2), area = ring(2);
+  EXPECT_EQ(
+      Delaunay_expression()(Diamond_values<Ring_number>{two, one, one, one, one, area, area}).value,
+      0);
+  EXPECT_EQ(squared_quadruple_area(two, one, one).value, 4);
+  EXPECT_EQ(twice_inner_product(one, two, one).value, 0);
+  EXPECT_EQ(scaled_corner(one, two, one, area).y.value, 2);
+
+  const Field_number x(1), diagonal(2), a(2.0);
+  const Diamond_values<Field_number> square{diagonal, x, x, x, x, a, a};
+  EXPECT_EQ(flipped(square).km.value, 2);
+  EXPECT_EQ(cotangent_weight(square).value, 0);
+  EXPECT_EQ(apex(x, diagonal, x, a).y.value, 1);
+  EXPECT_EQ(squared_distance_from_corner(x, diagonal, x, a, x, Field_number(0)).value, 1);
+  EXPECT_EQ(removed_from_border_edge(square).squared_lengths[0].value, 2);
+  const std::vector<Field_number> ones(4, x), diagonals(4, diagonal), areas(4, a);
+  const Whole_star_values<Field_number> star{ones, diagonals, areas};
+  EXPECT_EQ(moved_in_star(star, Field_number(0.5), Field_number(0)).spokes[2].value, 2.25);
 }
 
 } // namespace

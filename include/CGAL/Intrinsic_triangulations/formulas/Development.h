@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -25,7 +26,7 @@ triangles these are is one thing, what is carried along them another: positions 
 else follows at the apex of a triangle from the ends of its first side. Memory stays from tree to tree.
 \tparam Side_ names a side of a triangle of the surface: a halfedge, or a `Face_side`
 */
-template <class Side_ = std::uint32_t>
+template <std::copyable Side_ = std::uint32_t>
 class Development {
 public:
   /// Type of names of sides.

@@ -5,7 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_DIAMOND_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 
+#include <concepts>
 #include <cstdint>
 #include <limits>
 
@@ -41,9 +43,9 @@ struct Diamond {
 
 /*!
 \brief holds the squared lengths and quadruple areas of a diamond.
-\tparam FT a model of `Field`
+\tparam FT a model of `RingNumber`
 */
-template <class FT>
+template <RingNumber FT>
 struct Diamond_values {
   FT ij;     ///< squared length of the edge
   FT jk;     ///< squared length of jk
@@ -59,9 +61,9 @@ struct Diamond_values {
 
 The flipped edge runs from `k` to `m`, with `mj` and `jk` on the left and `ki` and `im` on the
 right, which is how `CGAL::Euler::flip_edge()` turns a halfedge.
-\tparam FT a model of `Field`
+\tparam FT a model of `RingNumber`
 */
-template <class FT>
+template <RingNumber FT>
 struct Flipped_values {
   FT km;     ///< squared length of the new edge
   FT area_f; ///< quadruple area of the left face, kmj
@@ -71,7 +73,7 @@ struct Flipped_values {
 /*!
 \brief returns q_f = L_jk + L_ki - L_ij, the cotangent at `k` times the quadruple area.
 */
-template <class FT>
+template <RingNumber FT>
 constexpr FT left_cotangent_numerator(const Diamond_values<FT>& d) {
   return d.jk + d.ki - d.ij;
 }
@@ -79,7 +81,7 @@ constexpr FT left_cotangent_numerator(const Diamond_values<FT>& d) {
 /*!
 \brief returns q_g = L_im + L_mj - L_ij, the cotangent at `m` times the quadruple area.
 */
-template <class FT>
+template <RingNumber FT>
 constexpr FT right_cotangent_numerator(const Diamond_values<FT>& d) {
   return d.im + d.mj - d.ij;
 }
@@ -101,7 +103,7 @@ struct Delaunay_expression {
 /*!
 \brief returns (cot k + cot m) / 2, the weight of the edge. \pre the areas are not zero
 */
-template <class FT>
+template <FieldNumber FT>
 FT cotangent_weight(const Diamond_values<FT>& d) {
   const FT product = d.area_f * d.area_g;
   return Delaunay_expression()(d) / (product + product);
@@ -153,7 +155,7 @@ cancellation on slivers, unlike L_ki + L_im - (p_k p_m - a_f a_g) / (2 L_ij). Th
 `Convexity_at_source_expression` and `Convexity_at_target_expression`.
 \pre the diamond is strictly convex, `d.ij` is not zero
 */
-template <class FT>
+template <FieldNumber FT>
 Flipped_values<FT> flipped(const Diamond_values<FT>& d) {
   const FT p_k = d.ij + d.ki - d.jk;
   const FT p_m = d.ij + d.im - d.mj;
@@ -166,8 +168,10 @@ Flipped_values<FT> flipped(const Diamond_values<FT>& d) {
           (p_m * d.area_f + p_k * d.area_g) * half};
 }
 
-/*!
-\brief returns p + i a, see `scaled_corner()`, from values that are rounded.
+namespace internal {
+
+/*
+p + i a, see `scaled_corner()`, from values that are rounded.
 
 The values are redundant: c = a^2 - H is zero, where H = 4 L_ij L_ki - p^2. Rounding leaves a small
 c, and flips that are computed with it make it grow exponentially. So c is removed. Of all changes
@@ -179,9 +183,8 @@ value, as rounding is:
 
 The shape of the triangle decides whether its lengths or its area give way. The change of L_ij is
 left out, as the triangle on the other side has another one.
-\tparam FT a floating point type
 */
-template <class FT>
+template <std::floating_point FT>
 Plane_vector<FT> consistent_corner(const FT& ij, const FT& jk, const FT& ki, const FT& area) {
   const FT x = ki - jk, p = ij + x, square = area * area;
   const FT c = square - (4 * ij * ki - p * p);
@@ -192,15 +195,17 @@ Plane_vector<FT> consistent_corner(const FT& ij, const FT& jk, const FT& ki, con
   return {p + (g * ki * u_ki - g * jk * u_jk), area - g * square * area};
 }
 
+} // namespace internal
+
 /*!
 \brief computes what `flipped()` does from values that are rounded, with the errors of rounding
-alone: see `consistent_corner()`.
+alone: they do not grow from flip to flip.
 \pre see `flipped()`
 */
-template <class FT>
+template <std::floating_point FT>
 Flipped_values<FT> flipped_consistently(const Diamond_values<FT>& d) {
-  const Plane_vector<FT> k = consistent_corner(d.ij, d.jk, d.ki, d.area_f);
-  const Plane_vector<FT> m = consistent_corner(d.ij, d.mj, d.im, d.area_g);
+  const Plane_vector<FT> k = internal::consistent_corner(d.ij, d.jk, d.ki, d.area_f);
+  const Plane_vector<FT> m = internal::consistent_corner(d.ij, d.mj, d.im, d.area_g);
   const FT x = k.x - m.x, y = k.y + m.y, twice = 2 * d.ij, half = 1 / twice;
   return {(x * x + y * y) / (2 * twice), ((twice - m.x) * k.y + (twice - k.x) * m.y) * half,
           (m.x * k.y + k.x * m.y) * half};
@@ -214,7 +219,7 @@ Either area is a sum of two products (p a) / (2 L_ij), where p adds three length
 a face. When p is small, the error of the lengths remains: `e` times their sum.
 \tparam FT a floating point type
 */
-template <class FT>
+template <std::floating_point FT>
 FT flipped_area_error(const Diamond_values<FT>& d, const FT& e) {
   return e * ((d.ij + d.jk + d.ki) * d.area_g + (d.ij + d.im + d.mj) * d.area_f) / (2 * d.ij);
 }

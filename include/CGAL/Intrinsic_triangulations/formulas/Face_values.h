@@ -43,9 +43,9 @@ struct Indexed_face {
 
 /*!
 \brief holds the squared lengths and the quadruple area of a face.
-\tparam FT a model of `Field`
+\tparam FT a model of `RingNumber`
 */
-template <class FT>
+template <RingNumber FT>
 struct Face_values {
   std::array<FT, 3> squared_lengths; ///< of the sides in order
   FT quadruple_area;                 ///< four times the area
@@ -54,7 +54,7 @@ struct Face_values {
 /*!
 \brief joins two faces along the first side of each.
 */
-template <class FT>
+template <RingNumber FT>
 Diamond_values<FT> diamond_values(const Face_values<FT>& left, const Face_values<FT>& right) {
   return {left.squared_lengths[0],  left.squared_lengths[1],  left.squared_lengths[2],
           right.squared_lengths[1], right.squared_lengths[2], left.quadruple_area,

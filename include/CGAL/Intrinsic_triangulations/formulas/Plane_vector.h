@@ -4,15 +4,17 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_PLANE_VECTOR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_PLANE_VECTOR_H
 
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
+
 #include <cstddef>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief is a vector or a point of the plane, and the complex number x + i y.
-\tparam FT a model of `Field`
+\tparam FT a model of `RingNumber`; division asks for a model of `FieldNumber`
 */
-template <class FT>
+template <RingNumber FT>
 struct Plane_vector {
   FT x; ///< first coordinate
   FT y; ///< second coordinate

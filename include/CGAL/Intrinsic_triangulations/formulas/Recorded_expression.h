@@ -46,7 +46,7 @@ namespace CGAL::Intrinsic_triangulations {
 Operations add a step to the recording that goes on in this thread.
 \throws std::logic_error if there is none, as of static numbers
 \pre numbers are not kept after the recording they were made in
-\cgalModels{Field}
+\cgalModels{FieldNumber}
 */
 class Recorded_number {
 public:

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 
 #include <array>
 #include <cmath>
@@ -82,7 +83,7 @@ a sum of squares, which loses nothing to cancellation.
 \param w_k weight of k
 \pre `ij` is not zero
 */
-template <class FT>
+template <FieldNumber FT>
 FT squared_distance_from_corner(const FT& ij, const FT& jk, const FT& ki, const FT& area,
                                 const FT& w_j, const FT& w_k) {
   const FT twice = ij + ij;
@@ -94,9 +95,9 @@ FT squared_distance_from_corner(const FT& ij, const FT& jk, const FT& ki, const 
 /*!
 \brief holds the squared lengths of new edges and the quadruple areas of new faces, as far as there are
 any, in the order of `Vertex_star` or `Border_star`.
-\tparam FT a model of `Field`
+\tparam FT a model of `FieldNumber`
 */
-template <class FT>
+template <FieldNumber FT>
 struct Vertex_move_values {
   std::array<FT, 3> squared_lengths; ///< of ip, jp, kp; of ip, pj, pk; of ij
   std::array<FT, 3> quadruple_areas; ///< of ijp, jkp, kip; of ipk, pjk; of ijk
@@ -106,7 +107,7 @@ struct Vertex_move_values {
 \brief computes the values of the face that three faces at a vertex make together, which has their outer
 sides.
 */
-template <class FT>
+template <FieldNumber FT>
 Vertex_move_values<FT> removed_from_face(const FT& area_f, const FT& area_g, const FT& area_h) {
   return {{FT(0), FT(0), FT(0)}, {area_f + area_g + area_h, FT(0), FT(0)}};
 }
@@ -115,7 +116,7 @@ Vertex_move_values<FT> removed_from_face(const FT& area_f, const FT& area_g, con
 \brief computes the values of the border edge and face that are left when a vertex on the border goes.
 \param d the diamond of pk, with face kip on its left
 */
-template <class FT>
+template <FieldNumber FT>
 Vertex_move_values<FT> removed_from_border_edge(const Diamond_values<FT>& d) {
   return {{flipped(d).km, FT(0), FT(0)}, {d.area_f + d.area_g, FT(0), FT(0)}};
 }
@@ -133,9 +134,9 @@ struct Whole_star {
 
 /*!
 \brief holds values of a star, in its order.
-\tparam FT a model of `Field`
+\tparam FT a model of `FieldNumber`
 */
-template <class FT>
+template <FieldNumber FT>
 struct Whole_star_values {
   std::vector<FT> spokes; ///< squared lengths of the edges from the vertex
   std::vector<FT> rim;    ///< squared lengths of the edges opposite it
@@ -153,7 +154,7 @@ With the first spoke as unit all points are in the field: S_k = conj(s_0) s_k as
 \pre the vertex is flat, the spokes have lengths
 \return the new values of spokes and areas; areas are negative where the rim is not seen from there
 */
-template <class FT>
+template <FieldNumber FT>
 Whole_star_values<FT> moved_in_star(const Whole_star_values<FT>& v, const FT& b, const FT& c) {
   const std::size_t n = v.spokes.size();
   std::vector<Plane_vector<FT>> s{{v.spokes[0], FT(0)}};

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_APEX_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 Its argument is the angle at i.
 */
-template <class FT>
+template <RingNumber FT>
 Plane_vector<FT> scaled_corner(const FT& ij, const FT& jk, const FT& ki, const FT& area) {
   return {ij + ki - jk, area};
 }
@@ -35,7 +36,7 @@ Plane_vector<FT> scaled_corner(const FT& ij, const FT& jk, const FT& ki, const F
 Wherever i and j are, k is at z_i + (z_j - z_i) `apex`: field operations place triangle after triangle.
 \pre `ij` is not zero
 */
-template <class FT>
+template <FieldNumber FT>
 Plane_vector<FT> apex(const FT& ij, const FT& jk, const FT& ki, const FT& area) {
   const Plane_vector<FT> corner = scaled_corner(ij, jk, ki, area);
   const FT twice = ij + ij;
@@ -62,42 +63,39 @@ inline Plane_sides planar_sides(double ij, double jk, double ki, double area) {
 }
 
 /*!
-\brief computes the barycentric coordinates of a point in a triangle with corners 0, 1 and `apex`.
+\brief computes the barycentric coordinates of a point in the triangle with corners a, b and c.
 
-In a thin triangle the weight of the apex, a quotient of small heights, is vague. So it only counts as far
-as it lets the weights reproduce where the point is along the side, up to rounding.
+In a thin triangle the weight of c, a quotient of small heights above ab, is vague. So it only counts
+as far as it lets the weights reproduce where the point is along ab, up to rounding.
 \param p the point; moved into the triangle if it is outside
-\param apex the third corner; with `y` zero or less, the triangle has no area
-\return weights of 0, of 1 and of the apex: not negative, their sum is 1
+\param a,b,c the corners; if c is not on the left of ab, the triangle has no area
+\pre a and b differ
+\return weights of a, b and c: not negative, their sum is 1
 */
-inline std::array<double, 3> weights_above_side(const Plane_vector<double>& p,
-                                                const Plane_vector<double>& apex) {
-  double least = 0, most = 1; // of the apex
-  // Weights of 1 and 0 are not negative: k apex.x <= p.x and k (1 - apex.x) <= 1 - p.x. Where k gives way
-  // the point moves up or down by apex.y, else it moves along the side by the slope: the less the better.
-  const auto restrict_to = [&](double slope, double bound) {
-    if (slope > apex.y) most = std::min(most, bound / slope);
-    if (slope < -apex.y) least = std::max(least, bound / slope);
-  };
-  restrict_to(apex.x, p.x);
-  restrict_to(1 - apex.x, 1 - p.x);
-  most = std::max(most, 0.0);
-  least = std::min(least, most);
-  const double k = apex.y > 0 ? std::clamp(p.y / apex.y, least, most) : least;
-  const double j = std::clamp(p.x - k * apex.x, 0.0, 1 - k);
-  return {1 - k - j, j, k};
-}
-
-/// computes the same in a triangle with corners a, b, c. \pre a and b differ
 inline std::array<double, 3> weights_in_triangle(const Plane_vector<double>& p,
                                                  const Plane_vector<double>& a,
                                                  const Plane_vector<double>& b,
                                                  const Plane_vector<double>& c) {
   const Plane_vector<double> side = b - a;
-  const auto seen = [&](const Plane_vector<double>& q) {
+  const auto seen = [&](const Plane_vector<double>& q) { // with a at 0 and b at 1
     return in_frame(side, q - a) / dot(side, side);
   };
-  return weights_above_side(seen(p), seen(c));
+  const Plane_vector<double> at = seen(p), apex = seen(c);
+  double least = 0, most = 1; // of c
+  // Weights of b and a are not negative: k apex.x <= at.x and k (1 - apex.x) <= 1 - at.x. Where k
+  // gives way the point moves up or down by apex.y, else along the side by the slope: the less the
+  // better.
+  const auto restrict_to = [&](double slope, double bound) {
+    if (slope > apex.y) most = std::min(most, bound / slope);
+    if (slope < -apex.y) least = std::max(least, bound / slope);
+  };
+  restrict_to(apex.x, at.x);
+  restrict_to(1 - apex.x, 1 - at.x);
+  most = std::max(most, 0.0);
+  least = std::min(least, most);
+  const double k = apex.y > 0 ? std::clamp(at.y / apex.y, least, most) : least;
+  const double j = std::clamp(at.x - k * apex.x, 0.0, 1 - k);
+  return {1 - k - j, j, k};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_TRIANGLE_FORMULAS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_TRIANGLE_FORMULAS_H
 
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
+
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/assertions.h>
@@ -14,6 +16,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <ranges>
 #include <type_traits>
 #include <utility>
 
@@ -113,10 +116,10 @@ Unevaluated_sum<FT> two_sum(FT x, FT y, FT z) {
 4 y z - (y + z - x)^2, with x >= y >= z the squared lengths: the terms are then the smallest, so that
 needles are accurate. Floating point types keep all rounding errors, so that caps are, too. Negative
 iff the square roots of the arguments violate the triangle inequality.
-\tparam FT a commutative ring; no division, no square root
+\tparam FT a model of `RingNumber`
 \return the value, with relative error at most 2 u + 20 u^2 4yz / (4A)^2
 */
-template <class FT>
+template <RingNumber FT>
 FT squared_quadruple_area(const FT& L_ij, const FT& L_jk, const FT& L_ki) {
   FT x = L_jk, y = L_ij, z = L_ki;
   internal::sort_descending(x, y, z);
@@ -126,8 +129,8 @@ FT squared_quadruple_area(const FT& L_ij, const FT& L_jk, const FT& L_ki) {
     const auto pp = internal::two_product(p.high, p.high);
     return (yz.high - pp.high) + ((yz.low - pp.low) - (p.high + p.high + p.low) * p.low);
   } else {
-    const FT p = z - (x - y);
-    return FT(4) * y * z - p * p;
+    const FT p = z - (x - y), yz = y * z, twice = yz + yz;
+    return twice + twice - p * p;
   }
 }
 
@@ -136,7 +139,7 @@ FT squared_quadruple_area(const FT& L_ij, const FT& L_jk, const FT& L_ki) {
 denominator 2 l_ij l_ki).
 \return the value, with relative error at most u + O(u^2) (L_ij + L_ki + L_jk) / |p_i|
 */
-template <class FT>
+template <RingNumber FT>
 FT twice_inner_product(const FT& L_ij, const FT& L_jk, const FT& L_ki) {
   if constexpr (internal::is_floating_point<FT>)
     return internal::two_sum(L_ij, -L_jk, L_ki).high;
@@ -187,10 +190,9 @@ the angles are, whatever the degree.
 \return the defect, zero where the surface is flat, with error u |defect| + O(n^2 u^2)
 \complexity linear
 */
-template <class Angles>
-auto angle_defect(const Angles& angles) {
-  return internal::minus_angles(2, angles);
-}
+template <std::ranges::input_range Angles>
+  requires std::floating_point<std::ranges::range_value_t<Angles>>
+auto angle_defect(const Angles& angles) { return internal::minus_angles(2, angles); }
 
 /*!
 \brief computes the geodesic curvature of the boundary at a vertex, pi minus its angles.
@@ -198,10 +200,9 @@ auto angle_defect(const Angles& angles) {
 \return the curvature, zero where the boundary is straight, with error as for `angle_defect()`
 \complexity linear
 */
-template <class Angles>
-auto boundary_geodesic_curvature(const Angles& angles) {
-  return internal::minus_angles(1, angles);
-}
+template <std::ranges::input_range Angles>
+  requires std::floating_point<std::ranges::range_value_t<Angles>>
+auto boundary_geodesic_curvature(const Angles& angles) { return internal::minus_angles(1, angles); }
 
 } // namespace CGAL::Intrinsic_triangulations
 

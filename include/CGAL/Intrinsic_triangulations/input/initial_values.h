@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -30,16 +30,6 @@ square root is taken.
 */
 
 namespace CGAL::Intrinsic_triangulations {
-
-/*!
-\brief asks for a number type that values of the input can have: constructible from `double`, with +, - and *.
-*/
-template <class FT>
-concept InputNumber = std::constructible_from<FT, double> && requires(const FT& a) {
-  { FT(a + a) };
-  { FT(a - a) };
-  { FT(a * a) };
-};
 
 /*!
 \brief computes the exact square root of a rational number that is a square.
@@ -58,7 +48,7 @@ inline bool rational_square_root(const Gmpq& x, Gmpq& root) {
 A type that is not constructible from `Gmpq` gets about 400 bits, far below the least rounding
 error of its own. \pre such values are in the range of `double`
 */
-template <InputNumber FT>
+template <FieldNumber FT>
 FT from_rational(const Gmpq& x) {
   if constexpr (std::is_constructible_v<FT, Gmpq>)
     return FT(x);
@@ -254,7 +244,7 @@ exact types with square root are exact; types without are exact where the area i
 \throws Invalid_input if the face violates the triangle inequality, or its area is irrational and
   `FT` has no square root
 */
-template <InputNumber FT>
+template <FieldNumber FT>
 FT quadruple_area(const Input_metric& m, std::uint32_t f) {
   using Structure = Algebraic_structure_traits<FT>;
   if constexpr (std::is_same_v<FT, Interval_nt<false>>)
@@ -276,7 +266,7 @@ FT quadruple_area(const Input_metric& m, std::uint32_t f) {
 \tparam FT a number type constructible from `double`
 \complexity linear
 */
-template <InputNumber FT>
+template <FieldNumber FT>
 std::vector<FT> squared_lengths(const Input_metric& m, const Gluing_map& mesh) {
   const std::vector<double> excess = internal::excess_of_edges(m, mesh);
   std::vector<FT> result;
@@ -304,7 +294,7 @@ std::vector<FT> squared_lengths(const Input_metric& m, const Gluing_map& mesh) {
 \throws Invalid_input as `quadruple_area()`
 \complexity linear
 */
-template <InputNumber FT>
+template <FieldNumber FT>
 std::vector<FT> quadruple_areas(const Input_metric& m) {
   std::vector<FT> result;
   result.reserve(m.number_of_faces());
