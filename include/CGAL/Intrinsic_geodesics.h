@@ -6,8 +6,8 @@
 
 /*!
 \file
-Geodesic curves, paths, loops, networks and trees, Bezier curves, exact distances and shortest paths; and what they are on,
-`CGAL/Intrinsic_triangulations.h`.
+Geodesic curves, paths, loops, networks and trees, Bezier curves, exact distances and shortest paths;
+and `CGAL/Intrinsic_triangulations.h`.
 */
 
 #include <CGAL/Intrinsic_geodesics/bezier/bezier_point.h>
@@ -17,6 +17,7 @@ Geodesic curves, paths, loops, networks and trees, Bezier curves, exact distance
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
+#include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.h>
 #include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>

@@ -6,10 +6,20 @@
 
 /*!
 \file
-All sources of the package `Intrinsic_geodesics` and of those below it, for programs that do not link the library: exactly one of
-their sources includes this file.
+All sources of the package `Intrinsic_geodesics` and of those below it, for programs that do not
+link the library: exactly one of their sources includes this file.
 */
 
+#include <CGAL/Intrinsic_geodesics/bezier/bezier_point.cpp>
+#include <CGAL/Intrinsic_geodesics/curves/Curve_order.cpp>
+#include <CGAL/Intrinsic_geodesics/distance/Corner_table.cpp>
+#include <CGAL/Intrinsic_geodesics/distance/Distance_field.cpp>
+#include <CGAL/Intrinsic_geodesics/distance/spread_windows.cpp>
+#include <CGAL/Intrinsic_geodesics/distance/trace_back.cpp>
+#include <CGAL/Intrinsic_geodesics/queries/Curve_inserter.cpp>
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.cpp>
+#include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.cpp>
+#include <CGAL/Intrinsic_geodesics/single_source/Geodesic_tree_builder.cpp>
 #include <CGAL/Intrinsic_triangulations_sources.h>
 
 #endif // CGAL_INTRINSIC_GEODESICS_SOURCES_H

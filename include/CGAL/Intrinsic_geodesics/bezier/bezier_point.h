@@ -4,14 +4,13 @@
 #ifndef CGAL_INTRINSIC_GEODESICS_BEZIER_BEZIER_POINT_H
 #define CGAL_INTRINSIC_GEODESICS_BEZIER_BEZIER_POINT_H
 
+#include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -26,26 +25,7 @@ struct Place_on_curve {
 };
 
 // The point that divides a curve by length.
-inline Place_on_curve place_on_curve(const Input& input, const Traced_curve& curve, double share) {
-  const auto end_of_piece = [&](std::size_t piece, std::size_t end) {
-    return seen_in_face(input, curve.points[piece + end], curve.faces[piece]);
-  };
-  std::vector<double> lengths;
-  double all = 0;
-  for (std::size_t i = 0; i < curve.faces.size(); ++i) {
-    const Plane_vector<double> v = vector_between(input, end_of_piece(i, 0), end_of_piece(i, 1));
-    lengths.push_back(std::hypot(v[0], v[1]));
-    all += lengths.back();
-  }
-  double left = share * all;
-  std::size_t piece = 0;
-  for (; piece + 1 < lengths.size() && left > lengths[piece]; ++piece) left -= lengths[piece];
-  Surface_point p = end_of_piece(piece, 0);
-  const Surface_point q = end_of_piece(piece, 1);
-  const double x = lengths[piece] > 0 ? std::clamp(left / lengths[piece], 0.0, 1.0) : 0.0;
-  for (std::size_t k = 0; k < 3; ++k) p.weights[k] = (1 - x) * p.weights[k] + x * q.weights[k];
-  return {piece, p};
-}
+Place_on_curve place_on_curve(const Input& input, const Traced_curve& curve, double share);
 
 } // namespace internal
 
@@ -69,38 +49,41 @@ Surface_point point_on_curve(const Triangulation& t, const Traced_curve& curve, 
 \brief is a point that `bezier_point()` has found.
 */
 struct Bezier_point {
-  /// `done`, or why a geodesic was not found; then there is no point.
+  /// `done`; otherwise why a geodesic was not found, and `point` has no meaning.
   Status status = Status::done;
   /// The point on the input.
   Surface_point point{};
 };
 
 /*!
-\brief evaluates a Bezier curve at one parameter, by de Casteljau's algorithm with a new geodesic in every step.
+\brief evaluates a Bezier curve at one parameter, by de Casteljau's algorithm with a new geodesic in
+  every step.
 
-Points next to each other are joined by geodesics, and these are divided as x to 1 - x, until one point is left (§5.3 of the course
-with any parameter in place of 1/2). Every point is as it is whatever other points are; but where a geodesic changes from one side of a bump to the
-other as x grows, the curve jumps. `make_bezier_curve()` does not.
+Geodesics join points next to each other, and are divided as x to 1 - x, until one point is left
+(§5.3 of the course with any parameter in place of 1/2). Each point depends on its parameter only;
+but where a geodesic changes from one side of a bump to the other as x grows, the curve jumps. That
+of `make_bezier_curve()` does not.
 
-Nothing is left behind in the triangulation. Sides of the control polygon may cross.
-\tparam Triangulation a model of `RefinableTriangulation`, see `Geodesic_finder`
+The triangulation is as before afterwards. Sides of the control polygon may cross.
+\tparam Triangulation a model of `GeodesicTriangulation` and of `RefinableTriangulation`
 \param t the triangulation that `find` was made for
 \param find finds geodesics in `t`
 \param control_points points of the input, one at least
 \param x the parameter, from 0 to 1
 \complexity d (d + 1) / 2 queries of `find` for a curve of degree d
 */
-template <class Triangulation>
-Bezier_point bezier_point(const Triangulation& t, Geodesic_finder<Triangulation>& find,
-                          std::vector<Surface_point> control_points, double x) {
-  for (std::vector<Surface_point>& p = control_points; p.size() > 1; p.pop_back())
-    for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-      const Geodesic_path path = find(std::vector<Surface_point>{p[i], p[i + 1]});
-      if (path.status != Status::done) return {path.status, {}};
-      if (path.points.size() > 1) p[i] = point_on_curve(t, path, x); // else they are one vertex
-    }
-  return {Status::done, control_points.front()};
-}
+template <GeodesicTriangulation Triangulation>
+  requires RefinableTriangulation<Triangulation>
+      Bezier_point bezier_point(const Triangulation& t, Geodesic_finder<Triangulation>& find,
+                                std::vector<Surface_point> control_points, double x) {
+    for (std::vector<Surface_point>& p = control_points; p.size() > 1; p.pop_back())
+      for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+        const Geodesic_path path = find(std::vector<Surface_point>{p[i], p[i + 1]});
+        if (path.status != Status::done) return {path.status, {}};
+        if (path.points.size() > 1) p[i] = point_on_curve(t, path, x); // else they are one vertex
+      }
+    return {Status::done, control_points.front()};
+  }
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -28,7 +28,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a geodesic Bezier curve: the control polygon after some rounds of subdivision, along edges of an intrinsic triangulation.
+\brief is a geodesic Bezier curve: the control polygon after some rounds of subdivision, along edges
+  of an intrinsic triangulation.
 \tparam Triangulation a model of `GeodesicTriangulation`
 */
 template <GeodesicTriangulation Triangulation>
@@ -105,7 +106,7 @@ public:
     return sum;
   }
 
-  // makes the sides edges, and tells the curve what it is
+  // makes the sides edges, and writes the curve
   Status finish(Bezier_curve<Triangulation>& curve) {
     curve.control_points.assign(1, sides_.front().from);
     Curve_inserter<Triangulation> inserter(t_);
@@ -160,7 +161,7 @@ private:
     return Status::done;
   }
 
-  // If two halves cross, there is no curve to be shortened: the shortest path takes its place.
+  // Halves that cross cannot be shortened together: the shortest path takes their place.
   Status join(const Side& first, const Side& second, Side& side, Shortening_result& counts) {
     const Status s = finder_.join({first, second}, false, side, counts);
     return s == Status::stalled ? finder_.find(first.from, second.to, side, counts) : s;
@@ -200,24 +201,24 @@ private:
 } // namespace internal
 
 /*!
-\brief makes a geodesic Bezier curve (§5.3 of the course) of any degree among the edges of an intrinsic triangulation.
+\brief makes a geodesic Bezier curve (§5.3 of the course) of any degree among the edges of an
+  intrinsic triangulation.
 
-The sides of the control polygon are shortest paths. Each round subdivides it: of d + 1 control
-points de Casteljau's algorithm at 1/2, with midpoints of geodesics, makes twice as many, which share the point in the middle. The
-polygon converges to the curve. Every other geodesic is the one that halves of two others are
-shortened to, not a shortest path that is sought anew: those jump from one side of a bump to the
-other as the parameter grows, and the curve with them. Only where two halves cross, a shortest path
-takes their place.
+The sides of the control polygon are shortest paths. Each round subdivides it: de Casteljau's
+algorithm at 1/2, with midpoints of geodesics, makes two polygons of each, which share the point in
+the middle. The polygon converges to the curve. Halves of two sides are shortened to the geodesic
+between them; new shortest paths would jump from one side of a bump to the other as the parameter
+grows, and the curve with them. Only where two halves cross, a shortest path takes their place.
 
 Each geodesic is found alone on the surface: no other line is in its way. So in a convex part of a
-plane all control points lie where they do in a plane. In the end the sides of the last polygon are
-made edges. Where the polygon crosses itself, a vertex is inserted.
+plane all control points lie where they do in a plane. At the end the sides of the last polygon
+become edges. Where the polygon crosses itself, a vertex is inserted.
 
-All edges are flipped to Delaunay before and between rounds. Midpoints are inserted as vertices,
-where half of the length is as a double; with exact traits they are rounded as in
-`Intrinsic_triangulation::insert_vertex()`. Between them the sides are geodesics that
-`is_geodesic()` and `certify_geodesic()` decide on exactly, once the control points and
-`Bezier_curve::crossings` are fixed in a network.
+All edges are flipped to Delaunay before and between rounds. Midpoints are inserted as vertices at
+half of the length, as a double; exact traits round them as in
+`Intrinsic_triangulation::insert_vertex()`. `is_geodesic()` and `certify_geodesic()` decide exactly
+whether the sides between them are geodesics, once the control points and `Bezier_curve::crossings`
+are fixed in a network.
 
 \tparam Triangulation a model of `GeodesicTriangulation`, of `RefinableTriangulation` and of
   `CorrespondingTriangulation`
@@ -226,7 +227,8 @@ where half of the length is as a double; with exact traits they are rounded as i
 \param control_points vertices, two at least
 \param np optional named parameters:
   - `maximum_rounds(n)`: number of rounds. Default: 5.
-  - `tolerance(x)`: stops when a round makes the control polygon shorter by at most this, in the units of the input. Default: 0.
+  - `tolerance(x)`: stops when a round makes the control polygon shorter by at most this, in the
+    units of the input. Default: 0.
 \return the curve
 \throws std::invalid_argument if there are less than two control points
 \complexity that of d shortest paths, of `flip_to_delaunay()` r + 1 times for r rounds, and d

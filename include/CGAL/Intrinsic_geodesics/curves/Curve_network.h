@@ -14,11 +14,9 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -32,11 +30,13 @@ class Network_joints;
 } // namespace internal
 
 /*!
-\brief is a family of paths and loops along the edges of an intrinsic triangulation that do not cross (§5.1 and §5.2 of the course).
+\brief is a family of paths and loops along the edges of an intrinsic triangulation that do not
+  cross (§5.1 and §5.2 of the course).
 
-A curve is a sequence of halfedges. Any number of curves may run along an edge, in either direction: they lie beside each other there, in
-an order in which none crosses another. Where a curve passes a vertex it has a *joint*. Joints at fixed vertices and the ends of paths stay where they
-are; all others are free to move when curves are shortened.
+A curve is a sequence of halfedges. Any number of curves may run along an edge, in either direction,
+beside each other in an order in which they do not cross. Where a curve passes a vertex it has a
+*joint*. Joints at fixed vertices and the ends of paths stay where they are; all others are free to
+move when curves are shortened.
 
 The network refers to the triangulation. Edges that carry curves must not be flipped by others: pass
 `edge_is_constrained_map()` to algorithms that flip.
@@ -55,7 +55,8 @@ public:
   /// Edge of the triangulation.
   using edge_descriptor = typename Triangulation::edge_descriptor;
 
-  /// starts without curves. \param t the triangulation, which must outlive the network \complexity linear
+  /// starts without curves. \param t the triangulation; it must outlive the network
+  /// \complexity linear
   explicit Curve_network(Triangulation& t)
       : t_(&t), segments_(t.numbers().edge_capacity(t.mesh())),
         ends_(t.numbers().vertex_capacity(t.mesh()), 0) {}
@@ -72,17 +73,19 @@ public:
   \param halfedges its halfedges, each from the target of the one before, or on a cover from a copy
     of it: such a joint is not free
   \return its number, which counts from 0
-  \throws Invalid_input if the halfedges are not connected, there are none, or the path crosses a curve; nothing has been
-  added then. A path may end on another curve, and cross it at a fixed vertex.
-  \complexity linear in its length, in the number of curves beside it and the degrees of vertices where there are others
+  \throws Invalid_input if the halfedges are not connected, there are none, or the path crosses a
+    curve; the network is as before then. A path may end on another curve, and cross it at a fixed
+    vertex
+  \complexity linear in its length, in the number of curves beside it and the degrees of vertices
+    where there are others
   */
-  template <class HalfedgeRange>
+  template <std::ranges::input_range HalfedgeRange>
   std::uint32_t add_path(const HalfedgeRange& halfedges) {
     return add({halfedges.begin(), halfedges.end()}, false);
   }
-  /// adds a loop, the last halfedge of which leads to the source of the first; see `add_path()`. One that goes out and
-  /// back as a whole has contracted.
-  template <class HalfedgeRange>
+  /// adds a loop, whose last halfedge leads to the source of the first; see `add_path()`. A loop
+  /// that goes out and back as a whole has contracted.
+  template <std::ranges::input_range HalfedgeRange>
   std::uint32_t add_loop(const HalfedgeRange& halfedges) {
     return add({halfedges.begin(), halfedges.end()}, true);
   }
@@ -93,16 +96,16 @@ public:
     if (i >= fixed_.size()) fixed_.resize(i + std::size_t{1}, false);
     fixed_[i] = true;
   }
-  /// tells whether a vertex is fixed.
+  /// returns whether a vertex is fixed.
   bool is_fixed(vertex_descriptor v) const {
     return t_->index(v) < fixed_.size() && fixed_[t_->index(v)];
   }
 
   /// returns the number of curves.
   std::uint32_t number_of_curves() const { return static_cast<std::uint32_t>(curves_.size()); }
-  /// tells whether a curve is a loop.
+  /// returns whether a curve is a loop.
   bool is_loop(std::uint32_t curve) const { return curves_[curve].is_loop; }
-  /// tells whether a curve has no halfedges: a loop has contracted, a path ends where it starts.
+  /// returns whether a curve has no halfedges: a loop has contracted, a path ends where it starts.
   bool is_point(std::uint32_t curve) const { return curves_[curve].first == Segments::none; }
   /// returns where a curve starts; if it `is_point()`, where that is.
   vertex_descriptor start(std::uint32_t curve) const {
@@ -116,7 +119,8 @@ public:
     for_each_segment(curve, [&](std::uint32_t s) { result.push_back(halfedge_of(s)); });
     return result;
   }
-  /// returns the length of a curve, in the units of the input; with exact traits to 1e-12 of it. \complexity linear
+  /// returns the length of a curve, in the units of the input; with exact traits to 1e-12 of it.
+  /// \complexity linear
   double length(std::uint32_t curve) const {
     double sum = 0;
     for_each_segment(curve,
@@ -130,7 +134,8 @@ public:
     return sum;
   }
 
-  /// returns an interval that contains the length of a curve, see `length_enclosure()`. \complexity linear
+  /// returns an interval that contains the length of a curve, see `length_enclosure()`.
+  /// \complexity linear
   Interval_nt<> length_enclosure(std::uint32_t curve) const {
     Interval_nt<> sum(0);
     for_each_segment(curve, [&](std::uint32_t s) {
@@ -139,7 +144,7 @@ public:
     return sum;
   }
 
-  /// tells whether a curve runs along an edge.
+  /// returns whether a curve runs along an edge.
   bool carries_curve(edge_descriptor e) const { return !segments_.is_free(2 * t_->index(e)); }
   /// returns the curves along an edge, from left to right of its halfedge `2 * t.index(e)`.
   std::vector<std::uint32_t> curves_along(edge_descriptor e) const {
@@ -156,8 +161,9 @@ public:
         [this](edge_descriptor e) { return carries_curve(e); });
   }
 
-  /// tells whether curves cross at the source of a halfedge, which they do at fixed vertices only. \complexity linear in its
-  /// degree and the number of curves there
+  /// returns whether curves cross at the source of a halfedge, which they do at fixed vertices
+  /// only.
+  /// \complexity linear in its degree and the number of curves there
   bool has_crossing_at_source(halfedge_descriptor h) const {
     return internal::Curve_order<Triangulation>(*t_, segments_).has_crossing(h);
   }

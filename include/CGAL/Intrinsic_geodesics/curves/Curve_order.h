@@ -15,8 +15,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Segments of curves: each runs along a halfedge, has a segment before and after it on its curve, and lies in a stack with
-// the others on its edge, in their order across it (Sharp and Crane 2020, section 3.2). Segments are named by numbers.
+// Segments of curves, by number: each runs along a halfedge, has a segment before and after it on
+// its curve, and lies in a stack of those on its edge, in their order across it (Sharp and Crane
+// 2020, section 3.2).
 class Curve_segments {
 public:
   static constexpr std::uint32_t none = Gluing::none;
@@ -46,29 +47,11 @@ public:
   }
 
   // adds a segment that is in no stack yet
-  std::uint32_t add(std::uint32_t h, std::uint32_t curve) {
-    std::uint32_t s = none;
-    if (free_.empty()) {
-      s = static_cast<std::uint32_t>(segments_.size());
-      segments_.emplace_back();
-    } else {
-      s = free_.back();
-      free_.pop_back();
-    }
-    segments_[s] = {h, none, none, curve, {none, none}, segments_[s].generation};
-    return s;
-  }
+  std::uint32_t add(std::uint32_t h, std::uint32_t curve);
 
-  // puts it into the stack of its edge, so that `left` comes next on the left of h; none: it is nearest to the face of h
-  void stack(std::uint32_t s, std::uint32_t h, std::uint32_t left = none) {
-    if (h >= outermost_.size()) outermost_.resize((h | 1U) + std::size_t{1}, none);
-    const std::uint32_t right =
-        left == none ? outermost_[h] : segments_[left].beside[(h & 1U) ^ 1U];
-    segments_[s].beside[h & 1U] = left;
-    segments_[s].beside[(h & 1U) ^ 1U] = right;
-    (left == none ? outermost_[h] : segments_[left].beside[(h & 1U) ^ 1U]) = s;
-    (right == none ? outermost_[h ^ 1U] : segments_[right].beside[h & 1U]) = s;
-  }
+  // puts it into the stack of its edge, so that `left` comes next on the left of h; none: it is
+  // nearest to the face of h
+  void stack(std::uint32_t s, std::uint32_t h, std::uint32_t left = none);
 
   // lets one follow another on a curve; either may be none
   void link(std::uint32_t s, std::uint32_t next) {
@@ -77,17 +60,7 @@ public:
   }
 
   // takes it off its stack; its number becomes free
-  void remove(std::uint32_t s) {
-    Segment& x = segments_[s];
-    const std::uint32_t h = x.halfedge & ~1U;
-    for (const unsigned side : {0U, 1U}) {
-      const std::uint32_t on_side = x.beside[side], other = x.beside[side ^ 1U];
-      (on_side == none ? outermost_[h | side] : segments_[on_side].beside[side ^ 1U]) = other;
-    }
-    x.halfedge = none;
-    ++x.generation;
-    free_.push_back(s);
-  }
+  void remove(std::uint32_t s);
 
 private:
   std::vector<Segment> segments_;
@@ -95,8 +68,9 @@ private:
   std::vector<std::uint32_t> outermost_; // per halfedge
 };
 
-// The order of curves across an edge in which they do not cross, found where they part: the one that leaves to the left
-// there is on the left all the way. Curves that never part keep the order in which they came, from left to right.
+// The order of curves across an edge in which they do not cross, found where they part: the one
+// that leaves to the left there is on the left all the way. Curves that never part keep the order
+// in which they came, from left to right.
 template <class Triangulation>
 class Curve_order {
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -130,8 +104,8 @@ public:
   }
 
 private:
-  // Joints by the segment that comes in, counterclockwise, each where a segment of it ends: from right to left of the halfedge from
-  // the vertex.
+  // Joints by the segment that comes in, counterclockwise, each where a segment of it ends: from
+  // right to left of the halfedge from the vertex.
   std::vector<std::uint32_t> joints_about_source(Halfedge h) const {
     std::vector<std::uint32_t> joints;
     Halfedge g = h;
@@ -147,7 +121,8 @@ private:
     return joints;
   }
 
-  // leaves out joints between whose ends there is nothing else, and so on; whether others nest does not depend on it
+  // leaves out joints with nothing between their ends, and so on; this does not change whether
+  // others nest
   static std::vector<std::uint32_t> without_nested(const std::vector<std::uint32_t>& joints) {
     std::vector<std::uint32_t> open;
     for (const std::uint32_t j : joints)
@@ -188,7 +163,8 @@ private:
     return parting({a, false}, {b, !is_along}) < 0; // looking back, left is right
   }
 
-  // 1 if a leaves to the left of b, -1 if to the right, 0 if one of them ends before, or they run beside each other for ever
+  // 1 if a leaves to the left of b, -1 if to the right, 0 if one of them ends before, or they never
+  // part
   int parting(Step a, Step b) const {
     const Step first_a = a, first_b = b;
     while (true) {
@@ -201,7 +177,7 @@ private:
     }
   }
 
-  // whether a, from the target of h, comes before b when one turns clockwise from h: it is on the left of b
+  // whether a, from the target of h, comes before b clockwise from h: it is on the left of b
   bool is_met_first(std::uint32_t h, std::uint32_t a, std::uint32_t b) const {
     const auto& number = t_.numbers();
     Halfedge g = number.halfedge_at(h);

@@ -10,8 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,7 +57,8 @@ public:
   /// Halfedge of the triangulation.
   using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
 
-  /// prepares searches. \param t the triangulation, which must outlive the finder; it may change between searches
+  /// prepares searches. \param t the triangulation; it must outlive the finder, and may change
+  /// between searches
   explicit Edge_path_finder(const Triangulation& t) : t_(t) {}
 
   /*!
@@ -87,7 +86,7 @@ public:
 private:
   static constexpr std::uint32_t none = Gluing::none;
 
-  // what is known of a vertex from one end
+  // the best way so far to a vertex from one end
   struct Label {
     double distance;
     std::uint32_t halfedge; // the last one to it
@@ -180,7 +179,7 @@ private:
 
   const Triangulation& t_;
   std::array<Side, 2> sides_;
-  bool is_manifold_ = false; // as far as is known
+  bool is_manifold_ = false; // set by the first search
   std::unordered_multimap<std::uint32_t, halfedge_descriptor> other_fans_;
   std::uint32_t search_ = 0;
   double best_ = 0;

@@ -15,7 +15,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief asks for what curves on edges need: numbers, lengths, angles compared with pi, and flips that can be taken back.
+\brief requires what curves on edges need: numbers, lengths, angles compared with pi, and flips that
+  can be taken back.
 
 Syntax of \ref ::GeodesicTriangulation, where its meaning is described.
 */

@@ -58,7 +58,7 @@ public:
   const Growing_paths<Triangulation>& paths() const { return paths_; }
   Growing_paths<Triangulation>& paths() { return paths_; }
 
-  // Inserts a vertex where a line starts, unless there is one; `d` becomes the direction of the line there.
+  // Inserts a vertex where a line starts, unless there is one; `d` becomes the direction there.
   Move_status start(const Surface_point& p, const Plane_vector<double>& direction,
                     Corner_direction& d) {
     const Geodesic_face face(view_, p.halfedge);
@@ -73,8 +73,9 @@ public:
     return Move_status::done;
   }
 
-  // Makes a line of a length, in units of the triangulation, a path. It ends at vertex `target`, if one is given, which must be near
-  // its end. `not_traceable`, too, if it crosses an edge that may not be split.
+  // Makes a line of a length, in units of the triangulation, a path. It ends at vertex `target`, if
+  // one is given, which must be near its end. `not_traceable`, too, if it crosses an edge that may
+  // not be split.
   Move_status go(Corner_direction d, double length, std::uint32_t target = Gluing::none) {
     const double total = length;
     const bool has_target = target != Gluing::none;
@@ -107,9 +108,9 @@ private:
   // the halfedge before h in its face
   std::uint32_t last(std::uint32_t h) const { return view_.next(view_.next(h)); }
 
-  // The distance from edges and vertices that is taken for none, near a side of a length: more than the error with which
-  // points of the input are located, which grows along a line. Beside a vertex that is missed by less, edges are so short that
-  // directions are lost.
+  // Smaller distances from edges and vertices, near a side of a length, count as none. The bound is
+  // more than the error of located points of the input, which grows along a line. Beside a vertex
+  // that is missed by less, edges are so short that directions are lost.
   static double tolerance(double length) { return 0x1p-31 * length; }
   static double tolerance(const Walk& walk, const typename Walk::Exit& e) {
     return tolerance(walk.face().length[e.side]);
@@ -120,8 +121,8 @@ private:
     return {walk.face().side[0], std::atan2(walk.direction()[1], walk.direction()[0])};
   }
 
-  // A direction from the vertex of a split by its angle from the direction of the edge, in (-pi, pi]: told from the longer
-  // part, which rounding has turned less.
+  // A direction from the vertex of a split by its angle from the direction of the edge, in (-pi,
+  // pi]: seen from the longer part, which rounding has turned less.
   static Corner_direction from_split(const Split& s, double parameter, double angle) {
     if (parameter < 0.5) return {s.to_target, angle};
     return {s.to_source, angle > 0 ? angle - std::numbers::pi : angle + std::numbers::pi};
@@ -178,7 +179,8 @@ private:
     return length * std::min(e.source_weight, e.target_weight) <= tolerance(length);
   }
 
-  // Goes to the exit of the face; `d` becomes the direction there. A line that runs along the border may pass vertices on it.
+  // Goes to the exit of the face; `d` becomes the direction there. A line along the border may pass
+  // vertices on it.
   Move_status pass(Walk& walk, const typename Walk::Exit& e, bool may_follow_border,
                    Corner_direction& d) {
     const std::uint32_t h = walk.halfedge(e);
@@ -214,8 +216,8 @@ private:
     for (const auto h : crossed_edges_.edges_along(crossed)) append_edge(t_.numbers().halfedge(h));
   }
   // An edge, or the way by vertices beside it which rounding has moved off it: so that lines which
-  // touch have these, all of them. Ends at vertex `target`, if that is one of them, and tells
-  // whether it is.
+  // touch have these, all of them. Ends at vertex `target` if that is one of them. Returns whether
+  // it does.
   bool append_edge(std::uint32_t h, std::uint32_t target = Gluing::none) {
     for (const std::uint32_t g : {h, h ^ 1U}) {
       if (!crossed_edges_.may_flip(h / 2) || view_.is_border(g) || !is_at_apex(g)) continue;
@@ -251,7 +253,7 @@ private:
     return (is_left ? last(g ^ 1U) : view_.next(g ^ 1U)) == h;
   }
 
-  // Whether a line that has come along halfedge `back` may go on straight at a vertex of the border.
+  // Whether a line that came along halfedge `back` may go on straight at a vertex of the border.
   bool is_straight_at(std::uint32_t back, Corner_direction& d) const {
     for (const double angle : {std::numbers::pi, -std::numbers::pi}) {
       d = {back, angle};

@@ -12,7 +12,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <cstddef>
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
@@ -102,20 +102,25 @@ private:
 } // namespace internal
 
 /*!
-\brief adds the marked edges of a triangulation to a network, each once: a cut graph, seams, or borders of regions.
+\brief adds the marked edges of a triangulation to a network, each once: a cut graph, seams, or
+  borders of regions.
 
-Vertices where one marked edge ends, or more than two meet, or two that are in different fans of faces, are junctions: they are fixed. Chains of edges between junctions become
-paths, all other edges loops.
+Vertices where one marked edge ends, more than two meet, or two from different fans of faces meet,
+are junctions: they are fixed. Chains of edges between junctions become paths, all other edges
+loops.
 \tparam Triangulation a model of `GeodesicTriangulation`
-\tparam EdgeIsMarked a readable property map from its edges to `bool`; `constrained_input_edges()` makes one from edges of the
-user's mesh
+\tparam EdgeIsMarked a readable property map from its edges to `bool`; `constrained_input_edges()`
+  makes one from edges of the user's mesh
 \param network the curves
-\param is_marked tells which edges are added
+\param is_marked is true for the edges to add
 \return the number of curves added
-\throws Invalid_input if an added curve crosses one that was there before; those before it have been added then
+\throws Invalid_input if an added curve crosses one that was there before; those before it stay
 \complexity linear in the mesh
 */
 template <GeodesicTriangulation Triangulation, class EdgeIsMarked>
+  requires requires(const EdgeIsMarked& map, typename Triangulation::edge_descriptor e) {
+    { get(map, e) } -> std::convertible_to<bool>;
+  }
 std::uint32_t add_marked_edges(Curve_network<Triangulation>& network,
                                const EdgeIsMarked& is_marked) {
   using Chains = internal::Marked_chains<Triangulation>;
@@ -133,17 +138,19 @@ std::uint32_t add_marked_edges(Curve_network<Triangulation>& network,
 }
 
 /*!
-\brief labels the edges along curves, so that they outlive the network as constrained edges (§5.4 of the course).
+\brief labels the edges along curves, so that they outlive the network as constrained edges (§5.4 of
+  the course).
 
-To be passed as named parameter `edge_is_constrained_map`: the edges are not flipped, and if refinement splits one, its parts
-have its label. Thus each curve stays the union of the edges of its label. Where curves run along one edge, the first of them
-labels it: they are to be told apart by `Curve_network::curves_along()` before.
+Pass the map as named parameter `edge_is_constrained_map`: its edges are not flipped, and if
+refinement splits one, the parts have its label. Thus each curve stays the union of the edges of its
+label. Where curves share an edge, the first of them labels it; `Curve_network::curves_along()`
+lists all.
 \tparam Triangulation a model of `GeodesicTriangulation`
 \param network the curves; the map does not refer to them
 \return for each edge the number of the first curve along it, plus one; 0 for edges without curve
 \complexity linear in the number of halfedges of the curves
 */
-template <class Triangulation>
+template <GeodesicTriangulation Triangulation>
 Marked_edges<Triangulation, std::uint32_t>
 curve_labels(const Curve_network<Triangulation>& network) {
   Marked_edges<Triangulation, std::uint32_t> labels(network.triangulation());

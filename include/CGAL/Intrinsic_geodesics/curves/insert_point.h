@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -78,7 +77,8 @@ Vertex_at_point<Triangulation> insert_point_by(Triangulation& t, const Surface_p
 } // namespace internal
 
 /*!
-\brief finds the vertex of the intrinsic triangulation at a point of the input, and inserts one if there is none.
+\brief finds the vertex of the intrinsic triangulation at a point of the input, and inserts one if
+  there is none.
 
 A vertex or an edge at the point up to rounding has it. With exact traits the new vertex is where
 `Intrinsic_triangulation::insert_vertex()` rounds the point.
@@ -99,7 +99,7 @@ Vertex_at_point<Triangulation> insert_point(Triangulation& t, const Surface_poin
 cover, one on each sheet.
 
 The first is that of `insert_point()`; a point at a vertex of the user has this one only. The others
-are exactly at the same point, and have the same row in matrices, if the correspondence knows places
+are exactly at the same point, and have the same row in matrices, if the correspondence has places
 on the input (see `Intrinsic_triangulation::places()`).
 \tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
 \param t the triangulation

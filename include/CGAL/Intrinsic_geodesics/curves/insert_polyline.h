@@ -16,7 +16,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -34,8 +33,8 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <RefinableTriangulation Triangulation>
 struct Inserted_path {
-  /// `done`, or why a vertex could not be inserted; `border`: a line leads beyond it; `not_traceable`: a line has not met its end,
-  /// by rounding.
+  /// `done`, or why a vertex could not be inserted; `border`: a line leads beyond it;
+  /// `not_traceable`: rounding led a line past its end.
   Move_status status = Move_status::done;
   /// The halfedges, in order; if the status is not `done`, as far as the path goes.
   std::vector<typename Triangulation::halfedge_descriptor> halfedges;
@@ -44,15 +43,16 @@ struct Inserted_path {
 /*!
 \brief makes a traced geodesic a path of edges of the triangulation.
 
-Vertices are inserted at its start and its end, unless there are some, and on every edge that it crosses; where it crosses itself,
-on its own edges. The geodesic is traced again, from vertex to vertex, so that it may cross an edge any number of times. Where it meets a
-vertex up to rounding, it goes through it. Halfedges of earlier paths that it crosses become shorter or others: `Curve_network` is told of paths after all are
-inserted.
+Vertices are inserted at its start and its end, unless there are some, and on every edge that it
+crosses; where it crosses itself, on its own edges. The geodesic is traced again, from vertex to
+vertex, so that it may cross an edge any number of times. It goes through vertices that it meets up
+to rounding. It changes halfedges of earlier paths that it crosses: insert all paths before you add
+them to a `Curve_network`.
 \tparam Triangulation a model of `RefinableTriangulation`
 \param t the triangulation
 \param geodesic what `trace_geodesic()` returned, for `t` as it is now
-\return the path. Each new vertex is where the triangulation rounds it, so that a path in exact arithmetic is a little bent. If it is refused somewhere,
-vertices that were inserted before stay
+\return the path. Each new vertex is where the triangulation rounds it, so that a path in exact
+  arithmetic is a little bent. If a vertex is refused, those inserted before stay
 \complexity linear in the number of crossings, and that of the insertions
 */
 template <RefinableTriangulation Triangulation>
@@ -102,12 +102,13 @@ std::optional<Corner_direction> direction_at_vertex(const Triangulation& t, std:
 /*!
 \brief makes a polyline on the input a path of edges of the triangulation.
 
-Vertices are inserted at its points, unless there are some, then each segment is inserted as by `insert_traced_path()`. A polyline
-may pass a point again, if that is given in the same way, and cross itself.
+Vertices are inserted at its points, unless there are some, then each segment is inserted as by
+`insert_traced_path()`. A polyline may cross itself, and pass a point again that is given in the
+same way.
 \tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
 \param t the triangulation
-\param points points of the input; `surface_point()` finds those of the user's mesh. Each is in a face with the next one: where the
-polyline crosses an edge, there is a point
+\param points points of the input; `surface_point()` finds those of the user's mesh. Each is in a
+  face with the next one: where the polyline crosses an edge, there is a point
 \return the path, and the vertices at the points. If a vertex is refused, those inserted before stay
 \throws Invalid_input if two consecutive points have no common face; nothing has been inserted then
 \complexity see `insert_point()` and `insert_traced_path()`

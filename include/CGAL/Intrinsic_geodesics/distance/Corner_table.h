@@ -8,8 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,8 +22,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /*!
 \brief is a corner of a face and the side that starts there, counterclockwise.
 
-The angle is kept as a unit vector: unfolding across a side turns about a corner by it. What is computed of a long and
-thin face so has errors of rounding relative to its longest side, whichever sides are crossed.
+The angle is a unit vector: unfolding across a side turns about a corner by it. Errors of rounding
+in a long and thin face are so relative to its longest side, whichever sides are crossed.
 */
 struct Face_corner {
   double length = 0; ///< length of the side
@@ -39,14 +37,15 @@ struct Face_corner {
 /*!
 \brief is a triangulation as one flat array: corner `3 f + k` is the source of side `k` of face `f`.
 
-Lengths are in scaled units, see `unit`. Vertices and faces have their numbers in the triangulation; those of removed ones are
-left empty.
+Lengths are in scaled units, see `unit`. Vertices and faces have their numbers in the triangulation;
+those of removed ones are left empty.
 */
 struct Corner_table {
   std::vector<Face_corner> corners; ///< three per face
   std::vector<std::uint32_t>
       first_corner; ///< per vertex: the most clockwise corner of a fan, or none
-  /// Other fans of vertices that are not manifold: the vertex, and the most clockwise corner. In the order of vertices.
+  /// Other fans of vertices that are not manifold: the vertex, and the most clockwise corner;
+  /// sorted.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> other_fans;
   /// On a cover, per vertex the next copy of the same vertex of the user, in a circle; else empty.
   std::vector<std::uint32_t> next_copy;
@@ -65,34 +64,13 @@ struct Corner_table {
   }
 
   /// finds the fans of all vertices. \pre `corners` are there, and `first_corner` is long enough
-  void find_fans() {
-    std::vector<char> seen(corners.size(), 0);
-    for (std::uint32_t c = 0; c < corners.size(); ++c) {
-      if (seen[c] != 0 || corners[c].origin == Gluing::none) continue;
-      std::uint32_t first = c;
-      for (std::uint32_t r = turn_right(c); r != Gluing::none && r != c; r = turn_right(r))
-        first = r;
-      if (first != c && turn_right(first) == c) first = c; // all around
-      std::uint32_t g = first;
-      do seen[g] = 1;
-      while ((g = turn_left(g)) != Gluing::none && g != first);
-      const std::uint32_t v = corners[c].origin;
-      if (first_corner[v] == Gluing::none)
-        first_corner[v] = first;
-      else
-        other_fans.emplace_back(v, first);
-    }
-    std::sort(other_fans.begin(), other_fans.end());
-  }
+  void find_fans();
 };
 
-// The cosine and the sine of the angle between sides of which squared lengths, that of the third, and the quadruple
-// area are known; of a zero-length side, a right angle.
-inline std::pair<double, double> corner_direction(double left, double right, double opposite,
-                                                  double quadruple_area) {
-  const double x = left + right - opposite, y = quadruple_area, norm = std::sqrt(x * x + y * y);
-  return norm > 0 ? std::pair(x / norm, y / norm) : std::pair(0.0, 1.0);
-}
+// The cosine and the sine of the angle between two sides, from the squared lengths of all sides and
+// the quadruple area; those of a right angle at a side of length zero.
+std::pair<double, double> corner_direction(double left, double right, double opposite,
+                                           double quadruple_area);
 
 // Writes the corners of a face.
 template <NumberedTriangulation Triangulation>
@@ -136,7 +114,7 @@ std::uint32_t halfedge_of_corner(const Triangulation& t, std::uint32_t corner) {
   return t.numbers().halfedge(h);
 }
 
-// Reads a triangulation once: nothing else asks it for numbers.
+// Reads a triangulation once; the search uses the table alone.
 template <NumberedTriangulation Triangulation>
 Corner_table corner_table(const Triangulation& t) {
   const typename Triangulation::Mesh& mesh = t.mesh();

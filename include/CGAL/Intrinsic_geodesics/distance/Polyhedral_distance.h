@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.h>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
-#include <CGAL/Intrinsic_geodesics/distance/Path_tracer.h>
-#include <CGAL/Intrinsic_geodesics/distance/Window_propagation.h>
+#include <CGAL/Intrinsic_geodesics/distance/spread_windows.h>
+#include <CGAL/Intrinsic_geodesics/distance/trace_back.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
@@ -25,7 +25,6 @@
 #include <limits>
 #include <ranges>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -34,12 +33,12 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a shortest path over the faces of a triangulation.
 */
 struct Shortest_path {
-  /// `done`; `stalled` if no source can be reached, or it was not looked for so far away; `inaccurate` or `cap` if rounding has
-  /// led astray: the end of the path is there, its beginning is missing.
+  /// `done`; `stalled` if no source can be reached within the search; `inaccurate` or `cap` if
+  /// rounding has led astray: the end of the path is there, its beginning is missing.
   Status status = Status::done;
-  /// The source, a point on each edge that is crossed, the vertices that it goes through, and the end. The
-  /// piece that begins at a point lies in the face of its halfedge. Where a path on a cover passes
-  /// from one copy of a vertex to another, there are both.
+  /// The source, a point on each edge that is crossed, the vertices that it goes through, and the
+  /// end. The piece that begins at a point lies in the face of its halfedge. Where a path on a
+  /// cover passes from one copy of a vertex to another, there are both.
   std::vector<Surface_point> points;
   /// Its length, in the units of the input: the distance.
   double length = 0;
@@ -52,7 +51,7 @@ struct Polyhedral_distance_visitor {
   /*!
   \brief is called now and then, about every 65536 windows.
   \param windows number of windows so far
-  \param distance distances up to this one are known, in the units of the input
+  \param distance distances up to this one are final, in the units of the input
   \return whether to go on
   */
   bool progress([[maybe_unused]] std::uint64_t windows, [[maybe_unused]] double distance) {
@@ -61,20 +60,23 @@ struct Polyhedral_distance_visitor {
 };
 
 /*!
-\brief knows the distances of all points of a triangulated surface from sources, and the shortest paths.
+\brief finds the distances of all points of a triangulated surface from sources, and the shortest
+  paths.
 
-Distances are those on the surface, along shortest paths through faces and across edges: nothing is discretized, errors are those of
-rounding. The triangulation is read once, in doubles: only lengths and areas count, so that it need not lie in
-space. Any Delta-complex will do, with or without border; a shortest path may run along the border. The distances do
-not depend on the triangulation of a surface; the effort does.
+Distances are those on the surface, along shortest paths through faces and across edges, without
+discretization: errors are those of rounding. The triangulation is read once, in doubles: only
+lengths and areas count, so that it need not lie in space. Any Delta-complex will do, with or
+without border; a shortest path may run along the border. The effort depends on the triangulation of
+the surface, the distances do not.
 
 At a vertex that is not manifold, paths pass from any fan of faces to any other. On a cover the
 copies of a vertex are one point: paths start, end and pass from one side to the other there.
 
-The search is that of Chen and Han (1990), by distance and pruned as by Xin and Wang (2009): intervals of edges that a source
-sees, *windows*, spread over the faces, those of an edge together as by Qin et al. (2016). Distances of vertices, and paths to
-them, need no windows once they are found. Those of points in faces do: the first question about one repeats the search, and
-keeps the windows, 32 bytes each.
+The search is that of Chen and Han (1990), by distance and pruned as by Xin and Wang (2009):
+intervals of edges that a source sees, *windows*, spread over the faces, those of an edge together
+as by Qin et al. (2016). Distances of vertices, and paths to them, need no windows once they are
+found. Those of points in faces do: the first query for one repeats the search, and keeps the
+windows, 32 bytes each.
 
 \tparam Triangulation a model of `NumberedTriangulation`
 */
@@ -91,16 +93,17 @@ public:
   \param t the triangulation; it must outlive this object unchanged
   \param sources the sources
   \param np optional named parameters:
-    - `maximum_distance(d)`: how far to look, in the units of the input. Default: as far as there are faces.
-    - `targets(p)`: a vertex, a `Surface_point`, or a range of either: the search stops once their distances are known. Default:
-      none, it goes everywhere.
-    - `maximum_number(n)`: cap on the number of windows, which ends the search on bodies so thin that there are too many: k times as long as
-      thick, they have up to about 100 k (it is reached from 10^5 on). Default: 500 per halfedge and 4 million.
+    - `maximum_distance(d)`: how far to search, in the units of the input. Default: everywhere.
+    - `targets(p)`: a vertex, a `Surface_point`, or a range of either: the search stops once their
+      distances are final. Default: none, it goes everywhere.
+    - `maximum_number(n)`: cap on the number of windows, which ends the search on bodies so thin
+      that there are too many: k times as long as thick, they have up to about 100 k (it is reached
+      from 10^5 on). Default: 500 per halfedge and 4 million.
     - `visitor(v)`: see `Polyhedral_distance_visitor`
   \pre points are in faces, and their weights are not negative
-  \complexity O(n^2 log n) for n faces that shortest paths cross once, as they do in space (Chen and Han; Xin and Wang); about
-    n^1.5 in practice. Memory: 56 bytes per halfedge, and 40 per vertex; where windows are kept, which targets in faces ask for,
-    32 bytes for each of 6 to 12 per halfedge
+  \complexity O(n^2 log n) for n faces that shortest paths cross once, as they do in space (Chen and
+    Han; Xin and Wang); about n^1.5 in practice. Memory: 56 bytes per halfedge, and 40 per vertex;
+    targets in faces add the windows, 32 bytes for each of 6 to 12 per halfedge
   */
   template <class Sources, NamedParameters NP = parameters::Parameters<>>
   Polyhedral_distance(const Triangulation& t, const Sources& sources,
@@ -118,26 +121,26 @@ public:
     auto stored_visitor = internal::object_or<visitor>(np, Polyhedral_distance_visitor());
     auto& observed = internal::unwrapped(stored_visitor);
     std::tie(status_, number_of_windows_) =
-        search(limits, [&](std::uint64_t windows, double distance) {
+        spread_windows(field_, sources_, limits, [&](std::uint64_t windows, double distance) {
           return observed.progress(windows, distance * field_.table.unit);
         });
   }
 
-  /// returns `done`, `cap` or `cancelled`; distances up to `reached_distance()` are known in any case.
+  /// returns `done`, `cap` or `cancelled`; distances up to `reached_distance()` are final in any
+  /// case.
   Status status() const { return status_; }
-  /// returns how far was looked, in the units of the input; infinity if there is nothing beyond.
+  /// returns how far the search went, in the units of the input; infinity if it went everywhere.
   double reached_distance() const { return field_.radius * field_.table.unit; }
   /// returns the number of windows that were looked through.
   std::uint64_t number_of_windows() const { return number_of_windows_; }
   /// returns the number of bytes held, but for those of constant number.
   std::size_t bytes() const { return field_.bytes(); }
 
-  /// returns the distance of a vertex, in the units of the input; infinity if it cannot be reached, or
-  /// was not looked for so far away.
-  double distance(vertex_descriptor v) const {
-    return distance_of(t_->index(v));
-  }
-  /// returns the distance of a point. \complexity linear in the number of windows of its face, once they are kept
+  /// returns the distance of a vertex, in the units of the input; infinity if the search did not
+  /// reach it.
+  double distance(vertex_descriptor v) const { return distance_of(t_->index(v)); }
+  /// returns the distance of a point. \complexity linear in the number of windows of its face, once
+  /// they are kept
   double distance(const Surface_point& p) const {
     double result = 0;
     for_each_place(p, [&](const auto& place) { result = distance_of(place); });
@@ -154,12 +157,13 @@ public:
     return result;
   }
 
-  /// returns a shortest path to a vertex from the nearest source. \complexity linear in the number of its points
+  /// returns a shortest path to a vertex from the nearest source. \complexity linear in the number
+  /// of its points
   Shortest_path shortest_path(vertex_descriptor v) const {
     return path_to(t_->index(v), distance(v));
   }
-  /// returns a shortest path to a point from the nearest source. \complexity linear in the number of its points and of the
-  /// windows of its face
+  /// returns a shortest path to a point from the nearest source. \complexity linear in the number
+  /// of its points and of the windows of its face
   Shortest_path shortest_path(const Surface_point& p) const {
     Shortest_path result;
     for_each_place(p, [&](const auto& place) { result = path_to(place, distance_of(place)); });
@@ -167,9 +171,9 @@ public:
   }
 
   /// returns the vector at the nearest source along the shortest path to a vertex, as long as the
-  /// path: at a source that is a vertex, in a face into
-  /// which it points. Its coordinates are not numbers where the distance is infinite, or rounding
-  /// has led the path astray. \complexity that of `shortest_path()`
+  /// path: at a source that is a vertex, in a face into which it points. Its coordinates are not
+  /// numbers where the distance is infinite, or rounding has led the path astray. \complexity that
+  /// of `shortest_path()`
   Tangent_vector logarithm(vertex_descriptor v) const {
     return departure_to(t_->index(v), distance(v));
   }
@@ -183,17 +187,6 @@ public:
 private:
   using Halfedge = typename Triangulation::halfedge_descriptor;
 
-  // Finds distances; returns the status and the number of windows.
-  template <class Progress>
-  std::pair<Status, std::uint64_t> search(const internal::Propagation_limits& limits,
-                                          const Progress& progress) const {
-    internal::Window_propagation propagation(field_);
-    for (const std::uint32_t v : sources_.vertices) propagation.add_source(v);
-    for (const internal::Point_in_face& p : sources_.points) propagation.add_source(p);
-    const Status status = propagation.run(limits, progress);
-    return {status, propagation.number_of_windows()};
-  }
-
   // What a search with windows finds, as far as the first search went.
   const internal::Distance_field& field_with_windows() const {
     if (field_.windows.are_kept()) return field_;
@@ -201,16 +194,16 @@ private:
     limits.radius = field_.radius;
     field_.clear();
     field_.windows.keep(field_.table.corners.size());
-    search(limits, [](std::uint64_t, double) { return true; });
+    spread_windows(field_, sources_, limits, [](std::uint64_t, double) { return true; });
     return field_;
   }
 
-  double distance_of(std::uint32_t v) const { return known(field_.vertices[v].distance); }
+  double distance_of(std::uint32_t v) const { return in_units(field_.vertices[v].distance); }
   double distance_of(const internal::Point_in_face& p) const {
-    return known(field_with_windows().at(p).distance);
+    return in_units(field_with_windows().at(p).distance);
   }
 
-  double known(double scaled_distance) const {
+  double in_units(double scaled_distance) const {
     return scaled_distance <= field_.radius ? scaled_distance * field_.table.unit
                                             : std::numeric_limits<double>::infinity();
   }
@@ -252,9 +245,9 @@ private:
   template <class Place>
   Shortest_path path_to(const Place& place, double length) const {
     if (!std::isfinite(length)) return {Status::stalled, {}, length};
-    internal::Path_tracer tracer(field_);
-    Shortest_path result{tracer.trace(place), {}, length};
-    for (const internal::Path_place& p : tracer.places())
+    const internal::Traced_back path = trace_back(field_, place);
+    Shortest_path result{path.status, {}, length};
+    for (const internal::Path_place& p : path.places)
       result.points.push_back({internal::halfedge_of_corner(*t_, p.side), p.weights});
     std::reverse(result.points.begin(), result.points.end());
     return result;
@@ -262,11 +255,12 @@ private:
   template <class Place>
   Tangent_vector departure_to(const Place& to, double length) const {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    internal::Path_tracer tracer(field_);
-    if (!std::isfinite(length) || tracer.trace(to) != Status::done || tracer.places().empty())
-      return {{Gluing::none, {unknown, unknown, unknown}}, {unknown, unknown}};
-    const internal::Path_place& place = tracer.places().back();
-    const Plane_vector<double> d = tracer.departure();
+    const Tangent_vector none{{Gluing::none, {unknown, unknown, unknown}}, {unknown, unknown}};
+    if (!std::isfinite(length)) return none;
+    const internal::Traced_back path = trace_back(field_, to);
+    if (path.status != Status::done || path.places.empty()) return none;
+    const internal::Path_place& place = path.places.back();
+    const Plane_vector<double>& d = path.departure;
     const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
     return {{internal::halfedge_of_corner(*t_, place.side), place.weights}, scale * d};
   }

@@ -25,7 +25,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -62,57 +61,15 @@ public:
   Laid_out_line(const Input& input, const Traced_curve& curve) : input_(input), curve_(curve) {}
 
   // The line from point `first` to point `last` of the curve, in the frame of its first face.
-  Plane_vector<double> vector(std::size_t first, std::size_t last) const {
-    Plane_vector<double> sum{0, 0}, x{1, 0}; // x: the x-axis of the frame
-    for (std::size_t i = first; i < last; ++i) {
-      if (i > first && !turn(i, x)) break;
-      const Plane_vector<double> v = piece(i);
-      sum = {sum[0] + x[0] * v[0] - x[1] * v[1], sum[1] + x[0] * v[1] + x[1] * v[0]};
-    }
-    return sum;
-  }
+  Plane_vector<double> vector(std::size_t first, std::size_t last) const;
   // Its length.
-  double length(std::size_t first, std::size_t last) const {
-    double sum = 0;
-    for (std::size_t i = first; i < last; ++i) {
-      const Plane_vector<double> v = piece(i);
-      sum += std::hypot(v[0], v[1]);
-    }
-    return sum;
-  }
+  double length(std::size_t first, std::size_t last) const;
   // A point at an end of a piece of it.
-  Surface_point point(std::size_t i, std::size_t piece) const {
-    return seen_in_face(input_, curve_.points[i], curve_.faces[piece]);
-  }
+  Surface_point point(std::size_t i, std::size_t piece) const;
 
 private:
-  Plane_vector<double> piece(std::size_t i) const {
-    return vector_between(input_, point(i, i), point(i + 1, i));
-  }
-
-  // From the frame of the face before point i to that of the face after it. False if they are not
-  // beside each other there.
-  bool turn(std::size_t i, Plane_vector<double>& x) const {
-    if (curve_.faces[i - 1] == curve_.faces[i]) return true;
-    const Surface_point p = point(i, i - 1);
-    std::uint32_t h = p.halfedge;
-    for (unsigned k = 0; k < 3; ++k, h = input_.next(h)) {
-      if (p.weights[(k + 2) % 3] != 0 || input_.is_border(h ^ 1U) ||
-          input_.face(h ^ 1U) != curve_.faces[i])
-        continue;
-      const Plane_vector<double> a = edge_in_frame(h, curve_.faces[i - 1]),
-                                 b = edge_in_frame(h ^ 1U, curve_.faces[i]);
-      // the turn from -b to a
-      const double c = -dot(a, b), s = cross(a, b), l = std::hypot(c, s);
-      x = {(x[0] * c - x[1] * s) / l, (x[0] * s + x[1] * c) / l};
-      return true;
-    }
-    return false;
-  }
-  Plane_vector<double> edge_in_frame(std::uint32_t h, std::uint32_t f) const {
-    const Geodesic_face face(input_, input_.halfedge_of_face(f));
-    return face.edge[face.side[0] == h ? 0 : face.side[1] == h ? 1 : 2];
-  }
+  Plane_vector<double> piece(std::size_t i) const;
+  bool turn(std::size_t i, Plane_vector<double>& x) const;
 
   const Input& input_;
   const Traced_curve& curve_;
@@ -120,11 +77,10 @@ private:
 
 /*
 Makes geodesics over the input paths of edges of the triangulation. Edges that a geodesic crosses
-are flipped away; only where it crosses one that was
-inserted before, a vertex is inserted. Each geodesic may have been found alone: none is in the way
-of others.
+are flipped away; only where it crosses one that was inserted before, a vertex is inserted. So each
+geodesic may have been found alone.
 
-Where a vertex is near a geodesic by rounding, the path may lead to the wrong side of it:
+Where a vertex is near a geodesic by rounding, the path may pass it on the wrong side:
 `shorten_curves()` mends it.
 \tparam splits whether edges of geodesics that were inserted before may be split; else `insert()`
   returns `not_traceable`

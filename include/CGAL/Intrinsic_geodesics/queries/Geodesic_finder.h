@@ -12,13 +12,10 @@
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -39,11 +36,10 @@ struct Geodesic_path : Traced_curve {
 and leaves the triangulation as it was.
 
 By default a path is the shortest of all: a search for the exact distance, see
-`Polyhedral_distance`, tells which faces it passes through. With `shortest(false)` it is made of a
-shortest path along edges: a geodesic in the homotopy class of that path, locally shortest, and
-often longer than the shortest. That is faster, as it costs what it touches. In both cases a query
-flips edges, reads the path off, and takes the flips back. On a triangulation that is Delaunay paths
-are found faster.
+`Polyhedral_distance`, finds the faces that it passes through. With `shortest(false)` it is made of
+a shortest path along edges: a geodesic in the homotopy class of that path, locally shortest, and
+often longer than the shortest. That is faster, as its cost is local. In both cases a query flips
+edges, reads the path off, and takes the flips back. Queries are faster on Delaunay triangulations.
 \tparam Triangulation a model of `GeodesicTriangulation` and of `CorrespondingTriangulation`
 */
 template <GeodesicTriangulation Triangulation>

@@ -29,7 +29,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // A path of edges from one vertex to another.
 template <class Triangulation>
 struct Edge_way {
-  Status status = Status::done; // else: there is none, or it is not known to be near the shortest
+  Status status = Status::done; // else: there is none, or it may not be near the shortest
   std::vector<typename Triangulation::halfedge_descriptor> halfedges;
   double length = 0; // in the units of the input
 };
@@ -175,8 +175,8 @@ public:
   }
 
   // What a curve of sides, each from the end of the one before, is shortened to while its ends
-  // stay; a loop as a whole. The result is
-  // a geodesic in the same class of curves. `stalled` if the curve crosses itself.
+  // stay; a loop as a whole. The result is a geodesic in the same class of curves. `stalled` if the
+  // curve crosses itself.
   Status join(const std::vector<Side>& sides, bool is_loop, Side& joined,
               Shortening_result& counts) {
     Flip_log<Triangulation> log;

@@ -18,7 +18,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -75,7 +74,7 @@ Inserted_geodesic<Triangulation> insert_geodesic(Triangulation& t,
 }
 
 /*!
-\brief is a curve that is asked for: shortest paths from each vertex to the next one.
+\brief is a curve to add: shortest paths from each vertex to the next one.
 \tparam Triangulation the type of the triangulation
 */
 template <GeodesicTriangulation Triangulation>
@@ -90,14 +89,13 @@ struct Curve_through_vertices {
 };
 
 /*!
-\brief tells what `add_geodesics()` did.
+\brief is what `add_geodesics()` did.
 \tparam Triangulation the type of the triangulation
 */
 template <GeodesicTriangulation Triangulation>
 struct Added_geodesics {
-  /// `done`; `stalled` if vertices are not connected, or a vertex cannot be inserted at a
-  /// crossing; or that of `shorten_curves()`. If it is
-  /// not `done` there are no curves.
+  /// `done`; `stalled` if vertices are not connected, or a vertex cannot be inserted at a crossing;
+  /// or that of `shorten_curves()`. If it is not `done`, the network is empty.
   Status status = Status::done;
   /// The curve where it failed.
   std::size_t failed = 0;
@@ -214,18 +212,16 @@ private:
 \brief finds geodesics through vertices, each alone on the surface, and makes all of them curves
   of a network.
 
-The *sides* of a curve are shortest paths from each of its vertices to the next. Where a curve
-stays at its vertices, these are all; else
-it is what they are shortened to, as if there were no other curve: the vertices between its ends
-only say how it leads around
-handles, holes and peaks. No curve is in the way of another. Where two cross, or one crosses
-itself, a vertex is inserted and fixed.
+The *sides* of a curve are shortest paths from each of its vertices to the next. A curve that stays
+at its vertices consists of them; any other is what they are shortened to, as if there were no other
+curve: the vertices between its ends only say how it leads around handles, holes and peaks. Where
+two curves cross, or one crosses itself, a vertex is inserted and fixed.
 
 In contrast, `shorten_curves()` alone, with paths along edges, never lets a curve pass another.
 \tparam Triangulation a model of `GeodesicTriangulation`, of `RefinableTriangulation` and of
   `CorrespondingTriangulation`
 \param network the curves; there are none yet. Vertices that it has fixed stay fixed
-\param curves what is asked for; they are numbered in this order
+\param curves what to add; the curves of the network are numbered in this order
 \return what was done
 \complexity that of shortest paths, see `Geodesic_finder`, and of `shorten_curves()`
 */

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_GEODESICS_QUERIES_TRACE_CURVE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
@@ -16,10 +17,9 @@
 
 #include <CGAL/Interval_nt.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <cstddef>
 #include <cstdint>
+#include <ranges>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -28,50 +28,29 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is the way of a curve over the input.
 */
 struct Traced_curve {
-  /// `done`; `not_traceable` and there is nothing else; or `inaccurate`: a vertex may be on the wrong side of it. Not `done` only with
-  /// `Signposts`.
+  /// `done`. With `Signposts` only: `not_traceable`, and all else is empty; or `inaccurate`: a
+  /// vertex may be on the wrong side of the curve.
   Status status = Status::done;
-  /// Its start, the points where it crosses or meets edges and vertices of the input, its joints, and its end: the start again
-  /// if it is a loop.
+  /// Its start, the points where it crosses or meets edges and vertices of the input, its joints,
+  /// and its end: the start again if it is a loop.
   std::vector<Surface_point> points;
   /// Faces of the input: from point i to the next one the curve is straight in face i.
   std::vector<std::uint32_t> faces;
   /// Its length, in the units of the input; with exact traits to 1e-12 of it.
   double length = 0;
-  /// An interval that contains its length; [0, infinity] if the traits know no bounds of their errors, see `length_enclosure()`.
+  /// An interval that contains its length; [0, infinity] if the traits do not bound their errors,
+  /// see `length_enclosure()`.
   Interval_nt<> length_enclosure{0};
 };
 
 namespace internal {
 
-// Describes a point from the halfedge of a face that it lies in, or on the boundary of; there may be several ways if the face is
-// glued to itself.
-inline Surface_point seen_in_face(const Input& input, const Surface_point& p, std::uint32_t f) {
-  const std::uint32_t base = input.halfedge_of_face(f);
-  if (input.face(p.halfedge) == f) return seen_from(input, p, base);
-  std::uint32_t h = p.halfedge;
-  for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
-    const double x = p.weights[(k + 1) % 3];
-    if (p.weights[(k + 2) % 3] == 0 && !input.is_border(h ^ 1U) && input.face(h ^ 1U) == f)
-      return seen_from(input, {h ^ 1U, {x, 1 - x, 0}}, base);
-  }
-  for (std::size_t k = 0; k < 3; ++k, h = input.next(h))
-    if (p.weights[k] == 1)
-      for (std::uint32_t g = base, n = 0; n < 3; ++n, g = input.next(g))
-        if (input.names().row(input.source(g)) == input.names().row(input.source(h)))
-          return seen_from(input, {g, {1, 0, 0}}, base); // or a copy of it, on a cover
-  return p;
-}
+// Describes a point from the halfedge of a face that it lies in, or on the boundary of; there may
+// be several ways if the face is glued to itself.
+Surface_point seen_in_face(const Input& input, const Surface_point& p, std::uint32_t f);
 
-// Lets one curve follow another, which ends where it starts.
-inline void append(const Traced_curve& way, Traced_curve& all) {
-  if (way.points.empty()) return;
-  all.points.insert(all.points.end(), way.points.begin() + (all.points.empty() ? 0 : 1),
-                    way.points.end());
-  all.faces.insert(all.faces.end(), way.faces.begin(), way.faces.end());
-  all.length += way.length;
-  all.length_enclosure += way.length_enclosure;
-}
+// Appends a curve to another, which ends where it starts.
+void append(const Traced_curve& way, Traced_curve& all);
 
 template <class Triangulation>
 void append_edge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
@@ -104,7 +83,7 @@ void append_edge(const Triangulation& t, typename Triangulation::halfedge_descri
 \param halfedges the halfedges, as of `Curve_network::halfedges()`
 \complexity see `trace_edge()`
 */
-template <QueriedTriangulation Triangulation, class HalfedgeRange>
+template <QueriedTriangulation Triangulation, std::ranges::input_range HalfedgeRange>
 Traced_curve trace_curve(const Triangulation& t, const HalfedgeRange& halfedges) {
   Traced_curve curve;
   for (const typename Triangulation::halfedge_descriptor h : halfedges) {
@@ -122,7 +101,7 @@ Traced_curve trace_curve(const Triangulation& t, const HalfedgeRange& halfedges)
 \throws Invalid_input if the mesh is another one
 \complexity linear
 */
-template <NumberedTriangulation Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, ReadableFaceGraph Mesh>
 auto polyline(const Triangulation& t, const Traced_curve& curve, const Mesh& mesh) {
   const internal::Named_mesh_elements<Mesh> named(internal::kept_input(t), mesh);
   std::vector<decltype(named.point({}))> points;
@@ -131,13 +110,13 @@ auto polyline(const Triangulation& t, const Traced_curve& curve, const Mesh& mes
 }
 
 /*!
-\brief returns the places of the points of a curve on the user's mesh, each in the face where the curve goes on; the last one in that
-where it comes from.
+\brief returns the places of the points of a curve on the user's mesh, each in the face where the
+  curve goes on; the last one in the face that the curve comes from.
 \param t, curve, mesh see `polyline()`; faces of the mesh are triangles
 \throws Invalid_input if the mesh is another one, or has polygons on the way
 \complexity linear
 */
-template <NumberedTriangulation Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, ReadableFaceGraph Mesh>
 std::vector<Face_location<Mesh>> face_locations(const Triangulation& t, const Traced_curve& curve,
                                                 const Mesh& mesh) {
   const internal::Named_mesh_elements<Mesh> named(internal::kept_input(t), mesh);

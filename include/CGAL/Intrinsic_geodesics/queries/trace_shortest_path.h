@@ -7,8 +7,8 @@
 #include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
@@ -16,7 +16,6 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -26,6 +25,11 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+// Follows a straight piece from a place of the input to a point over the input, and adds its points
+// to a curve. `strip` is memory for it.
+void append_piece(const Input& input, const Tangent_vector& from, const Surface_point& to,
+                  std::vector<Strip_side>& strip, Traced_curve& curve);
 
 // Follows the straight pieces of a shortest path, each in one face of the triangulation, over the
 // input.
@@ -52,7 +56,7 @@ public:
       from->point.weights = without_rounding(input_, from->point);
       to->weights = without_rounding(input_, *to);
       if (curve.points.empty()) curve.points.push_back(from->point);
-      append(*from, *to, curve);
+      append_piece(input_, *from, *to, strip_, curve);
     }
     curve.length = path.length;
     curve.length_enclosure = {0, std::numeric_limits<double>::infinity()};
@@ -74,29 +78,6 @@ private:
       if (view_.source(sides[k]) == v && !(k == 0 && p.weights[0] == 1))
         return Surface_point{sides[k], {1, 0, 0}};
     return std::nullopt;
-  }
-
-  void append(const Tangent_vector& from, const Surface_point& to, Traced_curve& curve) {
-    const unsigned corner = corner_of(to);
-    const Geodesic_target target =
-        corner == 3
-            ? Geodesic_target::at_point(input_, to)
-            : Geodesic_target::at_vertex(input_.source(sides_of_face(input_, to.halfedge)[corner]));
-    const double length = std::hypot(from.vector[0], from.vector[1]);
-    if (length == 0) return;
-    const Geodesic_walk<Input> walk(input_, from.point, from.vector);
-    const Geodesic_to_target line = trace_to_target(input_, walk, target, length, strip_);
-    std::uint32_t face = input_.face(walk.face().side[0]);
-    if (!line.is_reached) curve.status = Status::inaccurate;
-    for (const Strip_side& s : strip_) {
-      if (!line.is_reached) break;
-      const double x = s.parameter(line.slope);
-      curve.faces.push_back(input_.face(s.halfedge));
-      curve.points.push_back({s.halfedge ^ 1U, {x, 1 - x, 0}});
-      face = input_.face(s.halfedge ^ 1U);
-    }
-    curve.faces.push_back(face);
-    curve.points.push_back(to);
   }
 
   const Triangulation& t_;
@@ -124,7 +105,7 @@ Traced_curve trace_shortest_path(const Triangulation& t, const Shortest_path& pa
 
 /// returns the points of a shortest path in space: where it crosses edges of the user's mesh and of
 /// the triangulation; see `trace_shortest_path()` and `polyline()`.
-template <QueriedTriangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 auto polyline(const Triangulation& t, const Shortest_path& path, const Mesh& mesh) {
   return polyline(t, trace_shortest_path(t, path), mesh);
 }

@@ -12,8 +12,6 @@
 
 #include <CGAL/enum.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,27 +31,35 @@ struct Shortening_limits {
   double rank = HUGE_VAL;    // of the angles of joints, see `Angle_sum`
 };
 
-// Makes curves geodesic (§5.1 of the course, Algorithms 6 and 7), the joint with the smallest angle first.
+// Makes curves geodesic (§5.1 of the course, Algorithms 6 and 7), the joint with the smallest angle
+// first.
 //
-// That the angle of a free side of a joint is below pi is decided by the traits, and so is whether an edge in it can be flipped;
-// doubles only choose the order. Every step makes the curves shorter, and there are finitely many geodesic edges below any
-// length (Indermitte et al. 2001), so that exact traits end without a cap.
+// The traits decide whether the angle of a free side of a joint is below pi, and whether an edge in
+// it can be flipped; doubles only choose the order. Every step makes the curves shorter, and there
+// are finitely many geodesic edges below any length (Indermitte et al. 2001), so that exact traits
+// end without a cap.
 //
-// Joint a, b, c of two segments: edges between them are flipped away from b until none has an angle below pi at its other
-// end. What is left about b is convex, inside the triangle a b c: shorter than the two segments (Sharp and Crane 2020,
-// Theorem 4.1). An edge with one face f on both sides cannot be flipped: it leads to a vertex n of degree one, f = b n b,
-// and the third side of f is a loop at b around it, both ends of which are in the wedge (or it carries the curve, and the
-// joint is not flexible). The angles of f at b are below pi / 2; at the face beyond the loop they sum to less than pi, so
-// that one end of the loop has an angle below pi: the loop is flipped before, and n gets a second edge.
+// Joint a, b, c of two segments: edges between them are flipped away from b until none has an angle
+// below pi at its other end. The rest about b is convex, inside the triangle a b c: shorter than
+// the two segments (Sharp and Crane 2020, Theorem 4.1). An edge with one face f on both sides
+// cannot be flipped: it leads to a vertex n of degree one, f = b n b, and the third side of f is a
+// loop at b around it, both ends of which are in the wedge (or it carries the curve, and the joint
+// is not flexible). The angles of f at b are below pi / 2; at the face beyond the loop they sum to
+// less than pi, so that one end of the loop has an angle below pi: the loop is flipped before, and
+// n gets a second edge.
 //
-// A loop of one edge at vertex b with an angle below pi is replaced at once by a closed curve beyond the faces at b, never by the
-// other two sides of its triangle, which are longer. Its wedge is an annulus: the face f = b b n of the loop, and faces
-// b n_i n_(i+1), i from 1 to k, n_1 = n_k = n; beyond it is the closed curve C through all n_i.
-// - Edges from b to n_2 ... n_(k-1) are flipped away as above, which takes vertices out of C, until these have angles of pi at least.
-// - If n has an angle below pi, the edge b n_1 is flipped, which makes n_2 the apex of f and leaves C as it is; then b n_1, at the
-//   other end of the wedge, can be flipped away. With k = 2 this does not happen: the angles at b and n sum to 2 pi.
-// - When all n_i have pi at least, C is a geodesic of the annulus, which is flat: the shortest of all closed curves in it that
-//   wind about once, and the loop, which has a smaller angle, is longer.
+// A loop of one edge at vertex b with an angle below pi is replaced at once by a closed curve
+// beyond the faces at b, never by the other two sides of its triangle, which are longer. Its wedge
+// is an annulus: the face f = b b n of the loop, and faces b n_i n_(i+1), i from 1 to k, n_1 = n_k
+// = n; beyond it is the closed curve C through all n_i.
+// - Edges from b to n_2 ... n_(k-1) are flipped away as above, which takes vertices out of C, until
+//   these have angles of pi at least.
+// - If n has an angle below pi, the edge b n_1 is flipped, which makes n_2 the apex of f and leaves
+//   C as it is; then b n_1, at the other end of the wedge, can be flipped away. With k = 2 this
+//   does not happen: the angles at b and n sum to 2 pi.
+// - When all n_i have pi at least, C is a geodesic of the annulus, which is flat: the shortest of
+//   all closed curves in it that wind about once, and the loop, which has a smaller angle, is
+//   longer.
 // If the wedge is f = b n b alone, the loop contracts to n.
 template <class Triangulation>
 class Curve_shortener {
@@ -166,8 +172,8 @@ private:
     }
   }
 
-  // Faces without area may leave an angle of zero that no flip opens. What is left is as long as it was, and may come again for ever:
-  // that ends after many steps in which doubles see no gain.
+  // Faces without area may leave an angle of zero that no flip opens. What is left is as long as
+  // before, and may come again for ever: that ends after many steps in which doubles see no gain.
   bool gains_nothing() {
     if (length_ < least_length_ * (1 - 1e-12)) {
       least_length_ = length_;
@@ -177,10 +183,12 @@ private:
   }
   static constexpr std::uint64_t most_idle_steps = 10000;
 
-  // Where the angle of a wedge is nearly pi, edges in it are flipped away before it is compared with pi: that leaves two corners,
-  // whose sum takes far less to decide than that of many. (If it leaves more, the angle is below pi: the polygon of b, a, c and
-  // the far ends of k - 1 edges has k + 2 corners, which sum to k pi; those of the edges have pi at least, so that b has less.) One flip per
-  // corner: where b has loops, flips at an angle of pi need not end. False if the cap is reached.
+  // Where the angle of a wedge is nearly pi, edges in it are flipped away before the comparison:
+  // that leaves two corners, whose sum is far cheaper to decide than that of many. (If it leaves
+  // more, the angle is below pi: the polygon of b, a, c and the far ends of k - 1 edges has k + 2
+  // corners, which sum to k pi; those of the edges have pi at least, so that b has less.) One flip
+  // per corner: where b has loops, flips at an angle of pi need not end. False if the cap is
+  // reached.
   bool reduce(const Side& side, Wedge& wedge) {
     if (wedge.faces.size() <= 2 || !wedge.sum().is_nearly_pi()) return true;
     if (!flip_out(side.in, side.out, wedge.faces.size() - 2)) return false;
@@ -188,7 +196,8 @@ private:
     return side.find_free_wedge(t_, segments_, wedge);
   }
 
-  // Flips edges in the wedge from h to g, on the left of h, away from its vertex, `most` at most. False if the cap is reached.
+  // Flips edges in the wedge from h to g, on the left of h, away from its vertex, `most` at most.
+  // False if the cap is reached.
   bool flip_out(Halfedge h, Halfedge g,
                 std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
     const std::uint64_t left = limits_->flips - result_.flips;
@@ -257,8 +266,8 @@ private:
     return false;
   }
 
-  // Puts a way along the sides of the faces of a wedge in place of two segments, or of one that is a loop. It lies on that
-  // side of its edges where the faces of the wedge are.
+  // Puts a way along the sides of the faces of a wedge in place of two segments, or of one that is
+  // a loop. It lies on that side of its edges where the faces of the wedge are.
   void replace(const Side& side, const std::vector<Halfedge>& way) {
     if (++result_.shortenings == limits_->shortenings) result_.status = Status::cap;
     const std::uint32_t curve = segments_[side.first].curve;

@@ -11,8 +11,6 @@
 
 #include <CGAL/enum.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -22,8 +20,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// One side of a joint, always seen as the left one: the right side of a joint is the left side of the curve in reverse.
-// Of a curve that turns back along its edge, one side has no angle at all, the other all that there is about the vertex.
+// One side of a joint, always seen as the left one: the right side of a joint is the left side of
+// the curve in reverse. Where a curve turns back along its edge, one side has no angle, and the
+// other has all angles about the vertex.
 template <class Triangulation>
 struct Joint_side {
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -46,8 +45,8 @@ struct Joint_side {
     return false;
   }
 
-  // Whether nothing is on this side that would be crossed when the joint moves there: no curve, no border. If so, finds the
-  // wedge there, a `Wedge` or its `Angle_sum`, which is empty if the curve turns back.
+  // Whether the joint can move to this side without crossing a curve or the border. If so, finds
+  // the wedge there, a `Wedge` or its `Angle_sum`, which is empty if the curve turns back.
   template <class Corners>
   bool find_free_wedge(const Triangulation& t, const Curve_segments& segments,
                        Corners& wedge) const {
@@ -68,7 +67,7 @@ private:
 } // namespace internal
 
 /*!
-\brief tells what is on one side of a joint.
+\brief is what a curve has on one side of a joint.
 */
 struct Joint_side_report {
   /// Its angle, compared with pi; `LARGER` on the border, beyond which there is none.
@@ -78,7 +77,7 @@ struct Joint_side_report {
 };
 
 /*!
-\brief tells how a curve passes a vertex.
+\brief is how a curve passes a vertex.
 */
 struct Joint_report {
   std::uint32_t curve;     ///< the curve
@@ -87,27 +86,29 @@ struct Joint_report {
   Joint_side_report left;  ///< what is on its left
   Joint_side_report right; ///< what is on its right
 
-  /// tells whether the curve cannot be made shorter there.
+  /// returns whether the curve cannot be made shorter there.
   bool is_geodesic() const {
     const auto is_straight = [](const Joint_side_report& s) {
       return s.angle != SMALLER || !s.is_flexible;
     };
     return is_fixed || (is_straight(left) && is_straight(right));
   }
-  /// tells whether the curve is straight there: at least pi on both sides.
+  /// returns whether the curve is straight there: at least pi on both sides.
   bool is_straight() const { return left.angle != SMALLER && right.angle != SMALLER; }
 };
 
 /*!
-\brief tells for each joint of curves what the traits of a triangulation say of it.
+\brief is what the traits of a triangulation decide on each joint of curves.
 */
 struct Geodesic_report {
-  /// Faces whose area is not positive, and edges that are not straight, among those of the certificate; see `certify_geodesic()`.
+  /// Faces whose area is not positive, and edges that are not straight, among those of the
+  /// certificate; see `certify_geodesic()`.
   std::size_t invalid_elements = 0;
   /// The joints of all curves, in order.
   std::vector<Joint_report> joints;
 
-  /// tells whether all curves are geodesic: as short as they get without crossing each other or passing what is fixed.
+  /// returns whether all curves are geodesic: as short as possible without crossing each other or
+  /// passing what is fixed.
   bool is_geodesic() const {
     return invalid_elements == 0 &&
            std::all_of(joints.begin(), joints.end(),
@@ -163,11 +164,12 @@ private:
 } // namespace internal
 
 /*!
-\brief compares the angles on both sides of every joint of curves with pi, by the traits of their triangulation.
+\brief compares the angles on both sides of every joint of curves with pi, by the traits of their
+  triangulation.
 
 With exact traits the answers are proven.
 \tparam Triangulation a model of `GeodesicTriangulation`
-\complexity linear in the number of joints and the degrees of their vertices, as a rule
+\complexity usually linear in the number of joints and the degrees of their vertices
 */
 template <GeodesicTriangulation Triangulation>
 Geodesic_report is_geodesic(const Curve_network<Triangulation>& network) {

@@ -83,31 +83,37 @@ Shortening_result shorten_curves(Curve_network<Triangulation>& network,
 } // namespace internal
 
 /*!
-\brief makes the curves of a network geodesic by flips (FlipOut, §5.1 and §5.2 of the course, Algorithms 6 and 7).
+\brief makes the curves of a network geodesic by flips (FlipOut, §5.1 and §5.2 of the course,
+  Algorithms 6 and 7).
 
-Edges of the triangulation are flipped so that shorter curves are among them. Curves stay isotopic to what they were among
-curves that do not cross: one that would have to pass the end of another, a fixed vertex of another, or the border, goes round it. In the
-end each free joint has an angle of at least pi on both sides, except on sides where a curve or the border is; an angle of exactly
-pi is straight. A loop that can be shrunk to a vertex ends there: `Curve_network::is_point()`.
+Flips bring shorter curves among the edges. Curves stay isotopic to what they were among curves that
+do not cross: one that would have to pass the end or a fixed vertex of another, or the border, goes
+round it. At the end each free joint has an angle of at least pi on both sides, except on sides
+where a curve or the border is; an angle of exactly pi is straight. A loop that can be shrunk to a
+vertex ends there: `Curve_network::is_point()`.
 
-With exact traits it ends by proof, loops of one edge included: the length of all curves decreases in every step, and there are
-finitely many geodesic edges below a length. With inexact ones a joint where nothing is gained counts as straight, whatever rounding
-makes of its angles, and caps on the numbers of flips and of shortenings make it end.
+With exact traits it ends by proof, loops of one edge included: the length of all curves decreases
+in every step, and there are finitely many geodesic edges below a length. With inexact ones a joint
+without gain counts as straight, whatever rounding makes of its angles, and caps on the numbers of
+flips and of shortenings make it end.
 
 \tparam Triangulation a model of `GeodesicTriangulation`
 \tparam NP a chain of named parameters
 \param network the curves
 \param np optional named parameters:
-  - `relative_length(x)`: stops when the length of all curves is at most this part of what it was; the angles
-    so far are those of a flow that shortens curves (Fig. 37 of the course). Default: 0.
+  - `relative_length(x)`: stops when the length of all curves is at most this part of what it was;
+    the angles so far are those of a flow that shortens curves (Fig. 37 of the course). Default: 0.
   - `minimum_joint_angle(x)`: stops when all joints that can be straightened have at least this
     angle, in degrees. Default: 180.
-  - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100 per edge and a million.
+  - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100
+    per edge and a million.
   - `visitor(v)`: see `Shortening_visitor`
-\return status and counts; lengths are told by the network. `done`, `stopped`, `cancelled`, `cap`; `stalled` if there are faces without
-area and nothing is gained any more: their angles of zero may not be opened by flips. `Mollification::automatic` leaves no such face
+\return counts, and the status: `done`, `stopped`, `cancelled`, `cap`; `stalled` if faces without
+  area stop all gain: flips may not open their angles of zero. `Mollification::automatic` leaves no
+  such face
 \throws std::invalid_argument if a parameter makes no sense
-\complexity linear in the number of flips, times the logarithm of the number of joints; no bound on the number of flips is known
+\complexity linear in the number of flips, times the logarithm of the number of joints; the
+  literature has no bound on the number of flips
 */
 template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Shortening_result shorten_curves(Curve_network<Triangulation>& network,
@@ -117,7 +123,8 @@ Shortening_result shorten_curves(Curve_network<Triangulation>& network,
 }
 
 /*!
-\brief makes the curves of a network geodesic by flips that can be taken back; see the overload without log.
+\brief makes the curves of a network geodesic by flips that can be taken back; see the overload
+  without log.
 \param network the curves; they must be cleared before `log.undo()`
 \param log remembers the flips
 \param np see the overload without log

@@ -6,8 +6,7 @@
 
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.h>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
-#include <CGAL/Intrinsic_geodesics/distance/Path_tracer.h>
-#include <CGAL/Intrinsic_geodesics/distance/Window_propagation.h>
+#include <CGAL/Intrinsic_geodesics/distance/spread_windows.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
@@ -41,42 +40,11 @@ struct Last_piece {
   double length = 0;
 };
 
-// Finds the last pieces of shortest paths.
-class Last_piece_finder {
-public:
-  explicit Last_piece_finder(const Distance_field& field) : field_(field), tracer_(field) {}
+// Finds the last piece of a shortest path; `from` is `Gluing::none` without a path, and at the
+// source.
+Last_piece last_piece(const Distance_field& field, std::uint32_t v);
 
-  // `from` is `Gluing::none` if there is no path, or the path begins at the vertex
-  Last_piece operator()(std::uint32_t v) {
-    const Arrival& a = field_.vertices[v].arrival;
-    if (a.kind != Arrival::Kind::straight || tracer_.trace(v, 1) != Status::done) return {};
-    const std::uint32_t start = tracer_.places().back().side;
-    const Plane_vector<double> d = tracer_.departure(),
-                               back = field_.turned_to(a.corner(), a.image, a.side);
-    return {field_.table.corners[start].origin, direction(start, d), direction(a.corner(), back),
-            std::hypot(d.x, d.y)};
-  }
-
-private:
-  // Of a vector in the frame of a corner. Not meant for a corner in another fan of a vertex that is
-  // not manifold, but it ends there, too.
-  double direction(std::uint32_t corner, Plane_vector<double> d) const {
-    const Corner_table& table = field_.table;
-    double angle = std::atan2(std::max(d.y, 0.0), d.x);
-    const std::uint32_t first = table.first_corner[table.corners[corner].origin];
-    for (std::uint32_t c = first; c != corner && c != Gluing::none;) {
-      angle += std::atan2(table.corners[c].sine, table.corners[c].cosine);
-      c = table.turn_left(c);
-      if (c == first) break;
-    }
-    return angle;
-  }
-
-  const Distance_field& field_;
-  Path_tracer tracer_;
-};
-
-// What is known of a vertex of a tree.
+// How a tree reaches a vertex.
 struct Branch {
   double length = std::numeric_limits<double>::infinity(); // of its path
   // the last halfedge of its path; none at the source, and without a path
@@ -85,7 +53,7 @@ struct Branch {
 
 // Makes shortest paths from a source edges, the nearest vertex first.
 //
-// Windows tell the last straight piece of each path. It begins at a vertex of the tree, at an angle
+// Windows give the last straight piece of each path. It begins at a vertex of the tree, at an angle
 // from the edge of the tree there, and is flipped into place. Shortest paths do not cross, so that
 // no edge of the tree is in its way.
 //
@@ -119,13 +87,13 @@ public:
     cap_ = cap;
     Distance_field field(corner_table(t_));
     field.table.next_copy.clear(); // edges do not lead from one copy of a vertex to another
-    Window_propagation windows(field);
     const std::uint32_t root = t_.index(source);
-    windows.add_source(root);
     Propagation_limits limits;
     limits.windows = field.default_cap();
-    const Status s = session_.suspended(
-        [&] { return windows.run(limits, [&](std::uint64_t, double) { return go_on(result_); }); });
+    const Status s = session_.suspended([&] {
+      const auto progress = [&](std::uint64_t, double) { return go_on(result_); };
+      return spread_windows(field, {{root}, {}}, limits, progress).first;
+    });
     if (s == Status::cancelled) result_.status = s;
     branches_[root].length = 0;
     if (const std::uint32_t corner = field.table.first_corner[root]; corner != none)
@@ -164,11 +132,12 @@ private:
     for (const Vertex v : vertices(t_.mesh()))
       if (v != source && halfedge(v, t_.mesh()) != null) waiting.push_back(t_.index(v));
     std::ranges::stable_sort(waiting, {}, [&](auto v) { return field.vertices[v].distance; });
-    Last_piece_finder find(field);
     for (unsigned idle = 0; idle < most_futile && !waiting.empty();) {
       const std::size_t before = waiting.size();
       const std::uint64_t flips = result_.flips;
-      std::erase_if(waiting, [&](std::uint32_t v) { return goes_on(go_on) && join(v, find(v)); });
+      std::erase_if(waiting, [&](std::uint32_t v) {
+        return goes_on(go_on) && join(v, last_piece(field, v));
+      });
       if (waiting.size() < before) continue;
       if (flips == result_.flips || result_.status != Status::done) return;
       ++idle;
@@ -182,7 +151,7 @@ private:
     return result_.status == Status::done;
   }
 
-  // Makes a way to a vertex, and tells whether there is one.
+  // Makes a way to a vertex. False if there is none.
   bool join(std::uint32_t v, const Last_piece& piece) {
     const std::uint32_t segment = insert(v, piece);
     double last = HUGE_VAL;

@@ -15,15 +15,15 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a tree of edges of an intrinsic triangulation, along which its paths from a source are geodesics.
+\brief is a tree of edges of an intrinsic triangulation whose paths from a source are geodesics.
 
-It refers to the triangulation, whose edges in the tree must not be flipped.
+It refers to the triangulation: do not flip edges of the tree.
 \tparam Triangulation a model of `GeodesicTriangulation`
 */
 template <GeodesicTriangulation Triangulation>
@@ -39,18 +39,21 @@ public:
       : t_(&t), branches_(std::move(branches)), counts_(counts) {}
   /// \endcond
 
-  /// tells what was done to build it, and how that ended.
+  /// returns what was done to build it, and how that ended.
   const Shortening_result& shortening() const { return counts_; }
-  /// returns the length of the path to a vertex, in the units of the input; infinite if there is no path. It is the sum of what doubles
-  /// have kept of lengths in the flips; with exact traits the lengths of the edges of `path_to()` are told to 1e-12.
+  /// returns the length of the path to a vertex, in the units of the input; infinity without a
+  /// path. It is a sum in doubles, with their errors from all flips; with exact traits the edges of
+  /// `path_to()` have lengths that are right to 1e-12.
   double length(vertex_descriptor v) const { return branches_[t_->index(v)].length; }
-  /// returns the last halfedge of the path to a vertex; a null halfedge at the source, and if there is no path.
+  /// returns the last halfedge of the path to a vertex; a null halfedge at the source, and without
+  /// a path.
   halfedge_descriptor halfedge_to(vertex_descriptor v) const {
     const std::uint32_t h = branches_[t_->index(v)].halfedge;
     return h == Gluing::none ? boost::graph_traits<typename Triangulation::Mesh>::null_halfedge()
                              : t_->numbers().halfedge_at(h);
   }
-  /// returns the halfedges of the path to a vertex, from the source; none if there is no path. \complexity linear in their number
+  /// returns the halfedges of the path to a vertex, from the source; none without a path.
+  /// \complexity linear in their number
   std::vector<halfedge_descriptor> path_to(vertex_descriptor v) const {
     std::vector<halfedge_descriptor> path;
     for (; branches_[t_->index(v)].halfedge != Gluing::none; v = source(path.back(), t_->mesh()))
@@ -66,7 +69,8 @@ private:
 };
 
 /*!
-\brief flips edges until a geodesic from a source to every vertex is among them (§5.5 of the course).
+\brief flips edges until a geodesic from a source to every vertex is among them (§5.5 of the
+  course).
 
 Shortest paths are found by windows, see `Polyhedral_distance`, and made edges, the nearest vertex
 first. Windows are doubles: where a path is bent by rounding, it is straightened as by
@@ -80,11 +84,12 @@ doubles are.
 \param source the source
 \pre the surface is manifold at all vertices
 \param np optional named parameters:
-  - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100 per edge and a million.
+  - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100
+    per edge and a million.
   - `visitor(v)`: see `Shortening_visitor`
-\return the tree, which refers to `t`. Its status is `done`, `stalled` if a vertex that is connected with the source has no path as
-flips were refused or, if the traits are not exact, all ways to it seem to be bent; `cap` or `cancelled`. What is in the tree is geodesic in any
-case.
+\return the tree, which refers to `t`. Its status is `done`; `stalled` if a vertex that is connected
+  with the source has no path, as flips were refused or, with inexact traits, all ways to it seem to
+  be bent; `cap` or `cancelled`. The paths in the tree are geodesic in any case
 \complexity that of `Polyhedral_distance`, and linear in the number of flips
 */
 template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>

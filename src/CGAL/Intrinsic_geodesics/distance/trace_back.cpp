@@ -1,70 +1,45 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_GEODESICS_DISTANCE_PATH_TRACER_H
-#define CGAL_INTRINSIC_GEODESICS_DISTANCE_PATH_TRACER_H
-
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
+#include <CGAL/Intrinsic_geodesics/distance/Window.h>
+#include <CGAL/Intrinsic_geodesics/distance/trace_back.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
-
-/*!
-\file
-Shortest paths, from the point back to the source. A piece of a path is a straight line in the plane from the point to the
-image of the source, which is known: the faces along it are laid out one after the other, no window is looked for. Where the line
-passes a vertex so closely that rounding may decide on which side, the path goes through the vertex, and on by the last piece
-of the shortest path to that: a walk never loses its way.
-*/
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-/// A point of a face: the side in whose order weights are given.
-struct Path_place {
-  std::uint32_t side;            ///< a corner
-  std::array<double, 3> weights; ///< of the source of the side, its target, the apex
-};
+namespace {
 
-/*!
-\brief follows a shortest path backwards.
-*/
+// Follows a shortest path backwards.
 class Path_tracer {
 public:
-  /// starts.
   explicit Path_tracer(const Distance_field& field) : field_(field), table_(field.table) {}
 
-  /// follows the path from a vertex, through a number of straight pieces at most.
-  Status trace(std::uint32_t v, std::size_t pieces = std::numeric_limits<std::size_t>::max()) {
-    places_.clear();
-    departure_ = {0, 0};
+  Status trace(std::uint32_t v, std::size_t pieces) {
     const Arrival& a = field_.vertices[v].arrival;
     const std::uint32_t corner =
         a.kind == Arrival::Kind::straight ? a.corner() : table_.first_corner[v];
     if (corner == Gluing::none) return Status::done; // isolated
     return follow(move_to(corner), {0, 0}, pieces);
   }
-  /// follows the path from a point in a face.
   Status trace(const Point_in_face& p) {
     places_ = {{p.side, p.weights}};
-    departure_ = {0, 0};
     const Arrival a = field_.at(p).arrival;
     if (a.kind == Arrival::Kind::none) return Status::stalled;
     return follow(a, field_.turned_to(a.side, p.point, p.side),
                   std::numeric_limits<std::size_t>::max());
   }
 
-  /// returns the path from the point to the source: every piece lies in the face of the place where it ends.
-  const std::vector<Path_place>& places() const { return places_; }
-  /// returns a direction in which the path leaves the last of its places, in the frame of the side
-  /// there: far along the first piece of
-  /// the path.
-  Plane_vector<double> departure() const { return departure_; }
+  // What was found by a call of `trace()`.
+  Traced_back result(Status status) && { return {status, std::move(places_), departure_}; }
 
 private:
   // A place of a straight line to the image of a source: both in the frame of a side, as the far
@@ -149,7 +124,7 @@ private:
     return true;
   }
 
-  // Whether a ray passes a point as far as can be told.
+  // Whether a ray passes a point, within rounding.
   static bool passes(const Ray& ray, Plane_vector<double> p) {
     const Plane_vector<double> along = ray.image - ray.from;
     return std::abs(cross(along, p - ray.from)) <= ray.tolerance * std::sqrt(dot(along, along));
@@ -208,6 +183,18 @@ private:
   Plane_vector<double> departure_{0, 0};
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace
 
-#endif // CGAL_INTRINSIC_GEODESICS_DISTANCE_PATH_TRACER_H
+Traced_back trace_back(const Distance_field& field, std::uint32_t v, std::size_t pieces) {
+  Path_tracer tracer(field);
+  const Status status = tracer.trace(v, pieces);
+  return std::move(tracer).result(status);
+}
+
+Traced_back trace_back(const Distance_field& field, const Point_in_face& p) {
+  Path_tracer tracer(field);
+  const Status status = tracer.trace(p);
+  return std::move(tracer).result(status);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -13,20 +13,21 @@
 
 /*!
 \file
-Windows: what a source sees through a side of a face, straight on, across all the faces before it laid out in the plane.
+Windows: what a source sees through a side of a face, straight on, across all faces before it, laid
+out in the plane.
 
-The frame of a side has its source at the origin and its target on the positive x-axis; the face that the window looks into
-lies above, the image of the source below.
+The frame of a side has its source at the origin and its target on the positive x-axis; the face
+that the window looks into lies above, the image of the source below.
 */
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-/// Rays whose directions differ by less are not told apart: rounding may have made the difference. A path that
-/// is taken for straight so is too short by no more than the square of it, relative to its length; except near
-/// vertices that are as close together.
+/// Rays whose directions differ by less count as one: rounding may have made the difference. A path
+/// that counts as straight so is too short by at most the square of it, relative to its length;
+/// except near vertices that are as close together.
 inline constexpr double window_angle_tolerance = 4e-13;
 
-/// Distances that differ by less, relative to them, are not told apart.
+/// Distances that differ by less, relative to them, count as equal.
 inline constexpr double window_distance_tolerance = 0x1p-48;
 
 /*!
@@ -48,11 +49,13 @@ struct Window {
     if (image.x >= begin && image.x <= end) return offset - image.y;
     return offset + std::sqrt(squared_distance(image.x < begin ? begin : end));
   }
-  /// returns whether all of its paths are longer than others by way of the ends of a side with a length, whose distances are known.
+  /// returns whether all of its paths are longer than others by way of the ends of the side, which
+  /// have the given distances.
   bool is_useless(double at_source, double at_target, double length) const {
     const double by_source = at_source + end - offset;
     const double by_target = at_target + (length - begin) - offset;
-    return is_farther(by_source, squared_distance(end)) || is_farther(by_target, squared_distance(begin));
+    return is_farther(by_source, squared_distance(end)) ||
+           is_farther(by_target, squared_distance(begin));
   }
 
 private:
@@ -82,12 +85,12 @@ struct Window_face {
                                                                 left.length * base.sine} {}
 };
 
-/// How the apex of a face lies to the rays of a window. Squares decide; only an apex that is seen takes a root.
+/// How the apex of a face lies to the rays of a window. Squares decide, without roots.
 struct Apex_view {
   double crossing;         ///< where the line from the image crosses the side
   double below;            ///< the part of that line that is below the side
   double squared_distance; ///< of the apex from the image
-  double squared_turn;     ///< of the angle that is not told apart, as a part of a distance from the image, on the side
+  double squared_turn;     ///< of the tolerance, relative to a distance from the image
   bool is_not_before;      ///< it is not to the left of the window
   bool is_not_after;       ///< it is not to the right of the window
 
@@ -102,28 +105,29 @@ struct Apex_view {
     is_not_after = is_positive(w.end - crossing, w.squared_distance(w.end));
   }
   bool is_seen() const { return is_not_before && is_not_after; }
-  /// whether it is on the left ray as far as can be told
+  /// whether it is on the left ray, within rounding
   bool is_near_begin(const Window& w) const {
     return is_positive(w.begin - crossing, 4 * w.squared_distance(w.begin));
   }
-  /// whether it is on the right ray as far as can be told
+  /// whether it is on the right ray, within rounding
   bool is_near_end(const Window& w) const {
     return is_positive(crossing - w.end, 4 * w.squared_distance(w.end));
   }
-  /// whether its line crosses the side where another one does, as far as can be told
+  /// whether its line crosses the side where another one does, within rounding
   bool is_near(double other_crossing) const {
     return is_positive(-std::abs(crossing - other_crossing), 4 * squared_distance * below * below);
   }
 
 private:
-  // whether a difference is positive, or rounding may have made it negative at a distance from the image
+  // whether a difference is positive, or rounding may have made it negative at a distance from the
+  // image
   bool is_positive(double x, double square) const {
     return x >= 0 || x * x <= squared_turn * square;
   }
 };
 
-// Where the ray from an image through the point x of the side hits the line that leaves the corner at the origin at an angle:
-// the distance from the corner.
+// Where the ray from an image through the point x of the side hits the line that leaves the corner
+// at the origin at an angle: the distance from the corner.
 inline double ray_hit(double x, Plane_vector<double> image, const Face_corner& angle) {
   const double hit = x * -image.y / ((image.x - x) * angle.sine - image.y * angle.cosine);
   return hit >= 0 ? hit : 0; // also if it is not a number
@@ -135,8 +139,8 @@ inline Plane_vector<double> turned(Plane_vector<double> image, const Face_corner
           image.y * angle.cosine - image.x * angle.sine};
 }
 
-// Tells whether a window is one. A source on the line of the side, as in faces of area zero, is put below it by as good as
-// nothing: it sees everything through its own place, and nothing elsewhere.
+// Whether a window is not empty. A source on the line of the side, as in faces of area zero, moves
+// below it by almost nothing: it sees everything through its own place, and nothing elsewhere.
 inline bool is_window(Window& w) {
   w.image.y = std::min(w.image.y, -0x1p-80 * w.end);
   return w.begin < w.end;

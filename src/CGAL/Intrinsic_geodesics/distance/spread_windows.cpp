@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_GEODESICS_DISTANCE_WINDOW_PROPAGATION_IMPL_H
-#define CGAL_INTRINSIC_GEODESICS_DISTANCE_WINDOW_PROPAGATION_IMPL_H
-
-#include <CGAL/Intrinsic_geodesics/distance/Window_propagation.h>
-#include <CGAL/Intrinsic_triangulations/compilation.h>
+#include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
+#include <CGAL/Intrinsic_geodesics/distance/Window.h>
+#include <CGAL/Intrinsic_geodesics/distance/Window_queue.h>
+#include <CGAL/Intrinsic_geodesics/distance/spread_windows.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +16,116 @@
 #include <limits>
 #include <numbers>
 #include <utility>
+#include <vector>
+
+/*!
+\file
+Exact distances on a polyhedral surface: Chen and Han's tree of windows (1990), explored by distance
+and pruned as Xin and Wang do (2009), with the windows of a side together, as Qin et al. do for
+faces (2016).
+
+A source sees faces through windows: intervals of sides, beyond which the faces in between are laid
+out in the plane. A window that looks into a face is split by its far corner, or goes to one of the
+other sides. Corners get distances from the windows that show them. Where the angles around a vertex
+are more than a full turn, and more than half a turn on the border, shortest paths may pass through
+it; it becomes a source of the sector that the path before cannot get to.
+
+**What prunes.** A window is dropped if an end of its side, or the far corner of its face, is near
+enough to serve all that it could: the path by way of that vertex would cross those through the
+window, and is shorter. The distances of vertices are those of paths, final or not, so that this is
+right at all times. Only the nearest of the windows of a side that show the far corner goes on to
+both sides (Chen and Han's "one angle, one split"). These arguments stay within one face and the
+layout of the faces before it: they hold on any Delta-complex, also where a shortest path crosses a
+face more than once.
+
+**The order.** The queue gives vertices by their distance, and sides by the least distance of a
+point of the windows that wait there, which parts of windows never undercut. So the distance of a
+vertex is final when the vertex comes. The other windows of the side come earlier than they would
+alone. That is right, and pays: the queue has a twentieth of the elements, and windows share what
+depends on the side.
+
+**It ends.** Windows are useless that are farther than all vertices and an edge; nearer ones are
+finitely many, as a straight line turns by less than half a turn around each vertex that it passes,
+and the next is some way off. On a body k times as long as thick, windows wind around it up to about
+k times before they are longer than those that do not. From k = 10^7 on rounding hides which are
+longer: a cap on the number of windows stands in for the proof.
+
+**Rounding.** Comparisons are tolerant in the direction that keeps windows. A window drawn to a
+corner shows it if the corner lies off its rays by rounding; so no corner is lost between two
+windows, at an error of second order. Distances are lengths of segments, never results of
+comparisons.
+*/
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Window_propagation::Window_propagation(Distance_field& field)
-    : field_(field), table_(field.table), queue_(field.table.corners.size()),
-      split_(field.table.corners.size()),
-      is_final_(field.vertices.size(), 0) {}
+namespace {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_source(std::uint32_t v) {
+// Spreads windows from the sources of a field over the surface.
+class Window_propagation {
+public:
+  // Sources are added before `run()`, vertices first.
+  explicit Window_propagation(Distance_field& field);
+  void add_source(std::uint32_t v);
+  void add_source(const Point_in_face& p);
+  Status run(const Propagation_limits& limits,
+             const std::function<bool(std::uint64_t, double)>& progress);
+  std::uint64_t number_of_windows() const { return count_; }
+
+private:
+  // The nearest window of a side that shows the far corner.
+  struct Split {
+    double distance = std::numeric_limits<double>::infinity();
+    double crossing =
+        std::numeric_limits<double>::infinity(); // of its line to the corner and the side
+  };
+  // A face around a vertex, and what of its angle is meant.
+  struct Wedge {
+    std::uint32_t corner;
+    double angle;
+  };
+  // A window and the far corner of its face.
+  struct View {
+    Window window;
+    Apex_view apex;
+  };
+
+  void reach(std::uint32_t v, double distance, const Arrival& arrival);
+  void finish(std::uint32_t v);
+  void reach_copies(std::uint32_t v);
+  void open_fan(std::uint32_t v, std::uint32_t first, bool everywhere);
+  void open_closed_fan(std::uint32_t v, std::size_t arrival, double angle);
+  void open_border_fan(std::uint32_t v, std::size_t arrival, double angle);
+  void open_wedge(std::uint32_t v, const Wedge& wedge, double from, double to);
+  double find_arrival(std::uint32_t v, std::size_t& index) const;
+  void add_window(std::uint32_t side, Window w);
+  void part_at_sources(std::uint32_t side, Window& w);
+  void look_through(std::uint32_t side);
+  void collect_views(std::uint32_t side, const Window_face& face);
+  const View* show_apex(std::uint32_t side, const Window_face& face);
+  void pass_on(const View& view, const Window_face& face, double nearest_crossing, bool is_nearest);
+  bool knows_targets(const Propagation_limits& limits) const;
+
+  Distance_field& field_;
+  const Corner_table& table_;
+  Window_queue queue_;
+  std::vector<Split> split_;   // per side
+  std::vector<char> is_final_; // per vertex
+  std::vector<Wedge> fan_;     // of the vertex that is dealt with
+  std::vector<View> views_;    // of the side that is dealt with
+  double radius_ = std::numeric_limits<double>::infinity();
+  std::uint64_t count_ = 0;
+  std::uint64_t most_windows_ = std::numeric_limits<std::uint64_t>::max();
+};
+
+Window_propagation::Window_propagation(Distance_field& field)
+    : field_(field), table_(field.table), queue_(field.table.corners.size()),
+      split_(field.table.corners.size()), is_final_(field.vertices.size(), 0) {}
+
+void Window_propagation::add_source(std::uint32_t v) {
   reach(v, 0, {{0, 0}, Gluing::none, v, Arrival::Kind::at_source});
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_source(const Point_in_face& p) {
+void Window_propagation::add_source(const Point_in_face& p) {
   const auto source =
       static_cast<std::uint32_t>(field_.vertices.size() + field_.face_sources.size());
   const std::uint32_t face = p.side / 3;
@@ -49,17 +147,16 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_source(const P
 }
 
 // Takes note of a path to a vertex.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Window_propagation::reach(std::uint32_t v, double distance, const Arrival& arrival) {
+void Window_propagation::reach(std::uint32_t v, double distance, const Arrival& arrival) {
   Distance_and_arrival& known = field_.vertices[v];
   if (!(distance < known.distance) || is_final_[v] != 0) return; // the latter by rounding
   known = {distance, arrival};
   if (distance <= radius_) queue_.push_vertex(distance, v);
 }
 
-// A vertex has its distance. Paths go on along edges: others are shorter unless the vertex is a source, but these bound
-// them early, and reach what windows miss by more than they are tolerant.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::finish(std::uint32_t v) {
+// A vertex has its distance. Paths go on along edges: others are shorter unless the vertex is a
+// source, but these bound them early, and reach what windows miss by more than they are tolerant.
+void Window_propagation::finish(std::uint32_t v) {
   is_final_[v] = 1;
   const bool is_source = field_.vertices[v].arrival.kind == Arrival::Kind::at_source;
   if (table_.first_corner[v] == Gluing::none) return;
@@ -73,7 +170,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::finish(std::uint32
 
 // On a cover, paths go on from any copy of a vertex. Where that gains no more than rounding makes,
 // they stay on their side.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::reach_copies(std::uint32_t v) {
+void Window_propagation::reach_copies(std::uint32_t v) {
   constexpr double least = 1 - 1e-12;
   const double distance = field_.vertices[v].distance;
   for (std::uint32_t w = table_.next_copy[v]; w != v; w = table_.next_copy[w])
@@ -81,10 +178,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::reach_copies(std::
       reach(w, distance, {{0, 0}, Gluing::none, v, Arrival::Kind::copied});
 }
 
-// The index in the fan of the face where the shortest path comes from, and the angle from the side of its corner to the
-// path. If the path comes from another fan, the index is the size of the fan.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE double
-Window_propagation::find_arrival(std::uint32_t v, std::size_t& index) const {
+// The index in the fan of the face where the shortest path comes from, and the angle from the side
+// of its corner to the path. If the path comes from another fan, the index is the size of the fan.
+double Window_propagation::find_arrival(std::uint32_t v, std::size_t& index) const {
   const Arrival& a = field_.vertices[v].arrival;
   if (a.kind != Arrival::Kind::straight) return 0;
   const auto found = std::find_if(fan_.begin(), fan_.end(),
@@ -98,8 +194,7 @@ Window_propagation::find_arrival(std::uint32_t v, std::size_t& index) const {
 }
 
 // Looks from a vertex into the faces of a fan, as far as shortest paths may go on there.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Window_propagation::open_fan(std::uint32_t v, std::uint32_t first, bool everywhere) {
+void Window_propagation::open_fan(std::uint32_t v, std::uint32_t first, bool everywhere) {
   fan_.clear();
   std::uint32_t c = first;
   const double distance = field_.vertices[v].distance;
@@ -124,8 +219,7 @@ Window_propagation::open_fan(std::uint32_t v, std::uint32_t first, bool everywhe
 }
 
 // Paths go on where they leave half a turn at least on both sides.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Window_propagation::open_closed_fan(std::uint32_t v, std::size_t arrival, double angle) {
+void Window_propagation::open_closed_fan(std::uint32_t v, std::size_t arrival, double angle) {
   double total = 0;
   for (const Wedge& w : fan_) total += w.angle;
   if (total <= 2 * std::numbers::pi + window_angle_tolerance / 4) return;
@@ -139,8 +233,7 @@ Window_propagation::open_closed_fan(std::uint32_t v, std::size_t arrival, double
   }
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Window_propagation::open_border_fan(std::uint32_t v, std::size_t arrival, double angle) {
+void Window_propagation::open_border_fan(std::uint32_t v, std::size_t arrival, double angle) {
   const double half = std::numbers::pi + window_angle_tolerance / 4;
   const double from = std::numbers::pi - window_angle_tolerance;
   double left = -angle, right = angle;
@@ -163,8 +256,7 @@ Window_propagation::open_border_fan(std::uint32_t v, std::size_t arrival, double
 }
 
 // Looks from a vertex across a face, between two angles from the side of its corner.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Window_propagation::open_wedge(std::uint32_t v, const Wedge& wedge, double from, double to) {
+void Window_propagation::open_wedge(std::uint32_t v, const Wedge& wedge, double from, double to) {
   if (!(from < wedge.angle) || !(to > 0)) return;
   const std::uint32_t side = Corner_table::next(wedge.corner);
   const Window_face f(table_, side); // v is its apex
@@ -182,8 +274,7 @@ Window_propagation::open_wedge(std::uint32_t v, const Wedge& wedge, double from,
                                v});
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_window(std::uint32_t side,
-                                                                         Window w) {
+void Window_propagation::add_window(std::uint32_t side, Window w) {
   const Face_corner& c = table_.corners[side];
   if (!is_window(w) ||
       w.is_useless(field_.vertices[c.origin].distance,
@@ -194,10 +285,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::add_window(std::ui
   if (key <= radius_) queue_.push_window(key, side, w);
 }
 
-// Parts a window by the ray through a source in its face, as a vertex there would do: what it shows is as empty of sources as
-// of vertices.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::part_at_sources(std::uint32_t side,
-                                                                              Window& w) {
+// Parts a window by the ray through a source in its face, as a vertex there would do: parts show no
+// source, as they show no vertex.
+void Window_propagation::part_at_sources(std::uint32_t side, Window& w) {
   for (const std::uint32_t s : field_.sources_in_face(side / 3)) {
     const Point_in_face& source = field_.face_sources[s];
     const Plane_vector<double> p = field_.turned_to(side, source.point, source.side);
@@ -210,7 +300,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::part_at_sources(st
 }
 
 // Looks into a face through the windows of a side.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::look_through(std::uint32_t side) {
+void Window_propagation::look_through(std::uint32_t side) {
   const Window_face face(table_, side);
   collect_views(side, face);
   const View* nearest = show_apex(side, face);
@@ -218,8 +308,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Window_propagation::look_through(std::
   for (const View& view : views_) pass_on(view, face, crossing, &view == nearest);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Window_propagation::collect_views(std::uint32_t side, const Window_face& face) {
+void Window_propagation::collect_views(std::uint32_t side, const Window_face& face) {
   const double at_source = field_.vertices[face.base.origin].distance;
   const double at_target = field_.vertices[face.right.origin].distance;
   views_.clear();
@@ -232,9 +321,10 @@ Window_propagation::collect_views(std::uint32_t side, const Window_face& face) {
   });
 }
 
-// Finds the nearest window that shows the far corner; null if an earlier one of the side is as near.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE const Window_propagation::View*
-Window_propagation::show_apex(std::uint32_t side, const Window_face& face) {
+// Finds the nearest window that shows the far corner; null if an earlier one of the side is as
+// near.
+const Window_propagation::View* Window_propagation::show_apex(std::uint32_t side,
+                                                              const Window_face& face) {
   Split& nearest = split_[side];
   const View* result = nullptr;
   for (const View& view : views_) {
@@ -249,12 +339,12 @@ Window_propagation::show_apex(std::uint32_t side, const Window_face& face) {
   return result;
 }
 
-// Passes a window on to the other sides of its face. If it shows the far corner it goes to the side where it does not cross the
-// paths of the nearest. Where its line to the corner is the same as that of the nearest, none of the two crosses paths of the
-// other: it goes on to the sides where more of it is than rounding makes.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Window_propagation::pass_on(const View& view, const Window_face& face, double nearest_crossing,
-                            bool is_nearest) {
+// Passes a window on to the other sides of its face. If it shows the far corner it goes to the side
+// where it does not cross the paths of the nearest. Where its line to the corner is that of the
+// nearest, neither crosses paths of the other: it goes on to the sides that have more of it than
+// rounding makes.
+void Window_propagation::pass_on(const View& view, const Window_face& face, double nearest_crossing,
+                                 bool is_nearest) {
   const auto& [w, apex] = view;
   bool left = apex.is_not_before, right = apex.is_not_after;
   if (apex.is_seen() && !is_nearest) {
@@ -282,8 +372,7 @@ Window_propagation::pass_on(const View& view, const Window_face& face, double ne
     add_window(face.right.opposite, child);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool
-Window_propagation::knows_targets(const Propagation_limits& limits) const {
+bool Window_propagation::knows_targets(const Propagation_limits& limits) const {
   const auto& [vertices, points] = limits.targets;
   if (vertices.empty() && points.empty()) return false;
   const double least = queue_.least();
@@ -293,8 +382,8 @@ Window_propagation::knows_targets(const Propagation_limits& limits) const {
                      [&](const Point_in_face& p) { return field_.at(p).distance <= least; });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Window_propagation::run(
-    const Propagation_limits& limits, const std::function<bool(std::uint64_t, double)>& progress) {
+Status Window_propagation::run(const Propagation_limits& limits,
+                               const std::function<bool(std::uint64_t, double)>& progress) {
   constexpr std::uint64_t most_between_progress = 65536;
   radius_ = limits.radius;
   field_.radius = limits.radius;
@@ -322,6 +411,16 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Status Window_propagation::run(
   return Status::done;
 }
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace
 
-#endif // CGAL_INTRINSIC_GEODESICS_DISTANCE_WINDOW_PROPAGATION_IMPL_H
+std::pair<Status, std::uint64_t>
+spread_windows(Distance_field& field, const Places& sources, const Propagation_limits& limits,
+               const std::function<bool(std::uint64_t, double)>& progress) {
+  Window_propagation propagation(field);
+  for (const std::uint32_t v : sources.vertices) propagation.add_source(v);
+  for (const Point_in_face& p : sources.points) propagation.add_source(p);
+  const Status status = propagation.run(limits, progress);
+  return {status, propagation.number_of_windows()};
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_DISTANCE_SPREAD_WINDOWS_H
+#define CGAL_INTRINSIC_GEODESICS_DISTANCE_SPREAD_WINDOWS_H
+
+#include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/// Vertices and points in faces, such as sources and targets.
+struct Places {
+  std::vector<std::uint32_t> vertices; ///< by their numbers
+  std::vector<Point_in_face> points;   ///< others
+
+  /// adds a vertex.
+  void add(std::uint32_t v) { vertices.push_back(v); }
+  /// adds a point in a face.
+  void add(const Point_in_face& p) { points.push_back(p); }
+};
+
+/// What stops a propagation early.
+struct Propagation_limits {
+  double radius = std::numeric_limits<double>::infinity();           ///< in scaled units
+  std::uint64_t windows = std::numeric_limits<std::uint64_t>::max(); ///< number to look through
+  Places targets; ///< if there are any, it stops once their distances are known
+};
+
+/*!
+\brief spreads windows from sources over the surface of a field without sources.
+\param field the surface; distances and windows are written there
+\param sources where the distance is 0
+\param limits when to stop
+\param progress is called now and then, with the number of windows and the distance reached, and
+  returns whether to go on
+\return `done`, `cap` or `cancelled`, and the number of windows
+*/
+std::pair<Status, std::uint64_t>
+spread_windows(Distance_field& field, const Places& sources, const Propagation_limits& limits,
+               const std::function<bool(std::uint64_t, double)>& progress);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_GEODESICS_DISTANCE_SPREAD_WINDOWS_H

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+void append_piece(const Input& input, const Tangent_vector& from, const Surface_point& to,
+                  std::vector<Strip_side>& strip, Traced_curve& curve) {
+  const unsigned corner = corner_of(to);
+  const Geodesic_target target =
+      corner == 3
+          ? Geodesic_target::at_point(input, to)
+          : Geodesic_target::at_vertex(input.source(sides_of_face(input, to.halfedge)[corner]));
+  const double length = std::hypot(from.vector[0], from.vector[1]);
+  if (length == 0) return;
+  const Geodesic_walk<Input> walk(input, from.point, from.vector);
+  const Geodesic_to_target line = trace_to_target(input, walk, target, length, strip);
+  std::uint32_t face = input.face(walk.face().side[0]);
+  if (!line.is_reached) curve.status = Status::inaccurate;
+  for (const Strip_side& s : strip) {
+    if (!line.is_reached) break;
+    const double x = s.parameter(line.slope);
+    curve.faces.push_back(input.face(s.halfedge));
+    curve.points.push_back({s.halfedge ^ 1U, {x, 1 - x, 0}});
+    face = input.face(s.halfedge ^ 1U);
+  }
+  curve.faces.push_back(face);
+  curve.points.push_back(to);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
