@@ -38,9 +38,9 @@ using Cgal_delaunay = CGAL::Heat_method_3::Intrinsic_Delaunay_triangulation_3<Su
 struct Run {
   /// Milliseconds, construction and destruction of temporaries included, that of the result not.
   double milliseconds = 0;
-  /// Number of flips; CGAL does not tell.
+  /// Number of flips; CGAL does not report it.
   std::optional<std::uint64_t> flips = std::nullopt;
-  /// Number of tested edges; CGAL does not tell.
+  /// Number of tested edges; CGAL does not report it.
   std::optional<std::uint64_t> checks = std::nullopt;
 };
 

@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How far are distances, logarithms, parallel transport and eigenvalues from closed forms, on bad triangles, their Delaunay triangulation and
-// refinements of that?
+// How far are distances, logarithms, parallel transport and eigenvalues from closed forms, on bad
+// triangles, their Delaunay triangulation and refinements of that?
 //
-//   closed_forms > closed_forms.json; closed_forms_table.py makes tables of it
+// closed_forms > closed_forms.json; closed_forms_table.py makes tables of it
 //
-// Meshes are surfaces of revolution, of 48 rings of 100 vertices, with random edge splits until there are 40,000 faces: they change triangles, not the
-// surface. A source, bearings and lengths of geodesics from there, and what a vector does along them, are those of the smooth surface, and are compared
-// at the vertices of the rings.
+// Meshes are surfaces of revolution, of 48 rings of 100 vertices, with random edge splits until
+// there are 40,000 faces: they change triangles, not the surface. A source, bearings and lengths of
+// geodesics from there, and what a vector does along them, are those of the smooth surface, and are
+// compared at the vertices of the rings.
 
 #include "benchmark_support.h"
 #include "synthetic_meshes.h"
@@ -56,12 +57,14 @@ constexpr Complex imaginary{0, 1};
 constexpr std::uint32_t rings = 48, around = 100, source_ring = 23;
 constexpr std::uint32_t source = around * source_ring;
 
-/// A place on a surface of revolution: how far along the meridian, down from the first pole, and the longitude.
+/// A place on a surface of revolution: how far along the meridian, down from the first pole, and
+/// the longitude.
 struct Place {
   double s, longitude;
 };
 
-/// A shortest geodesic from the source. Bearings are counterclockwise from the east, where the north is up the meridian.
+/// A shortest geodesic from the source. Bearings are counterclockwise from the east, where the
+/// north is up the meridian.
 struct Geodesic {
   double length, bearing_there, bearing_here;
 };
@@ -127,7 +130,8 @@ Shape sphere() {
           {2, 2, 2, 6, 6, 6, 6, 6}};
 }
 
-// Of this total angle and slant height 1; eigenvalues are squares of zeros of derivatives of Bessel functions.
+// Of this total angle and slant height 1; eigenvalues are squares of zeros of derivatives of Bessel
+// functions.
 Shape cone(const std::string& name, double angle, std::vector<double> zeros) {
   for (double& z : zeros) z *= z;
   const double radius = angle / (2 * pi), height = std::sqrt(1 - radius * radius);
@@ -161,7 +165,8 @@ Shape cylinder() {
           {1, 1, pi * pi / 9, 1 + pi * pi / 9, 1 + pi * pi / 9, 4, 4, 4 * pi * pi / 9}};
 }
 
-// With circles of radius 1 and 0.4. Eigenvalues are of the differential equation along the meridian, solved by 127 Fourier modes.
+// With circles of radius 1 and 0.4. Eigenvalues are of the differential equation along the
+// meridian, solved by 127 Fourier modes.
 Shape torus() {
   return {"torus",
           [](double s) {
@@ -250,8 +255,8 @@ double distance_error(const Shape& shape, const Triangulation& t, const Surface_
   return mean(errors) / farthest;
 }
 
-/// Calls a function with the number and the geodesic of each vertex that has one with a direction, away from the cut locus, and inside: at the
-/// border vectors cannot point out of the surface.
+/// Calls a function with the number and the geodesic of each vertex that has one with a direction,
+/// away from the cut locus, and inside: at the border vectors cannot point out of the surface.
 template <class Function>
 void for_each_clear(const Shape& shape, Function function) {
   const Place x = place(shape, source);
@@ -260,7 +265,8 @@ void for_each_clear(const Shape& shape, Function function) {
       function(i, shape.geodesic(x, place(shape, i)));
 }
 
-/// Of logarithms, by the greatest one; turned to fit best, as the first direction at the source is the triangulation's own.
+/// Of logarithms, by the greatest one; turned to fit best, as the first direction at the source is
+/// the triangulation's own.
 double logarithm_error(const Shape& shape, const std::vector<Complex>& logarithms) {
   Complex turn = 0;
   double farthest = 0;

@@ -17,8 +17,7 @@
 namespace CGAL::Intrinsic_triangulations::benchmark {
 
 /*!
-\brief runs a benchmark `NAME [DIRECTORY [REPETITIONS [MODEL...]]]`: measures each model, tells of each when it is done, and writes an object with an entry
-per model.
+\brief runs a benchmark `NAME [DIRECTORY [REPETITIONS [MODEL...]]]`: measures each model, reports each of them on standard error, and writes an object with an entry per model.
 \param measure called with a mesh and the number of repetitions; returns the entry
 \return what `main()` returns
 */

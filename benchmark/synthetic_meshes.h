@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-/// Deterministic meshes for measurements and stress tests. All randomness is seeded and drawn from a
-/// 64-bit Mersenne twister in a way that does not depend on the standard library.
+/// Deterministic meshes for measurements and stress tests. All randomness is seeded and drawn from
+/// a 64-bit Mersenne twister in a way that does not depend on the standard library.
 namespace CGAL::Intrinsic_triangulations::synthetic {
 
 /// holds a triangle soup whose triangles are consistently oriented.
@@ -238,8 +238,8 @@ private:
 };
 
 /*!
-\brief splits edges drawn uniformly at random, at a parameter in [0.1, 0.9), until there are at least
-`faces` faces: slivers in an order that is hard on caches.
+\brief splits edges drawn uniformly at random, at a parameter in [0.1, 0.9), until there are at
+least `faces` faces: slivers in an order that is hard on caches.
 */
 inline Triangle_soup random_edge_splits(Triangle_soup soup, std::size_t faces,
                                         std::uint64_t seed = 12345) {
@@ -297,10 +297,12 @@ inline Triangle_soup torus_of_size(std::size_t faces) {
 }
 
 /*!
-\brief builds a thin plate as CAD programs triangulate it: no vertices but those of its outline, so that its faces are slivers.
+\brief builds a thin plate as CAD programs triangulate it: no vertices but those of its outline, so
+that its faces are slivers.
 
-The outline is an ellipse with `n` points at uneven distances; the walls are strips of quadrilaterals. Flips in a bad order wind
-edges around the plate: several times as many as with long edges first.
+The outline is an ellipse with `n` points at uneven distances; the walls are strips of
+quadrilaterals. Flips in a bad order wind edges around the plate: several times as many as with long
+edges first.
 \param aspect length of the ellipse over its width
 \param thickness in units of the mean distance of points
 \param is_fan whether both faces are fans, from opposite ends; else they are cut at random
@@ -322,14 +324,15 @@ inline Triangle_soup sliver_plate(std::uint32_t n, double aspect, double thickne
     soup.triangles.push_back({i, j, n + j});
     soup.triangles.push_back({i, n + j, n + i});
   }
-  for (const std::uint32_t side : {0U, 1U}) { // both turn around by n / 2: fans are from opposite ends
+  for (const std::uint32_t side :
+       {0U, 1U}) { // both turn around by n / 2: fans are from opposite ends
     std::vector<std::array<std::uint32_t, 2>> chains = {{0, n - 1}};
     while (!chains.empty()) {
       const auto [i, k] = chains.back();
       chains.pop_back();
       if (k - i < 2) continue;
-      const auto j = is_fan ? k - 1
-                            : i + 1 + static_cast<std::uint32_t>(draw_index(rng, k - i - 1));
+      const auto j =
+          is_fan ? k - 1 : i + 1 + static_cast<std::uint32_t>(draw_index(rng, k - i - 1));
       chains.push_back({i, j});
       chains.push_back({j, k});
       const auto vertex = [=](std::uint32_t v) { return side * n + (v + side * (n / 2)) % n; };

@@ -4,7 +4,8 @@
 """Says which links lead nowhere, without a network.
 
     check_links.py                 # links in the .md files of the repository, as a git host shows them; and commands
-                                   # and labels of doxygen's, which a git host shows as they are written
+                                   # and labels of doxygen's, which a git host shows as they are
+                                   # written
     check_links.py --html FOLDER   # those of generated pages: files, images, scripts, anchors; trees and search
 """
 

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How many vertices does adaptive refinement save, and how much time? The table of Fig. 26 of the course:
-// the harmonic Green's function and a heat kernel on coarse models, refined where the estimated error is
-// large, and uniformly to the same error. Usage:
-// adaptive_refinement [DIRECTORY [MODEL...]] > result.json
+// How many vertices does adaptive refinement save, and how much time? The table of Fig. 26 of the
+// course: the harmonic Green's function and a heat kernel on coarse models, refined where the
+// estimated error is large, and uniformly to the same error.
+// Usage: adaptive_refinement [DIRECTORY [MODEL...]] > result.json
 
 #include "benchmark_support.h"
 
@@ -68,7 +68,8 @@ struct Problem {
   }
 };
 
-/// The Green's function, and the heat kernel after the time of the heat method: the mean edge squared.
+/// The Green's function, and the heat kernel after the time of the heat method: the mean edge
+/// squared.
 std::vector<Problem> problems(const Surface_mesh& mesh) {
   const Double t(mesh);
   double area = 0, length = 0;
@@ -138,8 +139,8 @@ Solution<Triangulation> uniform(const Surface_mesh& mesh, const Problem& p, doub
   return s;
 }
 
-// ---- errors: the L2 norm of the difference to a reference, relative to its norm, by the values at the
-// centroids of the faces of the reference, which are small where functions are steep
+// ---- errors: the L2 norm of the difference to a reference, relative to its norm, by the values at
+// the centroids of the faces of the reference, which are small where functions are steep
 
 struct Sample {
   IT::Surface_point on_input;
@@ -185,8 +186,8 @@ struct Row {
   double milliseconds, exact_milliseconds, error;
 };
 
-/// A row of what `solve` makes with each arithmetic: vertices and error are those with doubles, the time is the
-/// fastest of two.
+/// A row of what `solve` makes with each arithmetic: vertices and error are those with doubles, the
+/// time is the fastest of two.
 template <class Solve>
 Row row(const Solve& solve, const std::vector<Sample>& samples) {
   const Solution<Double> s = solve.template operator()<Double>();

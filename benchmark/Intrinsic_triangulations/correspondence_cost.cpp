@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What do the correspondences add to building and flipping, and how long does the common subdivision
-// take, with doubles and exactly, in units of CGAL's intrinsic Delaunay triangulation of the heat method?
+// What do the correspondences add to building and flipping, and how long does the common
+// subdivision take, with doubles and exactly, in units of CGAL's intrinsic Delaunay triangulation
+// of the heat method?
 // Usage: correspondence_cost [DIRECTORY [REPETITIONS]] > result.json
 
 #include "benchmark_support.h"

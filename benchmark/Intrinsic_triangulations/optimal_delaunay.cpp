@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How even do triangles become that vertices move for, and what does it take, with doubles and exactly? Usage:
-// optimal_delaunay PART.off [DIRECTORY [REPETITIONS]] > result.json
+// How even do triangles become if vertices move, and how long does it take, with doubles and
+// exactly? Usage: optimal_delaunay PART.off [DIRECTORY [REPETITIONS]] > result.json
 
 #include "benchmark_support.h"
 
@@ -58,7 +58,7 @@ nlohmann::json describe(const Triangulation& t) {
           {"energy", IT::odt_energy(t) * static_cast<double>(number) / (sum * sum)}};
 }
 
-// Does what `work` does and tells the result.
+// Calls `work` and reports the result.
 template <class Triangulation, class Work>
 nlohmann::json measure(Triangulation& t, double& seconds, const Work& work) {
   const Stopwatch watch;

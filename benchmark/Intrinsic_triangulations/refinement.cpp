@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How long does Delaunay refinement take, exactly (the default setting: with integer coordinates) and with doubles,
-// compared with CGAL's intrinsic Delaunay triangulation of the heat method, and does its time grow linearly with the
-// vertices inserted?
+// How long does Delaunay refinement take, exactly (the default setting: with integer coordinates)
+// and with doubles, compared with CGAL's intrinsic Delaunay triangulation of the heat method, and
+// does its time grow linearly with the vertices inserted?
 // Usage: refinement [DIRECTORY [REPETITIONS [MAXIMUM_INSERTIONS]]] > result.json
 
 #include "benchmark_support.h"

@@ -12,11 +12,13 @@
 
 namespace program {
 
-/// checks what an algorithm found. \throws std::runtime_error if rounding has spoilt the triangulation
+/// checks what an algorithm found.
+/// \throws std::runtime_error if rounding has spoilt the triangulation
 void expect_accurate(const std::optional<CGAL::Intrinsic_triangulations::Inaccuracy>& inaccuracy,
                      const Options& options);
 
-/// checks that the common subdivision covers the input once. \throws std::runtime_error if rounding has spoilt it
+/// checks that the common subdivision covers the input once.
+/// \throws std::runtime_error if rounding has spoilt it
 void expect_covered(double input_area, double area, const Options& options);
 
 } // namespace program

@@ -10,9 +10,10 @@
 namespace program {
 
 /*!
-\brief makes this process another of our programs, with other arguments; it does not return.
+\brief replaces this program by another one of ours, with other arguments; it does not return.
 
-What takes long to compile and few need is a program of its own, found beside this one or on PATH.
+Parts that take long to compile and that few users need are programs of their own, in the directory
+of this one or on PATH.
 \throws std::runtime_error if the program is not found, with the command that builds it
 */
 [[noreturn]] void become(const std::string& program, const std::vector<std::string>& arguments);

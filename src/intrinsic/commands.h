@@ -6,17 +6,17 @@
 
 #include "options.h"
 
-// Of some, a program has no more than the name of the one that runs them, see commands_elsewhere.cpp.
+// The program `intrinsic` starts other programs for some of them, see commands_elsewhere.cpp.
 
 namespace program {
 
-/// flips to Delaunay unless told not to, refines if that is asked for, and writes what is asked for.
+/// flips to Delaunay, refines and writes files, as options say.
 void run_delaunay(const Options& options);
 /// does the same, and takes functions from one triangulation to the other.
 void run_transfer(const Options& options);
-/// makes curves geodesic, refines with them as constraints if that is asked for, and writes what is asked for.
+/// makes curves geodesic, refines with them as constraints and writes files, as options say.
 void run_geodesic(const Options& options);
-/// computes distances by heat flow.
+/// computes distances, by heat flow or exactly.
 void run_distance(const Options& options);
 /// maps a disk to the plane.
 void run_parametrize(const Options& options);
@@ -32,7 +32,8 @@ void run_eigen(const Options& options);
 void run_edit(const Options& options);
 /// describes a mesh or an intrinsic triangulation, as it is.
 void run_info(const Options& options);
-/// becomes the program `intrinsic-study`. \throws std::runtime_error if that is not found
+/// starts the program `intrinsic-study` in place of this one.
+/// \throws std::runtime_error if that is not found
 void run_study(const Options& options);
 
 } // namespace program

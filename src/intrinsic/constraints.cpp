@@ -26,7 +26,7 @@ struct Surface {
   const IT::Input_names& names;
 };
 
-// What polygons were cut by is no edge of the file.
+// Diagonals of polygons are not edges of the file.
 bool is_diagonal(const Surface& s, std::uint32_t e) {
   if (s.names.polygon_of_triangle.empty()) return false;
   std::uint32_t f = s.mesh.face(Halfedge{2 * e}).index, g = s.mesh.face(Halfedge{2 * e + 1}).index;
@@ -38,7 +38,8 @@ bool is_diagonal(const Surface& s, std::uint32_t e) {
          s.names.polygon_of_triangle[f] == s.names.polygon_of_triangle[g];
 }
 
-// The unit normal of a face; NaN if it has no area. Lengths of sides are scaled to 1: no square underflows.
+// The unit normal of a face; NaN if it has no area. It scales sides to length 1, so that no square
+// underflows.
 Point normal(const Surface& s, IT::Gluing_map::Face f) {
   std::array<Point, 2> side{};
   const std::array<Halfedge, 3> sides = s.mesh.sides(f);
@@ -58,7 +59,7 @@ Point normal(const Surface& s, IT::Gluing_map::Face f) {
   return n;
 }
 
-// By how much the two faces at an edge are folded, in degrees: 0 if they are in one plane; NaN if that is unknown.
+// The angle in degrees by which the two faces at an edge deviate from a plane; NaN if unknown.
 double fold(const Point& n, const Point& m) {
   double cosine = 0;
   Point cross{};

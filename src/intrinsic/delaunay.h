@@ -134,7 +134,7 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
                 [&](std::ostream& out) { write_view(out, s, points, options, json, {}); });
 }
 
-/// flips to Delaunay unless told not to, refines if that is asked for, and measures.
+/// flips to Delaunay and refines, as options say, and measures.
 template <class Triangulation>
 Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options,
                          Progress& progress) {
@@ -151,7 +151,7 @@ Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options,
   return flip_and_measure(loaded, !options.no_flip, options, progress, improve);
 }
 
-/// flips to Delaunay unless told not to, refines if that is asked for, and writes what is asked for
+/// flips to Delaunay, refines and writes files, as options say.
 template <class Triangulation>
 void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
   Json json = improve_and_measure(loaded, options, progress);

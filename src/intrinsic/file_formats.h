@@ -11,14 +11,23 @@
 
 namespace program {
 
-/// what the program writes. One table has the words for each, and the extensions of its files.
-enum class Contents { triangulation, subdivision, curves, points, values, valued_subdivision, matrix };
+/// Contents of files that the program writes; one table has their names and extensions.
+enum class Contents {
+  triangulation,
+  subdivision,
+  curves,
+  points,
+  values,
+  valued_subdivision,
+  matrix
+};
 
 /// returns whether files with the extension of a path may have such contents.
 bool is_file_of(Contents contents, const std::string& path);
 /// returns the extensions of files with such contents: ".vtp, .obj or .ply".
 std::string extensions_of(Contents contents);
-/// returns a check that a file may have one of several contents; the error lists them with their extensions.
+/// returns a check that the extension of a file allows one of several contents; the error lists
+/// them with their extensions.
 CLI::Validator file_of(std::vector<Contents> offered);
 
 } // namespace program

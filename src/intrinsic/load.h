@@ -66,10 +66,10 @@ inline bool is_triangulation_file(const std::string& path) {
   return is_file_of(Contents::triangulation, path);
 }
 
-/// returns the number of faces of the user that an input was made of, as far as it has parts of them.
+/// returns the number of faces of the user's mesh of which an input has parts.
 std::size_t number_of_polygons(const IT::Input_definition& input);
 
-/// counts the elements of a triangulation before its first move: those of the input, in an order that is fast.
+/// counts the elements of a triangulation before its first move, when they are those of the input.
 template <class Triangulation>
 void describe(Loaded<Triangulation>& loaded) {
   Stopwatch watch;
@@ -117,8 +117,8 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   });
 }
 
-/// puts edges back that are kept, where flips have taken them away before the triangulation was stored.
-/// \throws std::runtime_error naming one that does not come back
+/// restores edges to be kept that were flipped away before the triangulation was stored.
+/// \throws std::runtime_error naming one that cannot be restored
 template <class Triangulation>
 void restore_constrained_edges(Loaded<Triangulation>& loaded, const Options& options) {
   Triangulation& t = loaded.triangulation;
@@ -156,7 +156,7 @@ Loaded<Triangulation> load_triangulation(const Options& options, Progress& progr
   return loaded;
 }
 
-/// returns the arithmetic to compute in: that of a stored triangulation, else what is asked for.
+/// returns the arithmetic to compute in: that of a stored triangulation, else that of the options.
 /// \throws Invalid_input if options contradict a stored triangulation
 std::string arithmetic_of(const Options& options);
 

@@ -17,11 +17,12 @@
 
 namespace program {
 
-/// writes a matrix. \param what what it is, for those who look into the file
+/// writes a matrix. \param what what it is, for the comment in the file
 void write_matrix(const std::string& path, const Eigen::SparseMatrix<double>& matrix,
                   const std::string& what, Output_files& files);
 
-/// writes Laplacian and mass matrix, as far as they are asked for. \throws Invalid_input naming the file
+/// writes the Laplacian and the mass matrix, if options name files for them.
+/// \throws Invalid_input naming the file
 template <class Triangulation>
 void write_matrices(Triangulation& t, const Options& options, Output_files& files) {
   namespace IT = CGAL::Intrinsic_triangulations;

@@ -9,32 +9,32 @@
 
 #include <string>
 
-// What several commands are asked in the same words.
+// Options that several commands have in common.
 
 namespace program {
 
-/// adds the input, and what all commands take.
+/// adds the input, and the options of all commands.
 void add_common_options(CLI::App& command, Options& options);
 /// adds edges that are kept.
 void add_constraint_options(CLI::App& command, Options& options);
 /// adds other lengths than those in space.
 void add_metric_option(CLI::App& command, Options& options);
-/// adds what `refine` inserts vertices for.
+/// adds the criteria of `refine`.
 void add_refinement_options(CLI::App& command, Options& options);
-/// adds what takes the place of other criteria than the least angle.
+/// adds adaptive refinement, which replaces all criteria but the least angle.
 void add_adaptive_options(CLI::App& command, Options& options);
 /// adds matrices besides the Laplacian.
 void add_matrix_options(CLI::App& command, Options& options);
-/// adds where edges run on the input, and what is written of it.
+/// adds the correspondence, and the files that need it.
 void add_correspondence_options(CLI::App& command, Options& options);
-/// adds curves that are made geodesic, and how far.
+/// adds curves to be made geodesic, and where to stop.
 void add_curve_options(CLI::App& command, Options& options);
-/// adds what is written of curves.
+/// adds the files of curves.
 void add_curve_output_options(CLI::App& command, Options& options);
-/// adds all that commands take that solve something on the triangulation: its refinement, where results are written, and points from which
-/// they start, if they do.
+/// adds the options of all commands that solve a problem on the triangulation: refinement, files of
+/// results, and the points from which they start, if they do.
 void add_application_options(CLI::App& command, Options& options, bool has_sources = false);
-/// adds curves as sources of distances.
+/// adds the method, curves as sources, and the limits of the search.
 void add_distance_options(CLI::App& command, Options& options);
 /// adds how long heat flows.
 void add_time_option(CLI::App& command, Options& options);

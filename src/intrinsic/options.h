@@ -15,7 +15,7 @@
 
 namespace program {
 
-/// What faces are refined to.
+/// Criteria that refined faces meet.
 struct Refinement_criteria {
   double minimum_angle = 30;
   double maximum_circumradius = std::numeric_limits<double>::infinity();
@@ -50,7 +50,7 @@ struct Geodesic_options {
   bool writes_subdivision = false;
 };
 
-/// What is solved on the triangulation, and where results are written.
+/// Problems to be solved on the triangulation, and where results are written.
 struct Application_options {
   std::vector<std::string> sources; ///< points, separated by commas
   std::vector<std::string> curves;  ///< points of each, separated by commas
@@ -69,7 +69,7 @@ struct Application_options {
   std::string energy = "biharmonic"; ///< of a deformation
 };
 
-/// What the command line asks for.
+/// The options on the command line.
 struct Options {
   std::string input;
   std::string arithmetic = "exact"; ///< `exact` or `double`
@@ -110,13 +110,13 @@ struct Options {
   bool is_mollification_given = false;
 };
 
-/// tells whether the output is the common subdivision, not the intrinsic triangulation
+/// tells whether the output is the common subdivision, not the intrinsic triangulation.
 bool is_mesh_output(const Options& options);
 /// tells whether edges of the input are kept.
 bool has_constraints(const Options& options);
-/// tells whether anything is written of the common subdivision.
+/// tells whether an output needs the common subdivision.
 bool needs_subdivision(const Options& options);
-/// tells whether it must be known where the intrinsic triangulation lies on the input.
+/// tells whether an option needs to know where the intrinsic triangulation lies on the input.
 bool needs_correspondence(const Options& options);
 
 } // namespace program

@@ -14,7 +14,7 @@
 
 namespace program {
 
-/// makes the signals that end programs as a rule remove files that are not complete before.
+/// makes the signals that end programs first remove files that are not complete.
 void remove_incomplete_files_on_signals();
 /// removes files that are not complete; a signal handler may call it.
 void remove_incomplete_files();
@@ -31,7 +31,8 @@ public:
 
   /// opens a file. \throws std::runtime_error naming the file
   std::ostream& open(const std::string& path);
-  /// writes a file: calls a function with its stream. \throws std::runtime_error naming the file if it is not complete
+  /// writes a file: calls a function with its stream.
+  /// \throws std::runtime_error naming the file if it is not complete
   template <class Function>
   void write(const std::string& path, const Function& function) {
     std::ostream& out = open(path);

@@ -25,8 +25,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 std::vector<double> read_sizes(const Options& options, std::size_t vertices);
 
 /*!
-\brief says how long edges may be: as long as the mean of the lengths that are wanted at their ends, which are linear in
-between the vertices of the input.
+\brief says how long edges may be: as long as the mean of the wanted lengths at their ends. Wanted
+lengths are linear between the vertices of the input.
 */
 class Sizes {
 public:
@@ -37,7 +37,7 @@ public:
 
   bool empty() const { return sizes_.empty(); }
 
-  /// returns the length of the longest side of a face, in units of that which is wanted there.
+  /// returns the largest ratio of the length of a side of a face to the length wanted there.
   template <class Triangulation>
   double longest_side(const Triangulation& t, typename Triangulation::face_descriptor f) const {
     const auto& mesh = t.mesh();

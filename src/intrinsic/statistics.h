@@ -220,12 +220,13 @@ Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
 }
 
 /*!
-\brief flips unless told not to, and measures; the common part of all commands.
+\brief flips if the options say so, and measures; the common part of all commands.
 \param loaded what was loaded
 \param flip whether to flip to Delaunay
 \param options the options
 \param progress where to show progress
-\param constrain called with the statistics before flipping, returns a writable property map of the edges that are kept
+\param constrain called with the statistics before flipping; it returns a writable property map of
+  the edges that are kept
 \param improve called with the statistics and that map after flipping, before anything is measured
 \throws std::runtime_error if flipping does not end, which happens in inexact arithmetic only
 \return the statistics so far
@@ -282,7 +283,7 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   return flip_and_measure(loaded, flip, options, progress, constrain, improve);
 }
 
-/// loads, flips unless told not to, and measures.
+/// loads, flips if the options say so, and measures.
 template <class Triangulation>
 Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& options,
                       Progress& progress) {

@@ -48,7 +48,7 @@ extern "C" void end_at_the_limit(int) {
 void end_at_time_limit(const Options& options) {
   const double seconds = *options.time_limit;
   std::ostringstream first;
-  // a line of progress may stand there
+  // the terminal may show a line of progress
   first << (isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") << "intrinsic: " << options.input
         << ": the time limit of " << seconds << " s was reached while ";
   message = {

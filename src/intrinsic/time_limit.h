@@ -9,10 +9,12 @@
 namespace program {
 
 /*!
-\brief ends the program after its limit of time, with a message and the code of failure, unless it is done before.
+\brief ends the program after its time limit, with a message and the code of failure.
 
-Whatever it is at, as a single predicate may take long: algorithms ask their visitors in between only. Files
-that are not complete are removed; none has appeared, as all do together.
+
+It interrupts any step: a single predicate may take long, and algorithms call their visitors only in
+between. It removes files that are not complete; no file has its final name yet, since the program
+renames all of them together at the end.
 \param options with a limit, and what the message names
 */
 void end_at_time_limit(const Options& options);

@@ -93,7 +93,8 @@ class Eigen(Applications):
             stats = self.stats("eigen", self.sphere, "--count", "9", "--arithmetic", arithmetic,
                                "-o", "e.txt")
             values = stats["eigen"]["values"]
-            # l (l + 1) for l = 0, 1, 2, which masses at vertices lower by (frequency h)^2 / 4 of it for edges of h = 0.16
+            # l (l + 1) for l = 0, 1, 2, which masses at vertices lower by (frequency h)^2 / 4 of it
+            # for edges of h = 0.16
             for got, wanted in zip(values, [0] + 3 * [2] + 5 * [6]):
                 self.assertLess(abs(got - wanted), 0.0064 * wanted**2 + 1e-9)
             rows = self.values("e.txt")

@@ -44,7 +44,8 @@ class Constraints(Cli_test):
                 self.assertEqual(stats["certificate"], "exact" if arithmetic == "exact" else "none")
         stats = self.stats("laplacian", self.rhombus, "--constrain", kept)
         self.assertEqual(stats["delaunay"]["flips"], 0)
-        # nor of a stored triangulation, in which it was: coordinates tell where it is, whatever is asked for
+        # nor of a stored triangulation, in which it was: coordinates tell where it is, whatever is
+        # asked for
         self.stats("delaunay", self.rhombus, "-o", "s.idt")
         for command in (("laplacian",), ("delaunay", "--correspondence", "none")):
             stored = self.stats(command[0], "s.idt", "--constrain", kept, *command[1:])

@@ -253,7 +253,8 @@ class Domain(Cli_test):
             a, b = self.read_matrix("one.mtx")[2], self.read_matrix("both.mtx")[2]
             self.assertEqual(a.keys(), b.keys(), name)
             for key, x in a.items():
-                # each weight is right to 1e-12 of itself or of 1; a diagonal entry sums positive weights
+                # each weight is right to 1e-12 of itself or of 1; a diagonal entry sums positive
+                # weights
                 self.assertLessEqual(abs(x - b[key]), 4e-12 * max(1, abs(x)))
 
     @unittest.skipUnless(MESHES and os.path.isdir(MESHES), "CGAL's data set is not installed")

@@ -96,7 +96,8 @@ class Extremes(Cli_test):
         weights = [float(w) for i, j, w in rows if max(int(i), int(j)) > n and i != j]
         self.assertGreaterEqual(len(weights), 2 * n)
         for w in weights:
-            # points are off the circle by 2^-53, which a base of length 0.016 sees 1e10 times as large
+            # points are off the circle by 2^-53, which a base of length 0.016 sees 1e10 times as
+            # large
             self.assert_close(w, expected, 1e-9)
 
     def test_rounding_that_hides_angles_is_named(self):

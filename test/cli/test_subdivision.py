@@ -118,7 +118,8 @@ class Subdivision(Cli_test):
         self.check(self.write_off("square.off", points, faces), points, faces, 1)
 
     def test_vertices_and_faces_are_labelled_with_the_polygons_of_the_file(self):
-        # rows of hexagons, quadrilaterals and triangles, so that numbers of polygons and triangles differ
+        # rows of hexagons, quadrilaterals and triangles, so that numbers of polygons and triangles
+        # differ
         points = [(i, j, 0.2 * (i * j % 3)) for j in range(4) for i in range(13)]
         polygons = []
         for j in range(3):

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes the common subdivision of a mesh and its intrinsic Delaunay triangulation for ParaView, with a
-// function on it. Usage: subdivision_to_vtp [MESH.off [OUT.vtp]]
+// Writes the common subdivision of a mesh and its intrinsic Delaunay triangulation for ParaView,
+// with a function on it. Usage: subdivision_to_vtp [MESH.off [OUT.vtp]]
 
 #include <CGAL/Intrinsic_triangulations.h>
 

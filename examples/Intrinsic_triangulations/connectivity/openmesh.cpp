@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Builds the intrinsic triangulation of an OpenMesh mesh, and flips another OpenMesh mesh to Delaunay. Link
-// Intrinsic_triangulations::OpenMesh_support.
+// Builds the intrinsic triangulation of an OpenMesh mesh, and flips another OpenMesh mesh to
+// Delaunay. Link Intrinsic_triangulations::OpenMesh_support.
 
 //! [include]
-#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h> // first: it includes OpenMesh
+// the adaptor comes first: it includes OpenMesh
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h>
 
 #include <CGAL/Intrinsic_triangulations.h>
 //! [include]
@@ -19,7 +20,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 //! [type]
 struct Double_traits : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d; // OpenMesh stores float coordinates unless told otherwise
+  using Point = OpenMesh::Vec3d; // by default OpenMesh stores float coordinates
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
 //! [type]

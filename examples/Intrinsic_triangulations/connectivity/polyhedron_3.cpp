@@ -20,7 +20,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 //! [type]
 using Kernel = CGAL::Simple_cartesian<double>;
-// elements with ids are numbered by them; without ids they are looked up in hash maps, which is slower
+// elements with ids are numbered by them; without ids they are looked up in hash maps, which is
+// slower
 using Polyhedron = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
 //! [type]
 

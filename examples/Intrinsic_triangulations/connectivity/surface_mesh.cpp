@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flips a CGAL::Surface_mesh to its intrinsic Delaunay triangulation, and reads the result by the vertices of
-// the mesh, with property maps.
+// Flips a CGAL::Surface_mesh to its intrinsic Delaunay triangulation, and reads the result by the
+// vertices of the mesh, with property maps.
 
 #include <CGAL/Intrinsic_triangulations.h>
 

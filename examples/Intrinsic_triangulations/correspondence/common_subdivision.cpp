@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flips a mesh to Delaunay, inserts a vertex, and writes the common subdivision with the input, with a function on it:
-// three statements. Usage: common_subdivision [MESH.off [OUT.vtp]]
+// Flips a mesh to Delaunay, inserts a vertex, and writes the common subdivision with the input,
+// with a function on it: three statements. Usage: common_subdivision [MESH.off [OUT.vtp]]
 
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws an edge of the intrinsic triangulation on the mesh, and says where an edge of the mesh crosses the intrinsic
-// triangulation: two statements each. Usage: edge_polylines [MESH.off]
+// Draws an edge of the intrinsic triangulation on the mesh, and says where an edge of the mesh
+// crosses the intrinsic triangulation: two statements each. Usage: edge_polylines [MESH.off]
 
 #include <CGAL/Intrinsic_triangulations.h>
 

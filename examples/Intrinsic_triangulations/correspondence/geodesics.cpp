@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Goes straight from a point of the mesh in many directions, for a length: the exponential map. Writes the lines for
-// programs that show OBJ. Usage: geodesics [MESH.off [FACE LENGTH LINES.obj]]
+// Goes straight from a point of the mesh in many directions, for a length: the exponential map.
+// Writes the lines for programs that show OBJ. Usage: geodesics [MESH.off [FACE LENGTH LINES.obj]]
 
 #include <CGAL/Intrinsic_triangulations.h>
 
@@ -50,7 +50,8 @@ int main(int argc, char* argv[]) {
   for (int i = 0; i < 360; i += 3) {
     const double angle = i * std::numbers::pi / 180;
     //! [trace]
-    // from the middle of a face, in a direction given along halfedge(face, mesh) and to the left of it
+    // from the middle of a face, in a direction given along halfedge(face, mesh) and to the left of
+    // it
     const IT::Geodesic g = IT::trace_geodesic(t, {face, {1. / 3, 1. / 3, 1. / 3}},
                                               {std::cos(angle), std::sin(angle)}, length, mesh);
     std::vector<Point> line;

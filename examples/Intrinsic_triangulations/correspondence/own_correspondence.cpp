@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Observes the moves of an intrinsic triangulation: records which edges are flipped, and takes it all back.
+// Observes the moves of an intrinsic triangulation: records which edges are flipped, and undoes all
+// flips.
 
 #include <CGAL/Intrinsic_triangulations.h>
 

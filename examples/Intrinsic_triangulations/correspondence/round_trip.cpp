@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Takes points of a mesh to its intrinsic triangulation and back, and prints how far they end from where they
-// started: one statement to build, three for a point. Usage: round_trip [MESH.off]
+// Takes points of a mesh to its intrinsic triangulation and back, and prints how far they end from
+// where they started: one statement to build, three for a point. Usage: round_trip [MESH.off]
 
 #include <CGAL/Intrinsic_triangulations.h>
 

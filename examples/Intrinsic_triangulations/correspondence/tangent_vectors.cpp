@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Takes tangent vectors from the mesh to the intrinsic triangulation, each in the frame of the face there, and goes
-// straight along them on both: the ends are the same place. Usage: tangent_vectors [MESH.off]
+// Takes tangent vectors from the mesh to the intrinsic triangulation, each in the frame of the face
+// there, and goes straight along them on both: the ends are the same place. Usage: tangent_vectors
+// [MESH.off]
 
 #include <CGAL/Intrinsic_triangulations.h>
 

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Goes from vertices of the mesh along edges of its intrinsic Delaunay triangulation, which are geodesics of the mesh, to their
-// other ends, and takes tangent vectors there: parallel transport. Usage: transport [MESH.off]
+// Goes from vertices of the mesh along edges of its intrinsic Delaunay triangulation, which are
+// geodesics of the mesh, to their other ends, and takes tangent vectors there: parallel transport.
+// Usage: transport [MESH.off]
 
 #include <CGAL/Intrinsic_triangulations.h>
 
@@ -38,7 +39,7 @@ int main(int argc, char* argv[]) {
   for (const auto e : edges(t.mesh())) {
     if (CGAL::is_border(halfedge(e, t.mesh()), t.mesh())) continue;
     //! [start]
-    // at the source of a halfedge of the triangulation, in its direction; at the same vertex of the mesh, where it leaves that
+    // along a halfedge of the triangulation from its source, which is a vertex of the mesh
     const IT::Tangent_vector along{{2 * t.index(e), {1, 0, 0}}, {1, 0}};
     const auto start = IT::tangent_to_input(t, along);
     const double length = t.length(e);

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Takes a tangent vector field at the vertices of a mesh to its refinement and back, and from there to vectors in space, at
-// vertices and on the faces of the common subdivision: one statement each. Usage: vector_field [MESH.off]
+// Takes a tangent vector field at the vertices of a mesh to its refinement and back, and from there
+// to vectors in space, at vertices and on the faces of the common subdivision: one statement each.
+// Usage: vector_field [MESH.off]
 
 #include <CGAL/Intrinsic_triangulations.h>
 
@@ -27,7 +28,8 @@ int main(int argc, char* argv[]) {
   IT::delaunay_refine(t, IT::parameters::minimum_angle(30));
 
   //! [transfer]
-  // at each vertex the unit vector along its edge `opposite(halfedge(v, mesh), mesh)`: 1 in the polar coordinates there
+  // at each vertex the unit vector along its edge `opposite(halfedge(v, mesh), mesh)`: 1 in the
+  // polar coordinates there
   const IT::Tangent_field on_mesh(mesh.number_of_vertices(), 1);
   const IT::Tangent_field field = IT::tangent_field_to_intrinsic(t, on_mesh, mesh);
   const IT::Tangent_field back = IT::tangent_field_to_input(t, field, mesh);

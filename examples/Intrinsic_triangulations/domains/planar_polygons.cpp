@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes polygons planar that are not: a saddle of quadrilaterals, whose Laplacian is as symmetric as the saddle.
+// Makes bent polygons planar: a saddle of quadrilaterals, whose Laplacian is as symmetric as the
+// saddle.
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations.h>
@@ -47,8 +48,7 @@ int main() {
   const std::vector<std::array<double, 3>> points = IT::positions(s, mesh, t.input());
   //! [positions]
   std::cout << points.size() << " vertices\n";
-  bool is_symmetric =
-      true; // reflections in the diagonals exchange vertices 1 and 3, 5 and 7; half a turn 1 and 7, 3 and 5
+  bool is_symmetric = true; // symmetries exchange vertices 1 and 3, 5 and 7, 1 and 7, 3 and 5
   for (const int v : {3, 5, 7})
     is_symmetric = is_symmetric && std::abs(laplacian.coeff(4, v) - laplacian.coeff(4, 1)) < 1e-12;
   return is_symmetric && report.flattened == 4 && report.kept == 0 ? 0 : 1;

@@ -25,7 +25,8 @@ int main() {
     points.push_back({r * std::cos(a), r * std::sin(a), z});
   }
   //! [points]
-  // of a file: read_triangle_soup("sphere.xyz", Nonplanar_polygons::fan, File_faces::optional).points
+  // from a file:
+  // read_triangle_soup("sphere.xyz", Nonplanar_polygons::fan, File_faces::optional).points
   IT::Point_cloud cloud = IT::make_point_cloud(points, 20); // neighbours of each point
   std::cout << cloud.points.duplicated_points << " points were left out\n";
   IT::Intrinsic_triangulation<> t(std::move(cloud.input));

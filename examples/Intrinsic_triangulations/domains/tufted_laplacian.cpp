@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Builds a Laplacian on faces that make no mesh: three meet at an edge, and a border faces an obtuse angle.
+// Builds a Laplacian on faces that make no mesh: three meet at an edge, and a border edge faces an
+// obtuse angle.
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations.h>
@@ -15,8 +16,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 int main() {
   //! [domain]
-  const std::vector<std::array<double, 3>> points{
-      {0, 0, 0}, {4, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, -2, -1}, {5, -2, -1}};
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {4, 0, 0},   {2, 1, 0},
+                                                  {2, 0, 1}, {1, -2, -1}, {5, -2, -1}};
   const std::vector<std::vector<int>> faces{{0, 1, 2}, {0, 1, 3}, {0, 1, 5, 4}}; // polygons, too
 
   IT::Domain domain = IT::make_domain(IT::triangle_soup(points, faces));

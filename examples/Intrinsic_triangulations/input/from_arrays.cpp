@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Builds triangulations from matrices of points and of triples of vertices, and from triples and lengths.
+// Builds triangulations from matrices of points and of triples of vertices, and from triples and
+// lengths.
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations.h>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Gives a mesh with a needle of nearly no width lengths with which doubles can compute, and prints the smallest angle before
-// and after.
+// Changes the lengths of a mesh with a very thin needle so that doubles can compute with them, and
+// prints the smallest angle before and after.
 
 #include <CGAL/Intrinsic_triangulations.h>
 

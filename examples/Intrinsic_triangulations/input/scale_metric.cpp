@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Measures a square by an anisotropic metric, in which heights near the bottom count ten times, and
-// refines it to triangles that are good in that metric: flat ones at the bottom, as a boundary layer of
-// a flow needs them. No surface need look like that.
+// refines it to triangles that are good in that metric: flat triangles at the bottom, as the
+// boundary layer of a flow needs them. The metric need not be that of a surface in space.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

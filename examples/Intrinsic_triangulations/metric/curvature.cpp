@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures area and curvature of a part before and after intrinsic refinement, which changes neither: the vertices that it
-// inserts are flat, and by Gauss and Bonnet the sum over all is 2 pi times the Euler characteristic.
+// Measures area and curvature of a part before and after intrinsic refinement, which changes
+// neither: the vertices that it inserts are flat, and by Gauss and Bonnet the sum over all is 2 pi
+// times the Euler characteristic.
 
 #include <CGAL/Intrinsic_triangulations.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flips the same mesh with several arithmetics. Exact ties are what tells them apart.
+// Flips the same mesh with several arithmetics, which differ at exact ties.
 
 #include <CGAL/Intrinsic_triangulations.h>
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Gives an intrinsic triangulation arithmetic of one's own: a metric that wraps another and keeps count of what
-// is asked of it. The rest of the metric is inherited.
+// Gives an intrinsic triangulation your own arithmetic: a metric that wraps another one and counts
+// its calls. It inherits the rest of the metric.
 
 #include <CGAL/Intrinsic_triangulations.h>
 
@@ -51,7 +51,7 @@ bool flip(const char* name, const Mesh& mesh) {
   const IT::Flip_to_delaunay_result result = IT::flip_to_delaunay(t);
   std::cout << name << ": " << t.metric().predicates << " predicates, " << t.metric().constructions
             << " constructions for " << result.flips << " flips\n";
-  // edges on the border, and those with one face on both sides, are Delaunay without being asked for
+  // border edges, and edges with one face on both sides, are Delaunay without a call
   return t.metric().predicates <= result.checks && t.metric().predicates > 0 &&
          t.metric().constructions == result.flips + result.refused_flips;
 }

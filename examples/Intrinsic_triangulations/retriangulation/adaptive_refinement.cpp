@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Computes the harmonic Green's function of a vertex, and heat after a short time, with vertices where the
-// estimated error asks for them.
+// Computes the harmonic Green's function of a vertex, and heat after a short time, with vertices
+// where the estimated error is large.
 
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.h>
 #include <CGAL/Intrinsic_operators/operators/residual_indicators.h>

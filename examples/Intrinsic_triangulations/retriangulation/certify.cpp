@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flips with doubles, then decides exactly whether the result is Delaunay: from integers and the input alone.
+// Flips with doubles, then decides exactly whether the result is Delaunay: from integers and the
+// input alone.
 
 #include <CGAL/Intrinsic_triangulations.h>
 

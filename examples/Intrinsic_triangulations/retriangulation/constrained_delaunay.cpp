@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Keeps sharp edges of a mesh while flipping to Delaunay, in two statements, shows progress and may be cancelled.
+// Flips a mesh to Delaunay and keeps its sharp edges, in two statements; shows progress, and can be
+// cancelled.
 
 #include <CGAL/Intrinsic_triangulations.h>
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flips a part to Delaunay and joins the faces that lie in one circle: what is left does not depend on how rectangles were
-// cut. Usage: delaunay_tessellation [MESH.off]
+// Flips a part to Delaunay and joins the faces that lie in one circle: the result does not depend
+// on how rectangles were cut. Usage: delaunay_tessellation [MESH.off]
 
 #include <CGAL/Intrinsic_triangulations.h>
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Fills a mesh with vertices at even distances, and reports how much the areas of faces vary before and
-// after. Usage: optimal_delaunay [MESH.off]
+// Fills a mesh with vertices at even distances, and reports how much the areas of faces vary before
+// and after. Usage: optimal_delaunay [MESH.off]
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

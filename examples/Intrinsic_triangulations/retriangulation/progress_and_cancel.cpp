@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Refines with a progress bar on standard error, and stops at a deadline: what there is then is a valid
-// Delaunay triangulation. Usage: progress_and_cancel [SECONDS]
+// Refines with a progress bar on standard error, and stops at a deadline, with a valid Delaunay
+// triangulation. Usage: progress_and_cancel [SECONDS]
 
 #include <CGAL/Intrinsic_triangulations.h>
 

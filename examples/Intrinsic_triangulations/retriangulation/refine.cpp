@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Refines a mesh to a least angle of 30 degrees, in one statement, and reports the shapes of its faces before and after.
+// Refines a mesh to a least angle of 30 degrees, in one statement, and reports the shapes of its
+// faces before and after.
 // Usage: refine [MESH.off]
 
 #include <CGAL/Simple_cartesian.h>

@@ -13,14 +13,14 @@
 #include <functional>
 #include <vector>
 
-// What all commands do that solve something on the triangulation.
+// The common part of all commands that solve a problem on the triangulation.
 
 namespace program {
 
-/// The vertices of each list of points that was asked for.
+/// The vertices of each list of points on the command line.
 using Sources = std::vector<std::vector<IT::Gluing_map::Vertex>>;
 
-/// A triangulation on which something is solved.
+/// A triangulation on which a command solves a problem.
 template <class Traits>
 using Solved_triangulation =
     IT::Intrinsic_triangulation<IT::Gluing_map, Traits, IT::Integer_coordinates>;
@@ -28,13 +28,13 @@ using Solved_triangulation =
 /// Where the vertices of the mesh are, in the order of its file.
 using Points = std::vector<Point>;
 
-/// Solves something on it, and may refine it for that.
+/// Solves a problem on it, and may refine it for that.
 template <class Traits>
 using Solver =
     std::function<Computed(Solved_triangulation<Traits>&, const Sources&, const Points&)>;
 
-/// loads a mesh, makes its triangulation Delaunay, refines it if that is asked for, solves in the arithmetic that is asked for,
-/// and writes what was computed.
+/// loads a mesh, makes its triangulation Delaunay and refines it as options say, solves in the
+/// chosen arithmetic, and writes the results.
 void run_application(const Options& options, const Solver<IT::Exact_euclidean_traits>& exact,
                      const Solver<IT::Euclidean_traits<double>>& approximate);
 

@@ -15,7 +15,8 @@ namespace program {
 
 namespace {
 
-// The lumped mass of an isolated vertex is zero; any other leaves it alone with a function that is zero elsewhere.
+// The lumped mass of an isolated vertex is zero. With any positive mass instead, it only has a
+// function that is zero elsewhere.
 Eigen::SparseMatrix<double> positive_mass(Eigen::SparseMatrix<double> m) {
   const double mean = m.diagonal().sum() / static_cast<double>(std::max<Eigen::Index>(m.rows(), 1));
   for (Eigen::Index i = 0; i < m.rows(); ++i)

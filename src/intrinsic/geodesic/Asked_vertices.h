@@ -23,7 +23,7 @@
 
 namespace program {
 
-/// Finds the vertices that were asked for, and inserts those that are inside of faces of the mesh.
+/// Finds the points that the command line names, and inserts vertices for points inside faces.
 template <class Triangulation>
 class Asked_vertices {
   using Vertex = typename Triangulation::vertex_descriptor;
@@ -33,7 +33,8 @@ public:
   /// finds them on a triangulation.
   Asked_vertices(Triangulation& t, const Options& options) : t_(t), options_(options) {}
 
-  /// finds the points of a curve, in order. \throws std::runtime_error naming the element that cannot be one
+  /// finds the points of a curve, in order.
+  /// \throws std::runtime_error naming an element that cannot be one
   Vertices operator()(const Asked_curve& curve) {
     std::vector<Vertices> copies; // of each point
     for (const Asked_point& p : curve.points) {

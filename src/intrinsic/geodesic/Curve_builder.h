@@ -29,9 +29,10 @@
 namespace program {
 
 /*!
-\brief adds the curves that options ask for to a network: vertices at their points first, then marked edges, then paths and
-loops. These are geodesics that are found alone; beside marked edges, or if it is asked how curves
-become shorter, they start as shortest paths along edges.
+\brief adds the curves of the options to a network: first vertices at their points, then marked
+edges, then paths and loops. Paths and loops are geodesics, each found as if the others were not
+there. Beside marked edges, and if shortening may stop early, they start as shortest paths along
+edges.
 */
 template <class Triangulation>
 class Curve_builder {
@@ -78,8 +79,8 @@ public:
   const IT::Shortening_result& shortening() const { return shortening_; }
 
 private:
-  // Whether curves are found alone: no marked edge is in their way, and it is not asked how they
-  // become shorter.
+  // Whether each curve is found as if the others were not there: there are no marked edges, and
+  // shortening does not stop early.
   bool are_free(const std::vector<Asked_curve>& curves) const {
     const Geodesic_options& g = options_.geodesic;
     return !has_constraints(options_) && !g.is_along_edges && g.relative_length == 0 &&
@@ -88,7 +89,7 @@ private:
                        [](const Asked_curve& c) { return c.kind == Curve_kind::joined; });
   }
 
-  // False if vertices are not connected, or rounding has led astray.
+  // False if vertices are not connected, or rounding has spoilt a path.
   bool add_geodesics(const std::vector<Asked_curve>& asked, const std::vector<Vertices>& vertices) {
     std::vector<IT::Curve_through_vertices<Triangulation>> curves;
     for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -133,7 +134,7 @@ private:
     });
   }
 
-  // calls a function, and tells of a crossing in the numbers of the file
+  // Calls a function; reports a crossing with the numbers of the file.
   template <class Function>
   void named(const std::string& source, const Function& function) const {
     try {

@@ -52,7 +52,8 @@ template <class Triangulation>
 using Curve_labels = IT::Marked_edges<Triangulation, std::int32_t>;
 
 /*!
-\brief makes the curves that are asked for, shortens them, and knows their ways in space before and after.
+\brief makes the curves of the options, shortens them, and stores them as polylines in space before
+and after that.
 */
 template <class Triangulation>
 class Geodesic_curves {

@@ -23,26 +23,27 @@ struct Asked_point {
   std::array<double, 3> weights; ///< of the corners of the face; they sum to 1
 };
 
-/// What becomes of the points of a curve.
+/// What the points of a curve are for.
 enum class Curve_kind {
   joined,         ///< a path or a loop leads through them
   control_points, ///< they are those of a Bezier curve
-  source          ///< something leads from each one to all vertices
+  source          ///< each one is by itself, as a source or a target
 };
 
-/// A path or a loop through points, or what else they stand for.
+/// A path or a loop through points, or another list of points.
 struct Asked_curve {
   std::vector<Asked_point> points;
   bool is_loop = false;
-  std::string source; ///< where it was asked for: an option, or file and line
+  std::string source; ///< where it comes from: an option, or file and line
   Curve_kind kind = Curve_kind::joined;
 };
 
-/// returns what is wrong with a list of points, and the remedy; empty: nothing. \param least how many are needed
+/// returns what is wrong with a list of points, and the remedy; empty: nothing.
+/// \param least how many points the list must have at least
 std::string curve_points_misuse(const std::string& text, std::size_t least);
 
 /*!
-\brief returns the curves of `--path`, `--loop`, `--bezier`, `--source` and `--network`, in this order.
+\brief returns the curves of `--path`, `--loop`, `--bezier`, `--source` and `--network`, in order.
 \param options the options
 \param vertices number of vertices of the mesh file
 \param faces number of its faces
@@ -51,7 +52,8 @@ std::string curve_points_misuse(const std::string& text, std::size_t least);
 std::vector<Asked_curve> asked_curves(const Options& options, std::size_t vertices,
                                       std::size_t faces);
 
-/// returns the lists of points of `--source`, and of `--curve` after them, of commands that solve something. \throws std::runtime_error as `asked_curves()`
+/// returns the lists of points of `--source`, `--curve` and `--targets`, in this order.
+/// \throws std::runtime_error as `asked_curves()` does
 std::vector<Asked_curve> asked_points(const Options& options, std::size_t vertices,
                                       std::size_t faces);
 

@@ -24,7 +24,7 @@ namespace program {
 
 /// prints what became of curves to standard error if that is a terminal.
 void print_geodesic_summary_on_terminal(const Json& json);
-/// tells of curves that are not geodesic as far as is known.
+/// reports curves that are not known to be geodesic.
 void warn_of_cap(const Json& json, const Options& options);
 
 /// returns for each vertex of a common subdivision the number of a curve that passes it, or -1.
@@ -69,7 +69,7 @@ void write_curves_on_subdivision(const Loaded<Triangulation>& loaded,
     });
 }
 
-/// makes curves geodesic, refines if that is asked for, and writes what is asked for.
+/// makes curves geodesic, refines and writes files, as options say.
 template <class Triangulation>
 void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
   Triangulation& t = loaded.triangulation;

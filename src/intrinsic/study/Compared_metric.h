@@ -19,9 +19,9 @@ namespace program {
 namespace IT = CGAL::Intrinsic_triangulations;
 
 /*!
-\brief decides as another metric does, and compares with an exact triangulation that follows the same flips.
-
-Once a diamond is flipped that is not convex there is no triangulation any more that could follow: it stops.
+\brief decides as another metric does, and compares with an exact triangulation that makes the same
+flips. The comparison ends at the first flip of a diamond that is not convex, which is impossible in
+the exact triangulation.
 \tparam Metric a model of `IntrinsicMetric`
 */
 template <class Metric>
@@ -48,9 +48,9 @@ public:
     }
   }
 
-  /// tells whether the exact triangulation is the one that this metric belongs to.
+  /// tells whether the exact triangulation has made all flips so far.
   bool is_following() const { return is_following_; }
-  /// returns how many edges were taken for Delaunay and are not, or the other way round.
+  /// returns how often the other metric decided differently.
   std::uint64_t different_decisions() const { return different_decisions_; }
   /// returns whether a diamond was flipped that is not convex.
   std::uint64_t nonconvex_flips() const { return nonconvex_flips_; }

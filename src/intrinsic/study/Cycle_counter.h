@@ -18,8 +18,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 /*!
 \brief keeps integer coordinates and counts flips that undo the last flip of the same edge.
 
-A flip undoes the last one of its edge if no outer edge of the diamond was flipped in between: every flip that
-changes the diamond is one of an outer edge, which then still is an outer edge, unless a later one is.
+A flip undoes the last one of its edge if no outer edge of the diamond was flipped in between: only
+flips of outer edges change the diamond, and the last of these edges still is an outer edge.
 */
 class Cycle_counter : public IT::Integer_coordinates {
 public:

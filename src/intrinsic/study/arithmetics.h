@@ -21,26 +21,26 @@ struct Arithmetic {
 /// returns all of them, in the order of the study.
 const std::vector<Arithmetic>& arithmetics();
 
-/// adds one to the study: to be defined with static storage, in a source of one's own.
+/// adds an arithmetic to the study. Define an object of it with static storage, in your own source.
 struct Registered_arithmetic {
   /// registers an arithmetic.
-  /// \param name what `--arithmetic` and results call it, which no other is called
-  /// \param study how it is run: `measure_and_compare<Traits>` of measure.h
+  /// \param name its name in `--arithmetic` and in results; no other arithmetic has this name
+  /// \param study the function that runs it: `measure_and_compare<Traits>` of measure.h
   Registered_arithmetic(std::string name, void (*study)(Study_run&));
 };
 
-// Kinds of them, each in a translation unit of its own, to compile in little memory. The names stand
-// there and nowhere else.
+// Kinds of arithmetics, each in a translation unit of its own, to compile in little memory. Only
+// these units contain the names.
 
-/// returns those that the processor computes in, with and without tolerances.
+/// returns the arithmetics of the processor, with and without tolerances.
 std::vector<Arithmetic> hardware_arithmetics();
-/// returns intervals without anything that decides where they do not.
+/// returns intervals alone, which may leave signs open.
 std::vector<Arithmetic> interval_arithmetics();
 /// returns floating point numbers with more bits.
 std::vector<Arithmetic> boost_arithmetics();
 /// returns exact number types.
 std::vector<Arithmetic> exact_number_types();
-/// returns those that this package decides exactly in.
+/// returns the exact arithmetics of this package.
 std::vector<Arithmetic> certified_arithmetics();
 
 } // namespace program

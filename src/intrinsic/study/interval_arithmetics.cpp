@@ -82,7 +82,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_without_ties(const Tr
   return result;
 }
 
-// Exact traits, which flip in another order, since they know lengths, must come to the same tessellation.
+// Exact traits store lengths and so flip in another order; they must come to the same tessellation.
 void study_exact_integer(Study_run& run) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
   measure<IT::Integer_only_triangulation<>>(run, [&run, &found](const auto& done) {

@@ -55,7 +55,7 @@ extern "C" void free_for_gmp(void* p, std::size_t) { std::free(p); }
 void limit_this_process(const Study_limits& limits) {
   std::set_new_handler(end_out_of_memory);
   mp_set_memory_functions(allocate_for_gmp, reallocate_for_gmp, free_for_gmp);
-  // the clock on the wall decides; this is for jobs that nobody watches any more
+  // the parent process limits the time on the clock; this ends jobs that have lost their parent
   const auto seconds = static_cast<rlim_t>(std::ceil(limits.seconds)) + 1;
   const rlimit time{seconds, seconds + 1};
   setrlimit(RLIMIT_CPU, &time);
@@ -85,7 +85,7 @@ void end_with(Study_run& run, const char* status, const std::string& message) {
   run.emit();
 }
 
-// Messages name files by their path, which is no part of the result.
+// Messages name files by their path, which must not be in the result.
 std::string without_path(std::string message, const Study_source& source) {
   const std::size_t at = message.find(source.location);
   if (at != std::string::npos) message.replace(at, source.location.size(), source.name);
@@ -107,9 +107,9 @@ Registered_arithmetic::Registered_arithmetic(std::string name, void (*study)(Stu
 const std::vector<Arithmetic>& arithmetics() {
   static const std::vector<Arithmetic> all = [] {
     std::vector<Arithmetic> sorted;
-    for (const auto& kind : {hardware_arithmetics(), interval_arithmetics(), boost_arithmetics(),
-                             exact_number_types(), certified_arithmetics(),
-                             registered_arithmetics()})
+    for (const auto& kind :
+         {hardware_arithmetics(), interval_arithmetics(), boost_arithmetics(), exact_number_types(),
+          certified_arithmetics(), registered_arithmetics()})
       sorted.insert(sorted.end(), kind.begin(), kind.end());
     return sorted;
   }();

@@ -12,12 +12,12 @@
 
 namespace program {
 
-/// How a job ends that has no memory left: without another allocation.
+/// Exit code of a job that has run out of memory, and must not allocate any more.
 constexpr int exit_out_of_memory = 3;
 
 /*!
-\brief limits this process, runs a job in it, and writes what is found to standard output: JSON lines, each of
-which says more than the one before.
+\brief limits this process, runs a job in it, and writes results to standard output: JSON lines,
+each of which contains more than the one before.
 */
 void run_study_job(const std::string& location, const std::string& arithmetic,
                    const Study_limits& limits);

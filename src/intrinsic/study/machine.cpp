@@ -13,7 +13,7 @@ namespace program {
 
 namespace {
 
-// Empty where the system does not tell.
+// Empty if the system does not provide it.
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)

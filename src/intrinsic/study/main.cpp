@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// The program `intrinsic-study`, which `intrinsic study` becomes.
+// The program `intrinsic-study`, which `intrinsic study` starts.
 
 namespace {
 

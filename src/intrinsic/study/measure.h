@@ -42,7 +42,7 @@ Timed_flips<Triangulation> timed_flips(const IT::Intrinsic_input& input) {
   return run;
 }
 
-/// repeats what is short, which the first run and other processes disturb most, and takes the shortest times.
+/// repeats short runs, which other processes disturb most, and takes the least times.
 template <class Triangulation>
 Timed_flips<Triangulation> fastest_flips(const IT::Intrinsic_input& input) {
   Timed_flips<Triangulation> best = timed_flips<Triangulation>(input);
@@ -99,7 +99,8 @@ void certify(Study_run& run, const Triangulation& t) {
 /*!
 \brief repeats the flips beside an exact metric, and notes where they differ.
 
-The key `comparison` is `complete`, or `until_nonconvex_flip` if the exact metric could not follow to the end.
+The key `comparison` is `complete`, or `until_nonconvex_flip` if the exact metric could not make all
+flips.
 */
 template <class Traits>
 void compare(Study_run& run) {

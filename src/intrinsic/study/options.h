@@ -16,7 +16,7 @@ struct Study_limits {
   std::uint64_t mib = 4096;
 };
 
-/// What the command line asks of the study.
+/// The options of the study on the command line.
 struct Study_options {
   std::vector<std::string> corpus;      ///< see `study_sources()`
   std::vector<std::string> arithmetics; ///< empty: all

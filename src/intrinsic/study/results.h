@@ -23,7 +23,7 @@ namespace program {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-/// returns a number as `long double`, as far as its type is known to have more digits than `double`.
+/// returns a number as `long double`, or as `double` if its type has no conversion to that.
 template <class FT>
 long double long_double_of(const FT& x) {
   if constexpr (std::is_floating_point_v<FT>)
@@ -66,7 +66,7 @@ Conserved conserved(const Triangulation& t) {
     using Number = typename decltype(l)::value_type;
     const std::array<std::uint32_t, 3> v{t.index(source(ij, mesh)), t.index(source(jk, mesh)),
                                          t.index(source(ki, mesh))};
-    // twice the dot product of the sides at a corner, which may cancel, and twice their cross product
+    // twice the cross and the dot product of the sides at a corner; the latter may cancel
     for (std::size_t k = 0; k < 3; ++k)
       c.cone_angles[v[k]] +=
           std::atan2(area, long_double_of(Number(l[k] + l[(k + 2) % 3] - l[(k + 1) % 3])));
@@ -97,9 +97,9 @@ inline std::uint64_t mixed(std::uint64_t hash, std::uint64_t x) {
 /*!
 \brief returns 16 hexadecimal digits that are equal for equal triangulations, and hardly else.
 
-A face is known by its vertices, the normal coordinates of its edges and the roundabouts of their
-halfedges. Numbers of edges and faces depend on the way to a triangulation: where a face starts must
-not matter, so the smallest hash of its sides comes first; nor the order of faces, so hashes are added.
+The hash of a face uses its vertices, the normal coordinates of its edges and the roundabouts of
+their halfedges. Numbers of edges and faces depend on the flips before. So the smallest hash of the
+sides of a face comes first, and hashes of faces are added.
 */
 template <class Triangulation>
 std::string fingerprint(const Triangulation& t) {

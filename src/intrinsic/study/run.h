@@ -13,14 +13,14 @@ namespace program {
 
 /// One arithmetic at work on one mesh: what it starts from, and what is found.
 struct Study_run {
-  /// The input, with the mollification that all arithmetics take.
+  /// The input, with the same mollification for all arithmetics.
   IT::Intrinsic_input input;
   /// What flips conserve, before any.
   Conserved before;
   /// What has been found so far.
   Json findings;
 
-  /// passes on what has been found so far: it counts even if the process is ended later.
+  /// sends what has been found so far to the parent: it counts even if the process is killed later.
   void emit() const;
 };
 

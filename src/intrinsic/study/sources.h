@@ -25,8 +25,8 @@ Study_source study_source(const std::string& location);
 
 /*!
 \brief lists the meshes of a corpus.
-\param corpus mesh files, directories (their mesh files, sorted), specs of generators (`stress:FAMILY...`), or
-  `stress` (the standard list of specs)
+\param corpus mesh files, directories (their mesh files, sorted), specs of generators
+  (`stress:FAMILY...`), or `stress` (the standard list of specs)
 \throws std::runtime_error naming what is missing, or two meshes of one name
 \throws std::invalid_argument if a spec is wrong
 */

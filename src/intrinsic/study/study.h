@@ -9,8 +9,8 @@
 namespace program {
 
 /*!
-\brief runs arithmetics on meshes and appends what they do to a file, but for what the file has already.
-\throws std::exception naming what is missing, or wrong with the file
+\brief runs arithmetics on meshes, and appends the results that a file does not have yet.
+\throws std::exception naming what is missing, or what is wrong with the file
 */
 void run_study(const Study_options& study);
 

@@ -10,7 +10,8 @@
 
 namespace program {
 
-/// Writes rows of numbers as text: with spaces between them, and the fewest digits that tell any two doubles apart.
+/// Writes rows of numbers as text, separated by spaces, with the fewest digits that read back as
+/// the same double.
 class Number_rows {
 public:
   explicit Number_rows(std::ostream& out) : out_(out) {}

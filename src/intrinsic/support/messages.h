@@ -45,7 +45,8 @@ inline std::string as_utf8(const std::string& text) {
   return result;
 }
 
-/// returns a text to be shown: what cannot be printed as ?, words no longer than a file name may be, or fewer characters.
+/// returns a text to be shown: `?` in place of what cannot be printed, and words shortened to the
+/// length of a file name, or to fewer characters.
 inline std::string legible(const std::string& text, std::size_t longest_word = 255) {
   std::string result;
   std::size_t length = 0;

@@ -11,7 +11,7 @@
 
 namespace program {
 
-/// calls a function on what is in a file; what that refuses is told with the file's name before it.
+/// calls a function on the contents of a file, and puts the file's name before its errors.
 template <class Function>
 auto naming_file(const std::string& file, const Function& function) {
   namespace IT = CGAL::Intrinsic_triangulations;

@@ -24,13 +24,13 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// returns what is being done, which a signal handler may ask for.
+/// returns the current stage; a signal handler may call it.
 const char* current_stage();
 
 /*!
-\brief shows what is going on at standard error: in one line of a terminal, once work has taken a second; or, if that is
-asked for, in lines of a log, one for each stage and one for every second that it takes. Else nothing where standard error
-is no terminal.
+\brief shows the current stage on standard error: in one line of a terminal, after the first second;
+or in lines of a log, one for each stage and one for every second. Without a log, and if standard
+error is not a terminal, it shows nothing.
 */
 class Progress {
 public:
@@ -42,7 +42,7 @@ public:
   ~Progress();
 
   /*!
-  \brief shows what is being done now.
+  \brief shows the current stage.
   \param stage a string literal
   \param detail how far that is
   */

@@ -22,7 +22,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 /// Coordinates of a vertex.
 using Point = std::array<double, 3>;
 
-/// What is known of the input before anything is done with it.
+/// Facts about the input before the first move.
 struct Input_facts {
   std::size_t vertices = 0, edges = 0, faces = 0, boundary_edges = 0, components = 0;
   std::optional<std::size_t> genus;
@@ -55,8 +55,8 @@ struct Mesh_file {
   std::uint32_t vertex(IT::Gluing_map::Vertex v) const { return input.names.row(v.index); }
 };
 
-/// reads a file of a mesh or of points, and makes the surface that is asked for. \throws Invalid_input naming the file, the
-/// element and the remedy
+/// reads a file of a mesh or of points, and makes the chosen surface.
+/// \throws Invalid_input naming the file, the element and the remedy
 Mesh_file read_mesh(const std::string& path, const Surface_choice& choice);
 
 } // namespace program

@@ -16,8 +16,8 @@
 namespace program {
 
 /*!
-\brief reads a text file of numbers: a record per line, words separated by spaces. What follows `#` is a comment, lines
-without words do not count. Errors name file and line.
+\brief reads a text file of numbers: a record per line, words separated by spaces. A comment begins
+with `#`; lines without words do not count. Errors name file and line.
 */
 class Text_lines {
 public:
@@ -34,7 +34,7 @@ public:
   double number(std::size_t word) const;
   /// returns the number of the line, from 1.
   std::size_t line() const { return in_.line_number(); }
-  /// asks for a number of words. \param what what belongs on a line
+  /// checks the number of words. \param what what belongs on a line
   void expect_words(std::size_t count, const char* what) const;
   /// \throws std::runtime_error naming file and line
   [[noreturn]] void refuse(const std::string& what) const;
@@ -55,21 +55,21 @@ struct Number_table {
 
   /// returns the number of rows.
   std::size_t rows() const { return lines.size(); }
-  /// asks for a number of rows. \param what what there is one of per row \throws std::runtime_error
+  /// checks the number of rows. \param what what each row is for, in the plural
+  /// \throws std::runtime_error
   void expect_rows(std::size_t count, const std::string& what) const;
   /// \throws std::runtime_error naming file and line of a row
   [[noreturn]] void refuse(std::size_t row, const std::string& what) const;
 };
 
-/// returns the numbers of the vertices in the first column. \throws std::runtime_error naming the
-/// line of what is none, or is there twice
+/// returns the numbers of the vertices in the first column.
+/// \throws std::runtime_error naming the line of a number that is not a vertex, or occurs twice
 std::vector<std::uint32_t> vertex_numbers(const Number_table& table, std::size_t vertices);
 
 /*!
-\brief reads a file of numbers, as many on each line as on the first. Lines that describe nothing
-are not read.
-\param what what there is at most one line for each of, in the plural \param count how many of them
-  there are
+\brief reads a file of numbers, as many on each line as on the first.
+\param count how many lines there may be
+\param what what each line is for, in the plural
 \throws std::runtime_error naming file and line
 */
 Number_table read_numbers(const std::string& path, std::size_t count, const std::string& what);

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lets the study compare an arithmetic of one's own with the others: a source like this one, anywhere, is all. Configure
-// with -DINTRINSIC_TRIANGULATIONS_STUDY_SOURCES=own_arithmetic.cpp and build `intrinsic-study`.
+// Adds an arithmetic of your own to the study. You need only a source like this one, anywhere:
+// configure with -DINTRINSIC_TRIANGULATIONS_STUDY_SOURCES=own_arithmetic.cpp, and build
+// `intrinsic-study`.
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
