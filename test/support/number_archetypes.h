@@ -18,7 +18,6 @@ public:
   friend Ring_number operator-(const Ring_number& a, const Ring_number& b) {
     return {a.value - b.value, Tag()};
   }
-  friend Ring_number operator-(const Ring_number& a) { return {-a.value, Tag()}; }
   friend Ring_number operator*(const Ring_number& a, const Ring_number& b) {
     return {a.value * b.value, Tag()};
   }
@@ -38,7 +37,6 @@ public:
   friend Field_number operator-(const Field_number& a, const Field_number& b) {
     return Field_number(a.value - b.value);
   }
-  friend Field_number operator-(const Field_number& a) { return Field_number(-a.value); }
   friend Field_number operator*(const Field_number& a, const Field_number& b) {
     return Field_number(a.value * b.value);
   }

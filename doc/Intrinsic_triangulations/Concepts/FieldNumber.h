@@ -17,7 +17,7 @@ Numbers may be exact, rounded, or enclosures.
 
 \cgalHeading{Operations}
 
-Unary and binary `-`, `+` and `*`. Results convert to the type, so that expression templates are
+`+`, `-` and `*`. Results convert to the type, so that expression templates are
 allowed.
 
 \cgalHeading{Which operation needs what}

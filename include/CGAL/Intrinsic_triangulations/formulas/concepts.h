@@ -15,10 +15,9 @@ Syntax of \ref ::RingNumber.
 */
 template <class FT>
 concept RingNumber = std::copyable<FT> && requires(const FT& a) {
-  {FT(a + a)};
-  {FT(a - a)};
-  {FT(-a)};
-  {FT(a * a)};
+  FT(a + a);
+  FT(a - a);
+  FT(a * a);
 };
 
 /*!
@@ -29,7 +28,7 @@ Syntax of \ref ::FieldNumber.
 template <class FT>
 concept FieldNumber = RingNumber<FT> && std::constructible_from<FT, int> &&
     std::constructible_from<FT, double> && requires(const FT& a) {
-  {FT(a / a)};
+  FT(a / a);
 };
 
 } // namespace CGAL::Intrinsic_triangulations
