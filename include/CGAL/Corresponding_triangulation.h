@@ -17,8 +17,4 @@ using Corresponding_triangulation =
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/compiled_algorithms.h>
-#endif
-
 #endif // CGAL_CORRESPONDING_TRIANGULATION_H

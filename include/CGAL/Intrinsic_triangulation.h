@@ -334,7 +334,7 @@ Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric
 } // namespace CGAL::Intrinsic_triangulations
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/compiled_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/compiled.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATION_H

@@ -18,7 +18,6 @@ OpenMesh and `CGAL::Polyhedron_3` from `CGAL/Intrinsic_triangulations/connectivi
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/compiled_models.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>

@@ -3,7 +3,6 @@
 
 #include "geodesic.h"
 
-#include <CGAL/Intrinsic_triangulations/compiled_models.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 
 namespace program {
