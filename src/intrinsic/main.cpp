@@ -111,7 +111,7 @@ void add_geodesic(CLI::App& app, Options& options, Command& chosen) {
 
 void add_distance(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
-      "distance", "compute distances from points and curves, by the flow of heat");
+      "distance", "compute distances from points and curves, by the flow of heat or exactly");
   program::add_application_options(command, options, true);
   program::add_time_option(command, options);
   program::add_distance_options(command, options);

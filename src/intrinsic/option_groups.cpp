@@ -357,14 +357,26 @@ void add_application_options(CLI::App& command, Options& options, bool has_sourc
 }
 
 void add_distance_options(CLI::App& command, Options& options) {
+  Application_options& a = options.application;
   command.get_option("--source")->required(false);
   command
-      .add_option("--curve", options.application.curves,
+      .add_option("--method", a.distance,
+                  "heat (smooth, default), or exact (along shortest paths from points)")
+      ->check(CLI::IsMember({"heat", "exact"}));
+  command
+      .add_option("--targets", a.targets,
+                  "with --method exact: points; the search ends when their distances are known")
+      ->check(curve_points(1));
+  command
+      .add_option("--max-distance", a.maximum_distance,
+                  "with --method exact: the search ends at this distance")
+      ->check(positive());
+  command
+      .add_option("--curve", a.curves,
                   "a curve through points, along edges of the triangulation; closed if the last "
                   "point is the first")
       ->check(curve_points(2));
-  command.add_flag("--signed", options.application.is_signed,
-                   "distances on the left of curves are negative");
+  command.add_flag("--signed", a.is_signed, "distances on the left of curves are negative");
 }
 
 std::string distance_misuse(const Options& o) {
@@ -373,6 +385,13 @@ std::string distance_misuse(const Options& o) {
     return "distances need a source; give points with --source, or a curve with --curve";
   if (a.is_signed && (a.curves.empty() || !a.sources.empty()))
     return "only curves have sides; with --signed, give --curve and no --source";
+  const bool is_exact = a.distance == "exact";
+  if (is_exact && (!a.curves.empty() || a.time_factor != 1))
+    return "exact distances start at points and need no time; leave --curve, --signed and --time "
+           "out, or use --method heat";
+  if (!is_exact && (!a.targets.empty() || a.maximum_distance))
+    return "only the search for exact distances can end early; give --targets and --max-distance "
+           "with --method exact";
   return {};
 }
 

@@ -55,10 +55,14 @@ struct Application_options {
   std::vector<std::string> sources; ///< points, separated by commas
   std::vector<std::string> curves;  ///< points of each, separated by commas
   bool is_signed = false;           ///< whether distances have the sign of the side of a curve
-  std::string on = "subdivision";   ///< `input`, `intrinsic` or `subdivision`
-  double time_factor = 1;           ///< of the time step that a method chooses
-  std::size_t count = 10;           ///< of eigenpairs
-  unsigned degree = 1;              ///< of direction fields
+  std::string distance = "heat";    ///< method: `heat` or `exact`
+  std::vector<std::string> targets; ///< points, separated by commas, at which the search may end
+  /// where the search ends, in units of the input
+  std::optional<double> maximum_distance = std::nullopt;
+  std::string on = "subdivision"; ///< `input`, `intrinsic` or `subdivision`
+  double time_factor = 1;         ///< of the time step that a method chooses
+  std::size_t count = 10;         ///< of eigenpairs
+  unsigned degree = 1;            ///< of direction fields
   /// strength with which direction fields follow curvature; none: they do not
   std::optional<double> alignment = std::nullopt;
   std::string map = "harmonic";      ///< `harmonic`, `spectral` or `lscm`

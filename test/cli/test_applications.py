@@ -9,7 +9,7 @@ import shutil
 import struct
 import subprocess
 
-from cli_support import Cli_test, icosphere, jittered_grid, main
+from cli_support import Cli_test, grid, icosphere, jittered_grid, main
 
 
 class Applications(Cli_test):
@@ -203,9 +203,65 @@ class Distance(Applications):
         _, whole = self.distances("--curve", "4,76")
         self.assertGreaterEqual(min(whole), 0)
 
+    def cube(self):
+        """Of side 2 about the origin: vertex x + 2 y + 4 z of its corners, faces of two triangles."""
+        corners = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+        squares = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+        return self.write_off("cube.off", corners,
+                              [t for a, b, c, d in squares for t in ((a, b, c), (a, c, d))])
+
+    def test_exact_on_a_cube_are_those_of_its_nets(self):
+        self.sphere = self.cube()
+        for options in ((), ("--arithmetic", "double"), ("--domain", "tufted"), ("--refine",)):
+            stats, d = self.distances("--method", "exact", "--source", "0", *options)
+            self.assertEqual((stats["method"], stats["status"], stats["reached"]),
+                             ("exact", "done", None))
+            self.assertNotIn("time", stats)
+            for x, y in zip(d, [0, 2, 2, math.sqrt(8), 2, math.sqrt(8), math.sqrt(8), math.sqrt(20)]):
+                self.assert_close(x, y, 1e-13)
+            self.assert_close(stats["max"], max(d), 1e-13)
+
+    def test_exact_from_points_in_faces_to_targets(self):
+        """From the centre of a square to that of the next and of the opposite one."""
+        self.sphere = self.cube()
+        centres = ["0:0.5:0:0.5", "4:0.5:0:0.5", "2:0.5:0:0.5"]
+        stats, _ = self.distances("--method", "exact", "--source", centres[0], "--targets",
+                                  ",".join(centres[1:]), "--targets", "0,7")
+        for x, y in zip(stats["targets"], [2, 4, math.sqrt(2), math.sqrt(10)], strict=True):
+            self.assert_close(x, y, 1e-13)
+
+    def test_exact_search_ends_early(self):
+        points, faces = grid(16)  # convex, so that distances are those in the plane
+        self.sphere = self.write_off("g.off", points, faces)
+        for options in (("--max-distance", "3.01"), ("--targets", "2")):
+            stats, d = self.distances("--method", "exact", "--source", "0", *options)
+            known = [(p, x) for p, x in zip(points, d) if math.isfinite(x)]
+            self.assertEqual(stats["unreached_vertices"], len(points) - len(known))
+            self.assertGreater(stats["unreached_vertices"], len(points) / 2)
+            for p, x in known:
+                self.assert_close(x, math.dist(p, points[0]), 1e-12)
+            self.assertLessEqual(stats["max"], stats["reached"])
+            for p, x in zip(points, d):
+                if abs(math.dist(p, points[0]) - stats["reached"]) > 1e-9:
+                    self.assertEqual(math.isfinite(x), math.dist(p, points[0]) < stats["reached"])
+        self.assert_close(stats["targets"][0], math.dist(points[0], points[2]), 1e-12)
+
+    def test_exact_is_null_where_no_path_leads(self):
+        points, faces = icosphere(0)
+        n = len(points)
+        self.sphere = self.write_off("two.off", points + [(x + 9, y, z) for x, y, z in points],
+                                     faces + [tuple(i + n for i in f) for f in faces])
+        stats, d = self.distances("--method", "exact", "--source", "0", "--targets", f"{n},1")
+        self.assertEqual((stats["targets"][0], stats["unreached_vertices"]), (None, n))
+        self.assert_close(stats["targets"][1], d[1], 0)
+
     def test_says_what_is_missing(self):
         for options in ((), ("--signed",), ("--source", "1", "--signed"), ("--curve", "1"),
-                        ("--source", "1", "--time", "0")):
+                        ("--source", "1", "--time", "0"), ("--source", "1", "--targets", "2"),
+                        ("--source", "1", "--max-distance", "2"),
+                        ("--method", "exact", "--source", "1", "--max-distance", "0"),
+                        ("--method", "exact", "--curve", "1,2"),
+                        ("--method", "exact", "--source", "1", "--time", "2")):
             self.assertEqual(self.run_program("distance", self.sphere, *options).code, 2, options)
         run = self.run_program("distance", self.sphere, "--source", "9999")
         self.assertEqual(run.code, 1)

@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -45,6 +46,9 @@ struct Marks {
   std::string name;
   std::vector<IT::Polyline> points{}; ///< of one point each
 };
+
+/// returns a number, or null if it is not finite.
+inline Json finite_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 /// What a command has computed.
 struct Computed {

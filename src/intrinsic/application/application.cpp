@@ -290,11 +290,11 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
 // Where sources are.
 template <class Triangulation>
 Marks source_marks(const Loaded<Triangulation>& loaded, const Sources& sources,
-                   std::size_t curves) {
+                   std::size_t lists_of_points) {
   Marks marks{"sources"};
   const Triangulation& t = loaded.triangulation;
   const std::vector<Point> points = input_points(loaded);
-  for (const auto& list : std::span(sources).first(sources.size() - curves))
+  for (const auto& list : std::span(sources).first(lists_of_points))
     for (const auto v : list)
       if (const auto p = IT::locate_on_input(
               t, IT::Surface_point{t.numbers().halfedge(opposite(halfedge(v, t.mesh()), t.mesh())),
@@ -340,7 +340,7 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
   progress.show("solving");
   Computed computed = solved(loaded, options, solve, sources);
   if (computed.marks.points.empty() && !sources.empty())
-    computed.marks = source_marks(loaded, sources, options.application.curves.size());
+    computed.marks = source_marks(loaded, sources, options.application.sources.size());
   json[computed.command] = computed.json;
   json["seconds"]["solve"] = watch.lap();
   Output_files files;

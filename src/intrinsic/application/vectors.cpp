@@ -252,12 +252,11 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
   computed.is_torn = std::move(torn.vertices);
   const auto [radius, unknown] =
       greatest_known(by_rows(nearest, log, [](const Complex& z) { return std::abs(z); }));
-  computed.json = {
-      {"method", method},
-      {"radius", radius},
-      {"injectivity_radius", std::isfinite(torn.radius) ? Json(torn.radius) : Json(nullptr)},
-      {"torn_edges", torn.edges},
-      {"unknown_vertices", unknown}};
+  computed.json = {{"method", method},
+                   {"radius", radius},
+                   {"injectivity_radius", finite_or_null(torn.radius)},
+                   {"torn_edges", torn.edges},
+                   {"unknown_vertices", unknown}};
   return computed;
 }
 

@@ -101,14 +101,16 @@ std::string curve_points_misuse(const std::string& text, std::size_t least) {
 std::vector<Asked_curve> asked_points(const Options& options, std::size_t vertices,
                                       std::size_t faces) {
   std::vector<Asked_curve> lists;
-  for (const std::string& text : options.application.sources) {
-    lists.push_back({points_of(text), false, "--source " + text, Curve_kind::source});
-    expect_elements(lists.back(), options.input, vertices, faces);
-  }
-  for (const std::string& text : options.application.curves) {
-    lists.push_back({points_of(text), false, "--curve " + text});
-    expect_elements(lists.back(), options.input, vertices, faces);
-  }
+  const auto append = [&](const std::vector<std::string>& texts, const std::string& option,
+                          Curve_kind kind) {
+    for (const std::string& text : texts) {
+      lists.push_back({points_of(text), false, option + ' ' + text, kind});
+      expect_elements(lists.back(), options.input, vertices, faces);
+    }
+  };
+  append(options.application.sources, "--source", Curve_kind::source);
+  append(options.application.curves, "--curve", Curve_kind::joined);
+  append(options.application.targets, "--targets", Curve_kind::source);
   return lists;
 }
 
