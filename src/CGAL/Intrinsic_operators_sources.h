@@ -11,5 +11,20 @@ their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_geodesics_sources.h>
+#include <CGAL/Intrinsic_operators/distance/Heat_solver.cpp>
+#include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.cpp>
+#include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.cpp>
+#include <CGAL/Intrinsic_operators/editing/Surface_deformation.cpp>
+#include <CGAL/Intrinsic_operators/parametrization/certify_map.cpp>
+#include <CGAL/Intrinsic_operators/parametrization/conformal_map.cpp>
+#include <CGAL/Intrinsic_operators/parametrization/disk_border.cpp>
+#include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.cpp>
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.cpp>
+#include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.cpp>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.cpp>
+#include <CGAL/Intrinsic_operators/solvers/eigenpairs.cpp>
+#include <CGAL/Intrinsic_operators/vectors/Direction_problem.cpp>
+#include <CGAL/Intrinsic_operators/vectors/Heat_transport.cpp>
+#include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.cpp>
 
 #endif // CGAL_INTRINSIC_OPERATORS_SOURCES_H

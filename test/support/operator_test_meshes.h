@@ -95,15 +95,17 @@ inline Shape tetrahedron() {
           {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
 }
 
-/// Two of them, of vertices 0 to 3 and 4 to 7.
-inline Shape two_tetrahedra() {
-  Shape two = tetrahedron();
-  for (const std::array<double, 3> p : tetrahedron().points)
-    two.points.push_back({p[0] + 10, p[1], p[2]});
-  for (const auto& f : tetrahedron().triangles)
-    two.triangles.push_back({f[0] + 4, f[1] + 4, f[2] + 4});
-  return two;
+/// Two shapes beside each other, the second one moved along the x-axis; its numbers come after those of the first.
+inline Shape beside(Shape first, const Shape& second, double x = 10) {
+  const auto n = static_cast<std::uint32_t>(first.points.size());
+  for (const std::array<double, 3>& p : second.points)
+    first.points.push_back({p[0] + x, p[1], p[2]});
+  for (const auto& f : second.triangles) first.triangles.push_back({f[0] + n, f[1] + n, f[2] + n});
+  return first;
 }
+
+/// Two of them, of vertices 0 to 3 and 4 to 7.
+inline Shape two_tetrahedra() { return beside(tetrahedron(), tetrahedron()); }
 
 /// A random numbering: `order[v]` is the new number of vertex `v`.
 inline std::vector<std::uint32_t> random_order(std::size_t n, unsigned seed) {

@@ -21,7 +21,6 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -150,38 +149,23 @@ TEST(Heat_distance, of_inserted_vertices_is_not_below_the_chord_either) {
   }
 }
 
+// Eleven sources are fixed by multipliers, and those of both tori together by elimination.
 TEST(Heat_distance, of_few_sources_by_multipliers_is_that_by_elimination) {
-  const Shape s = rough_torus(10, 0.2, 4);
-  const Exact t(s.input());
-  const Matrix l = IT::cotangent_laplacian(t);
-  Vector b = random_vector(l.rows(), 3);
-  b.array() -= b.mean();
-  IT::internal::Pinned_laplacian pinned(
-      l, std::vector<std::uint32_t>(static_cast<std::size_t>(l.rows()), 0));
-  for (const std::size_t pins : {1U, 2U, 5U, 8U, 9U, 30U}) {
-    std::map<int, double> values;
-    for (std::size_t i = 0; i < pins; ++i)
-      values[static_cast<int>((37 * i) % 100)] = 0.1 * static_cast<double>(i % 3);
-    const Vector x = pinned.solve(b, values);
-    Vector residual = l * x - b;
-    for (const auto& [row, value] : values) {
-      EXPECT_EQ(x[row], value);
-      if (pins > 1) residual[row] = 0; // where forces act
-    }
-    EXPECT_LE(residual.cwiseAbs().maxCoeff(), 1e-11) << pins;
-  }
+  const Shape one = rough_torus(10, 0.2, 4);
+  const auto n = static_cast<std::uint32_t>(one.points.size());
+  const Exact t(beside(one, rough_torus(10, 0.2, 5)).input());
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t i = 0; i < 11; ++i) rows.push_back((37 * i) % n);
+  IT::Heat_distance heat(t);
+  const Vector few = heat.distances(vertices_of_rows(t, rows));
+  for (std::uint32_t i = 0; i < 10; ++i) rows.push_back(n + (37 * i) % n);
+  const Vector many = heat.distances(vertices_of_rows(t, rows));
+  EXPECT_LE((few.head(n) - many.head(n)).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_GT(many.maxCoeff(), 1);
 }
 
 TEST(Heat_distance, is_infinite_where_there_is_no_source) {
-  Shape two = tetrahedron();
-  const std::size_t n = two.points.size();
-  for (std::size_t i = 0; i < n; ++i)
-    two.points.push_back({5 + two.points[i][0], 0, two.points[i][2]});
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto& f = two.triangles[i];
-    two.triangles.push_back({f[0] + 4, f[1] + 4, f[2] + 4});
-  }
-  for (std::size_t i = 4; i < 8; ++i) two.points[i][1] = two.points[i - 4][1];
+  Shape two = two_tetrahedra();
   two.points.push_back({9, 9, 9}); // isolated
   const Exact t(two.input());
   IT::Heat_distance heat(t);

@@ -90,11 +90,7 @@ TEST(Reaction_diffusion, refuses_what_has_no_solution) {
     EXPECT_THROW(IT::solve_reaction_diffusion(t, {.diffusion = x}, none), std::invalid_argument);
   for (const double x : {-1., nan})
     EXPECT_THROW(IT::solve_reaction_diffusion(t, {.reaction = x}, none), std::invalid_argument);
-  Shape two = tetrahedron();
-  for (const auto& p : tetrahedron().points) two.points.push_back({p[0] + 9, p[1], p[2]});
-  for (const auto& f : tetrahedron().triangles)
-    two.triangles.push_back({f[0] + 4, f[1] + 4, f[2] + 4});
-  Exact pair(two.input());
+  Exact pair(two_tetrahedra().input());
   EXPECT_THROW(IT::solve_reaction_diffusion(pair, {}, Vector::Zero(8)), std::invalid_argument);
   EXPECT_NO_THROW(IT::solve_reaction_diffusion(pair, {.reaction = 1}, Vector::Ones(8)));
 }

@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_operators/distance/distance_sources.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
-#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>

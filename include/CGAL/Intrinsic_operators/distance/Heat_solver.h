@@ -9,20 +9,14 @@
 #include <CGAL/Intrinsic_operators/distance/distance_sources.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
-#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <complex>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -96,153 +90,5 @@ private:
 } // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#if CGAL_INTRINSIC_TRIANGULATIONS_DEFINES(FUNCTIONS)
-namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// The lumped mass matrix, as a diagonal; ones at isolated vertices.
-inline Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) {
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_rows));
-  for (const Table_face& f : table.faces) {
-    const double third = f.area() / 3 / sheets;
-    for (const int row : f.rows) areas[row] += third;
-  }
-  return areas.unaryExpr([](double m) { return m > 0 ? m : 1; });
-}
-
-// A norm in a third of the time of `std::abs()`, where squares are well within the range of doubles.
-inline double norm_of(const std::complex<double>& x) {
-  const double squared = std::norm(x);
-  return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::abs(x);
-}
-
-// Heat is positive. With negative weights, what is solved for has signs of its own far from the
-// sources, but its magnitude decreases along shortest paths all the same.
-inline Heat<double> magnitudes(Heat<double> heat) {
-  heat.value = heat.value.cwiseAbs();
-  return heat;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Heat_solver::Heat_solver(const Eigen::SparseMatrix<double>& laplacian, Face_table table,
-                         const Heat_options& options, std::uint32_t sheets, Heat_progress progress)
-    : table_(std::move(table)), mean_edge_(table_.mean_edge_length()),
-      time_(flow_time(options.time_factor, mean_edge_ * mean_edge_, table_.area())),
-      component_(table_.components()), poisson_(laplacian, component_), sheets_(sheets),
-      progress_(std::move(progress)) {
-  const Eigen::VectorXd masses = row_areas(table_, sheets);
-  insulated_.emplace(poisson_.laplacian(), time_, poisson_.factor_with_multiple(time_, masses));
-  is_cancelled_ = !progress_(Heat_step::heat_factored);
-  if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(masses);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
-Heat_solver::distances(const Source_places& sources, const Chord_bound& chord,
-                       const std::vector<std::array<double, 3>>& positions) {
-  const Pinned_laplacian::Pins pins = distances_near_sources(table_, sources);
-  const Heat<double> found = heat(sources, pins);
-  is_cancelled_ = !progress_(Heat_step::heat_found);
-  if (is_cancelled_) return {};
-  Eigen::VectorXd d = poisson_.solve(divergence(found), pins);
-  for (Eigen::Index r = 0; r < d.size(); ++r) {
-    if (pins.count(static_cast<int>(r)) == 0) {
-      double bound = 0;
-      if (const auto i = static_cast<std::size_t>(r);
-          i < positions.size() && std::isfinite(positions[i][0]))
-        bound = std::max(0.0, chord.nearest(positions[i]));
-      d[r] = std::max(d[r], bound);
-    }
-    d[r] = table_.unscaled(d[r]);
-  }
-  return d;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Heat_solver::make_cold_border(const Eigen::VectorXd& masses) {
-  is_on_border_.assign(table_.number_of_rows, 0);
-  table_.for_each_border_side([this](const Table_face& f, std::size_t k) {
-    is_on_border_[row_number(f.rows[k])] = is_on_border_[row_number(f.rows[(k + 1) % 3])] = 1;
-  });
-  const auto on_border = std::count(is_on_border_.begin(), is_on_border_.end(), 1);
-  if (on_border == 0 || on_border == masses.size()) return;
-  const Eigen::SparseMatrix<double> flow = time_ * *poisson_.laplacian();
-  cold_.emplace(with_fixed_rows(flow, is_on_border_),
-                diagonal_with_fixed_rows(flow, masses, is_on_border_));
-  is_cancelled_ = !progress_(Heat_step::heat_factored);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Heat<double>
-Heat_solver::heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const {
-  std::vector<char> is_reached(table_.number_of_rows, 0);
-  for (const auto& [row, value] : pins) is_reached[component_[row_number(row)]] = 1;
-  for (std::size_t r = 0; r < is_reached.size(); ++r) is_reached[r] = is_reached[component_[r]];
-  Eigen::VectorXd start = initial_heat(sources);
-  Heat<double> all = magnitudes((*insulated_)(start, is_reached));
-  if (cold_) {
-    for (Eigen::Index r = 0; r < start.size(); ++r)
-      if (is_on_border_[row_number(r)] != 0) start[r] = is_reached[row_number(r)] = 0;
-    const Heat<double> inside = magnitudes((*cold_)(start, is_reached));
-    const double unit = std::ldexp(1.0, inside.exponent - all.exponent);
-    for (Eigen::Index r = 0; r < start.size(); ++r)
-      all.value[r] += unit * inside.at(r, all.level[row_number(r)]);
-  }
-  return all;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
-Heat_solver::initial_heat(const Source_places& sources) const {
-  Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table_.number_of_rows));
-  for (const int row : sources.rows) start[row] += 1;
-  for (const Source_side& s : sources.sides) {
-    const Table_face& f = table_.faces[s.face];
-    for (const std::size_t k : {s.side, (s.side + 1) % 3})
-      start[f.rows[k]] += f.length(s.side) / (2 * mean_edge_);
-  }
-  for (const Source_segment& s : sources.segments) {
-    const Table_face& f = table_.faces[s.face];
-    const auto corners = f.layout();
-    const double length =
-        std::abs(place_in_layout(corners, s.to) - place_in_layout(corners, s.from));
-    const double strength = s.from == s.to ? 1 : length / mean_edge_;
-    for (std::size_t k = 0; k < 3; ++k) start[f.rows[k]] += strength * (s.from[k] + s.to[k]) / 2;
-  }
-  return start;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigen::VectorXd
-Heat_solver::divergence(const Heat<double>& heat) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(heat.value.size());
-  for (const Table_face& f : table_.faces) {
-    int level = heat.level[row_number(f.rows[0])];
-    for (const int row : f.rows) level = std::min(level, heat.level[row_number(row)]);
-    const auto corners = f.layout();
-    const auto at_corners = divergence_at_corners(
-        corners, descent(corners, {heat.at(f.rows[0], level), heat.at(f.rows[1], level),
-                                   heat.at(f.rows[2], level)}));
-    for (std::size_t k = 0; k < 3; ++k) result[f.rows[k]] += at_corners[k] / sheets_;
-  }
-  return result;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::complex<double>
-Heat_solver::descent(const std::array<std::complex<double>, 3>& corners,
-                     const std::array<double, 3>& u) {
-  const double first = u[1] - u[0], second = u[2] - u[0];
-  const double greatest = std::max(std::abs(first), std::abs(second));
-  if (!(greatest > 0)) return 0;
-  // up to a positive factor: sides by values, a quarter turn to the left; sides sum to zero
-  std::complex<double> gradient =
-      first / greatest * (corners[0] - corners[2]) + second / greatest * (corners[1] - corners[0]);
-  gradient = {-gradient.imag(), gradient.real()};
-  const double norm = norm_of(gradient);
-  return norm > 0 ? -gradient / norm : 0;
-}
-
-} // namespace internal
-
-} // namespace CGAL::Intrinsic_triangulations
-#endif
 
 #endif // CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_SOLVER_H

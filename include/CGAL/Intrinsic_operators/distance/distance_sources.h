@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_OPERATORS_DISTANCE_DISTANCE_SOURCES_H
 
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -16,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstddef>

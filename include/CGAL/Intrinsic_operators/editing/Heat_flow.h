@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <cmath>
 #include <stdexcept>

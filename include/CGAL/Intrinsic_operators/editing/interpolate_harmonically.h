@@ -6,14 +6,12 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
-#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <stdexcept>

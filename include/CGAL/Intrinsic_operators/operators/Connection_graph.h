@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_CONNECTION_GRAPH_H
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>

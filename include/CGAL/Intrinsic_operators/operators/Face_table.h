@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_OPERATORS_FACE_TABLE_H
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_FACE_TABLE_H
 
-#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
@@ -15,7 +14,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {

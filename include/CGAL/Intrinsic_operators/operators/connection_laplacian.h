@@ -7,13 +7,14 @@
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <type_traits>
 #include <vector>

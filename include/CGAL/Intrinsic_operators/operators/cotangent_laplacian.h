@@ -9,12 +9,12 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>

@@ -4,26 +4,11 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H
 #define CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H
 
-#include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
-#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
-#include <CGAL/Intrinsic_triangulations/compilation.h>
-
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <complex>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <string>
 #include <vector>
-
-#if CGAL_INTRINSIC_TRIANGULATIONS_DEFINES(FUNCTIONS)
-#include <CGAL/Intrinsic_operators/vectors/Cloud_connection.h>
-#endif
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -50,93 +35,5 @@ Eigen::MatrixX2d conformal_map_of_points(const std::vector<std::array<double, 3>
                                          std::size_t neighbours = 30);
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#if CGAL_INTRINSIC_TRIANGULATIONS_DEFINES(FUNCTIONS)
-namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// A third of the area of all triangles, as a form of the complex places of their corners.
-inline Complex_matrix area_form(const Cloud_connection& cloud) {
-  std::vector<Eigen::Triplet<std::complex<double>>> entries;
-  for (const auto& t : cloud.triangles())
-    for (std::size_t k = 0; k < 3; ++k) { // 1/2 Im(conj(w_i) w_j) on each side
-      const auto i = static_cast<int>(t[k]), j = static_cast<int>(t[(k + 1) % 3]);
-      entries.emplace_back(i, j, std::complex<double>(0, -1. / 12));
-      entries.emplace_back(j, i, std::complex<double>(0, 1. / 12));
-    }
-  const auto n = static_cast<Eigen::Index>(cloud.places().size());
-  return matrix_of(n, n, entries);
-}
-
-// Half of the Dirichlet energy, minus the area.
-inline Complex_matrix conformal_energy(const Cloud_connection& cloud, const Complex_matrix& area) {
-  std::vector<Eigen::Triplet<std::complex<double>>> entries;
-  for (const Cloud_edge& e : cloud.edges()) {
-    const auto i = static_cast<int>(e.source), j = static_cast<int>(e.target);
-    for (const int k : {i, j}) entries.emplace_back(k, k, e.weight / 2);
-    entries.emplace_back(i, j, -e.weight / 2);
-    entries.emplace_back(j, i, -e.weight / 2);
-  }
-  Complex_matrix energy = matrix_of(area.rows(), area.cols(), entries);
-  energy -= area;
-  energy.makeCompressed();
-  return energy;
-}
-
-// The points on the border, all of one weight.
-inline Disk_border cloud_border(const Cloud_connection& cloud) {
-  const auto refuse = [](const std::string& why) {
-    throw Invalid_input(Element_kind::none, 0, why);
-  };
-  if (cloud.seam_edges() > 0)
-    refuse("tangent planes of the points cannot be oriented alike: the surface has one side, or "
-           "the points are too few; give points of a disk, or more of them");
-  const std::vector<std::uint32_t> part = cloud.graph().parts();
-  Disk_border border;
-  std::uint32_t first = static_cast<std::uint32_t>(part.size());
-  for (const auto& t : cloud.triangles()) {
-    if (first == part.size()) first = part[t[0]];
-    if (part[t[0]] != first)
-      refuse("points " + std::to_string(first) + " and " + std::to_string(t[0]) +
-             " are not connected by triangles; give points of one component");
-  }
-  for (std::uint32_t i = 0; i < part.size(); ++i)
-    if (cloud.report().is_on_border[i] != 0 && cloud.first_axis(i).norm() > 0)
-      border.rows.push_back(i);
-  if (border.rows.size() < 3)
-    refuse("the points have no border, so that no map to the plane has the least conformal "
-           "energy; give points of a disk");
-  border.lengths.assign(border.rows.size(), 1);
-  return border;
-}
-
-} // namespace internal
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Eigen::MatrixX2d conformal_map_of_points(const std::vector<std::array<double, 3>>& points,
-                                         std::size_t neighbours) {
-  const internal::Cloud_connection cloud(points, neighbours);
-  const internal::Disk_border border = internal::cloud_border(cloud);
-  const internal::Complex_matrix form = internal::area_form(cloud);
-  Eigen::VectorXcd w =
-      internal::Border_spectrum(internal::conformal_energy(cloud, form), border).first();
-  const std::complex<double> start = w[border.rows[0]];
-  if (std::abs(start) > 0) w *= std::conj(start) / std::abs(start);
-  double area = 0;
-  for (const double a : cloud.graph().areas) area += a;
-  const double of_image = std::real(w.dot(form * w));
-  w *= std::ldexp(of_image > 0 ? std::sqrt(area / of_image) : 1, cloud.exponent());
-  Eigen::MatrixX2d result(w.size(), 2);
-  for (Eigen::Index i = 0; i < w.size(); ++i) {
-    const bool is_known = cloud.first_axis(static_cast<std::size_t>(i)).norm() > 0;
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    result.row(i) << (is_known ? w[i].real() : unknown), (is_known ? w[i].imag() : unknown);
-  }
-  return result;
-}
-
-} // namespace CGAL::Intrinsic_triangulations
-#endif
 
 #endif // CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H

@@ -61,8 +61,4 @@ Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_operators/solvers/eigenpairs_impl.h>
-#endif
-
 #endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_H

@@ -109,8 +109,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_operators/vectors/Heat_transport_impl.h>
-#endif
-
 #endif // CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_H

@@ -15,7 +15,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <stdexcept>

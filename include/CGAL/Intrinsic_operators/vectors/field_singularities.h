@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>

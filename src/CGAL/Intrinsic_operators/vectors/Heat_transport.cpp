@@ -1,13 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_IMPL_H
-#define CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_IMPL_H
-
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 
 #include <Eigen/Core>
 
@@ -16,7 +12,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <cstdint>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -24,7 +20,6 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Heat_transport::Heat_transport(Connection_graph graph, double time_factor)
     : graph_(std::move(graph)), part_(graph_.parts()),
       time_(flow_time(time_factor, graph_.squared_mean_length,
@@ -38,20 +33,17 @@ Heat_transport::Heat_transport(Connection_graph graph, double time_factor)
   }
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 const Function_flow& Heat_transport::functions() const {
   if (!functions_) functions_.emplace(scaled_laplacian<double>(graph_, 0, time_), masses_);
   return *functions_;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 const Vector_flow& Heat_transport::vectors() const {
   if (!vectors_)
     vectors_.emplace(scaled_laplacian<std::complex<double>>(graph_, 1, time_), masses_);
   return *vectors_;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Heat_transport::factor(const std::function<bool(Transport_step)>& progress) const {
   functions();
   if (progress && !progress(Transport_step::functions_factored)) return false;
@@ -61,7 +53,6 @@ bool Heat_transport::factor(const std::function<bool(Transport_step)>& progress)
 }
 
 // Whether there is a source in the part of each vertex.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::vector<char> Heat_transport::reached(const Eigen::VectorXd& weights) const {
   std::vector<char> result(graph_.size, 0);
   for (std::size_t i = 0; i < result.size(); ++i)
@@ -70,20 +61,17 @@ std::vector<char> Heat_transport::reached(const Eigen::VectorXd& weights) const 
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Heat<double> Heat_transport::heat(const std::vector<Source_corner>& source) const {
   const Eigen::VectorXd start = weights(source);
   return functions()(start, reached(start));
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXd Heat_transport::weights(const std::vector<Source_corner>& source) const {
   Eigen::VectorXd w = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(graph_.size));
   for (const Source_corner& c : source) w[c.vertex] += c.weight;
   return w;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXd Heat_transport::extended(const Vector_sources& sources) const {
   const std::vector<Heat<double>> heat = functions().all(
       {Heat<double>(sources.lengths), Heat<double>(sources.weights)}, reached(sources.weights));
@@ -93,7 +81,6 @@ Eigen::VectorXd Heat_transport::extended(const Vector_sources& sources) const {
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::transported(const Vector_sources& sources) const {
   const Eigen::VectorXd lengths = extended(sources);
   const auto z = vectors()(sources.vectors, reached(sources.weights));
@@ -103,7 +90,6 @@ Eigen::VectorXcd Heat_transport::transported(const Vector_sources& sources) cons
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::parallel_frames(const std::vector<Source_corner>& source) const {
   Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_.size));
   for (const Source_corner& c : source) b[c.vertex] += c.weight * c.frame;
@@ -113,7 +99,6 @@ Eigen::VectorXcd Heat_transport::parallel_frames(const std::vector<Source_corner
 // What edges add to positions that cross them, and positions at the corners of the source, times
 // the heat: with its exponents, as much as
 // comes from a neighbour. \param frames the frame of the source, transported to all vertices
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::vector<Heat<double>>
 Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source,
                                         const Heat<double>& heat,
@@ -154,7 +139,6 @@ Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source
 // surfaces edges have their directions in the frame of the source, as it is transported to them:
 // heat that turned with each edge
 // would forget where the source is after some edges.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corner>& source) const {
   const std::vector<char> is_reached = reached(weights(source));
   const Heat<double> heat = this->heat(source);
@@ -173,7 +157,6 @@ Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corne
 
 // Vectors that point away from the source, at the neighbours of its vertices. Weighted by cotangents and lengths of edges they add up to zero in the plane,
 // as linear functions are harmonic: else what is left of them far away would be their sum, which is parallel, not radial.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner>& source) const {
   const Eigen::VectorXd at = weights(source);
   Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_.size));
@@ -188,7 +171,6 @@ Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner
 }
 
 // What makes a matrix definite that has constants in its kernel: a vertex in each part that edges connect.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXd Heat_transport::pins() const {
   Eigen::VectorXd pins(static_cast<Eigen::Index>(graph_.size));
   for (std::size_t i = 0; i < graph_.size; ++i)
@@ -197,7 +179,6 @@ Eigen::VectorXd Heat_transport::pins() const {
 }
 
 // The function whose differences along edges are nearest to those along unit vectors, zero at the source.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& source,
                                           const Eigen::VectorXcd& radial) const {
   if (!poisson_) poisson_.emplace(scaled_laplacian<double>(graph_, 0, 1), pins());
@@ -220,7 +201,6 @@ Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& sour
   return r;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Eigen::VectorXcd Heat_transport::polar_logarithm(const std::vector<Source_corner>& source) const {
   using Vectors = Heat<std::complex<double>>;
   const std::vector<Vectors> z = // away from the source, and parallel to its real axis
@@ -240,7 +220,6 @@ Eigen::VectorXcd Heat_transport::polar_logarithm(const std::vector<Source_corner
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
                         const std::vector<Source_corner>& source, double unit,
                         std::vector<std::complex<double>>& log) {
@@ -255,5 +234,3 @@ void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#endif // CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_IMPL_H

@@ -1,14 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_IMPL_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_IMPL_H
+#if __has_include(<Spectra/SymGEigsShiftSolver.h>)
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -20,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -87,7 +84,7 @@ private:
   Solution_counter* solutions_;
 };
 
-inline Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
+static Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
                                      const Spectra::SparseSymMatProd<double>& mass,
                                      Eigen::Index count, double shift) {
   auto m = mass; // which Spectra takes as not constant
@@ -107,7 +104,7 @@ inline Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
 }
 
 // Puts one pair among others, the greatest of which is dropped.
-inline void insert_pair(Eigenpairs& pairs, double value, const Eigen::VectorXd& vector) {
+static void insert_pair(Eigenpairs& pairs, double value, const Eigen::VectorXd& vector) {
   Eigen::Index i = pairs.values.size() - 1;
   for (; i > 0 && pairs.values[i - 1] > value; --i) {
     pairs.values[i] = pairs.values[i - 1];
@@ -119,7 +116,7 @@ inline void insert_pair(Eigenpairs& pairs, double value, const Eigen::VectorXd& 
 
 // From one vector Lanczos' method finds one eigenvector of each eigenvalue, and others by rounding alone: of a symmetric surface it misses
 // some. They are found when the others are taken out.
-inline void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
+static void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
                               const Spectra::SparseSymMatProd<double>& mass, double shift) {
   constexpr double equal = 1 - 1e-9;
   for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
@@ -131,7 +128,7 @@ inline void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
 }
 
 // Throws if a pair is none: beside the terms of the sums, what is left of them is rounding, or noise that Lanczos' method took for a vector.
-inline void expect_eigenpairs(const Eigen::SparseMatrix<double>& a,
+static void expect_eigenpairs(const Eigen::SparseMatrix<double>& a,
                               const Eigen::SparseMatrix<double>& m, const Eigenpairs& pairs) {
   const Eigen::SparseMatrix<double> sizes_a = a.cwiseAbs(), sizes_m = m.cwiseAbs();
   for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
@@ -145,13 +142,13 @@ inline void expect_eigenpairs(const Eigen::SparseMatrix<double>& a,
 }
 
 // the row of the least diagonal entry
-inline Eigen::Index least_diagonal(const Eigen::SparseMatrix<double>& m) {
+static Eigen::Index least_diagonal(const Eigen::SparseMatrix<double>& m) {
   Eigen::Index row = 0;
   Eigen::VectorXd(m.diagonal()).minCoeff(&row);
   return row;
 }
 
-inline Eigenpairs dense_eigenpairs(const Eigen::MatrixXd& a, const Eigen::SparseMatrix<double>& m) {
+static Eigenpairs dense_eigenpairs(const Eigen::MatrixXd& a, const Eigen::SparseMatrix<double>& m) {
   const Eigen::MatrixXd dense(m);
   if (Eigen::LLT<Eigen::MatrixXd>(dense).info() != Eigen::Success)
     throw Indefinite_matrix(least_diagonal(m));
@@ -160,7 +157,7 @@ inline Eigenpairs dense_eigenpairs(const Eigen::MatrixXd& a, const Eigen::Sparse
 }
 
 // A column per component, constant there; orthonormal by a mass matrix.
-inline Eigen::MatrixXd constants_of_components(const Eigen::SparseMatrix<double>& a,
+static Eigen::MatrixXd constants_of_components(const Eigen::SparseMatrix<double>& a,
                                                const Eigen::SparseMatrix<double>& m) {
   const std::vector<std::uint32_t> component = components_of_matrix(a);
   std::vector<std::uint32_t> least = component;
@@ -177,7 +174,7 @@ inline Eigen::MatrixXd constants_of_components(const Eigen::SparseMatrix<double>
 
 // Constants in components have the eigenvalue zero. Beside the greatest eigenvalue rounding would
 // leave them any other one: they are lifted above it, and put to the front in the end.
-inline Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& a,
+static Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                              const Eigen::SparseMatrix<double>& m,
                                              Eigen::Index count) {
   const double greatest = dense_eigenpairs(Eigen::MatrixXd(a), m).values.cwiseAbs().maxCoeff();
@@ -201,7 +198,7 @@ inline Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& 
 }
 
 // The smallest of all pairs.
-inline Eigenpairs smallest_of(const Eigenpairs& all, Eigen::Index count) {
+static Eigenpairs smallest_of(const Eigenpairs& all, Eigen::Index count) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(all.values.size()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::stable_sort(order.begin(), order.end(),
@@ -210,7 +207,7 @@ inline Eigenpairs smallest_of(const Eigenpairs& all, Eigen::Index count) {
   return {all.values(order), all.vectors(Eigen::all, order), Status::done};
 }
 
-inline bool is_zero_matrix(const Eigen::SparseMatrix<double>& a) {
+static bool is_zero_matrix(const Eigen::SparseMatrix<double>& a) {
   for (int c = 0; c < a.outerSize(); ++c)
     for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
       if (i.value() != 0) return false;
@@ -219,7 +216,7 @@ inline bool is_zero_matrix(const Eigen::SparseMatrix<double>& a) {
 
 // Of no matrix at all, as of isolated vertices, every vector is an eigenvector: Lanczos' method has nowhere to go. With m = l l^T in the first rows, columns of l^-T are
 // orthonormal.
-inline Eigenpairs eigenpairs_of_zero(const Eigen::SparseMatrix<double>& m, Eigen::Index count) {
+static Eigenpairs eigenpairs_of_zero(const Eigen::SparseMatrix<double>& m, Eigen::Index count) {
   const Eigen::LLT<Eigen::MatrixXd> factored(
       Eigen::MatrixXd(Eigen::SparseMatrix<double>(m.topLeftCorner(count, count))));
   if (factored.info() != Eigen::Success || !(m.diagonal().minCoeff() > 0))
@@ -230,7 +227,7 @@ inline Eigenpairs eigenpairs_of_zero(const Eigen::SparseMatrix<double>& m, Eigen
 }
 
 // trace(a) / trace(m): of a mesh without slivers, the first frequency but zero times the size or so.
-inline double mean_eigenvalue(const Eigen::SparseMatrix<double>& a,
+static double mean_eigenvalue(const Eigen::SparseMatrix<double>& a,
                               const Eigen::SparseMatrix<double>& m) {
   const double mean = a.diagonal().sum() / m.diagonal().sum();
   return mean > 0 ? mean : 1;
@@ -238,7 +235,7 @@ inline double mean_eigenvalue(const Eigen::SparseMatrix<double>& a,
 
 // `m` is a positive diagonal, and `a` the Laplacian of a graph: without negative weights, or with few at the border, their inverse with a shift is accurate
 // entry by entry.
-inline bool is_lumped_laplacian(const Eigen::SparseMatrix<double>& a,
+static bool is_lumped_laplacian(const Eigen::SparseMatrix<double>& a,
                                 const Eigen::SparseMatrix<double>& m) {
   for (int c = 0; c < m.cols(); ++c)
     for (Eigen::SparseMatrix<double>::InnerIterator i(m, c); i; ++i)
@@ -248,7 +245,7 @@ inline bool is_lumped_laplacian(const Eigen::SparseMatrix<double>& a,
 
 // About how many eigenvalues there are below the shift, but those of constants in components: by a random vector x that is orthogonal to these,
 // the expectation of x^T m^1/2 (a + s m)^-1 m^1/2 x, the sum of s / (lambda + s).
-inline double eigenvalues_below(const Laplacian_factorization& inverse,
+static double eigenvalues_below(const Laplacian_factorization& inverse,
                                 const Eigen::VectorXd& masses,
                                 const std::vector<std::uint32_t>& component, double shift) {
   std::mt19937 random(1);
@@ -269,7 +266,7 @@ inline double eigenvalues_below(const Laplacian_factorization& inverse,
 
 // Eigenvalues of the inverse are right to rounding of its greatest one, 1 / shift: the shift must not be much above the eigenvalues that are asked for, as it
 // would be where few large weights make the trace.
-inline Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
+static Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
                                           const Eigen::VectorXd& masses, Eigen::Index count,
                                           double& shift, Solution_counter& solutions) {
   const double few = std::max(8., static_cast<double>(count));
@@ -286,7 +283,7 @@ inline Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
 
 // Inverts `a` plus a shift that is set. Of others than Laplacians, it is far less than the first frequency, and so much that rounding leaves the
 // matrix definite: its smallest eigenvalue is the shift, its condition about the square of the size.
-inline Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
+static Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
                                        const Eigen::SparseMatrix<double>& m, Eigen::Index count,
                                        double& shift, Solution_counter& solutions) {
   const double size = static_cast<double>(a.rows());
@@ -301,7 +298,7 @@ inline Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
   return {Cholesky_factorization<double>(a + shift * m), solutions};
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Eigenpairs
+Eigenpairs
 smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& m,
                     Eigen::Index count, const std::function<bool(std::size_t)>& progress) {
   const Eigen::Index size = a.rows();
@@ -341,5 +338,4 @@ smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMat
 } // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_IMPL_H
+#endif

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.h>
+#include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
+#include <CGAL/Intrinsic_operators/distance/distance_sources.h>
+#include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.h>
+#include <CGAL/Intrinsic_operators/operators/Face_table.h>
+#include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+Eigen::VectorXd
+Signed_heat_solver::distances(const Source_places& curves) {
+  const auto is_point = [](const Source_segment& s) { return s.from == s.to; };
+  if (!curves.rows.empty() || std::ranges::any_of(curves.segments, is_point))
+    throw std::invalid_argument(
+        "a vertex or a point has no sides; signed distances are those from curves");
+  const Pinned_laplacian::Pins pins = signed_distances_near(curves);
+  Eigen::VectorXd d = poisson_.solve(divergence(normals(curves, pins)), pins);
+  for (double& x : d) x = table_.unscaled(x);
+  return d;
+}
+
+Eigen::SparseMatrix<std::complex<double>>
+Signed_heat_solver::flow_matrix() const {
+  Eigen::SparseMatrix<Complex> m = time_ * edge_connection_laplacian(table_);
+  for (int e = 0; e < m.cols(); ++e) m.coeffRef(e, e); // stored
+  m.makeCompressed();
+  return m;
+}
+
+Eigen::VectorXd Signed_heat_solver::edge_masses() const {
+  return edge_areas(table_).unaryExpr([](double m) { return m > 0 ? m : 1; });
+}
+
+Heat<std::complex<double>>
+Signed_heat_solver::normals(const Source_places& curves, const Pinned_laplacian::Pins& pins) const {
+  const Complex to_right(0, -1);
+  Eigen::VectorXcd start =
+      Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(table_.number_of_edges));
+  for (const Source_side& s : curves.sides) {
+    const Table_face& f = table_.faces[s.face];
+    const std::uint32_t h = f.halfedges[s.side];
+    const double along = (h % 2 == 0) == s.is_left ? 1 : -1;
+    start[h / 2] += f.length(s.side) * along * to_right;
+  }
+  for (const Source_segment& s : curves.segments) {
+    const Table_face& f = table_.faces[s.face];
+    const auto corners = f.layout();
+    const auto frames = side_frames(f);
+    const Complex along = place_in_layout(corners, s.to) - place_in_layout(corners, s.from);
+    for (std::size_t k = 0; k < 3; ++k) { // the hat function of the side at the middle
+      const std::size_t opposite = (k + 2) % 3;
+      start[f.halfedges[k] / 2] +=
+          (1 - s.from[opposite] - s.to[opposite]) * to_right * along * std::conj(frames[k]);
+    }
+  }
+  std::vector<char> has_curve(table_.number_of_rows, 0), is_reached(table_.number_of_edges, 0);
+  for (const auto& [row, value] : pins) has_curve[component_[row_number(row)]] = 1;
+  for (const Table_face& f : table_.faces)
+    for (const std::uint32_t h : f.halfedges)
+      is_reached[h / 2] = has_curve[component_[row_number(f.rows[0])]];
+  return flow_(start, is_reached);
+}
+
+Eigen::VectorXd
+Signed_heat_solver::divergence(const Heat<Complex>& field) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table_.number_of_rows));
+  for (const Table_face& f : table_.faces) {
+    int level = field.level[f.halfedges[0] / 2];
+    for (const std::uint32_t h : f.halfedges) level = std::min(level, field.level[h / 2]);
+    const auto frames = side_frames(f);
+    Complex sum = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += field.at(static_cast<Eigen::Index>(f.halfedges[k] / 2), level) * frames[k];
+    const double norm = std::abs(sum);
+    if (!(norm > 0)) continue;
+    const auto at_corners = divergence_at_corners(f.layout(), sum / norm);
+    for (std::size_t k = 0; k < 3; ++k) result[f.rows[k]] += at_corners[k];
+  }
+  return result;
+}
+
+Pinned_laplacian::Pins
+Signed_heat_solver::signed_distances_near(const Source_places& curves) const {
+  std::map<int, std::pair<double, double>>
+      near; // distance from the curve and signed distance from the line
+  for (const Source_segment& s : curves.segments) {
+    const Table_face& f = table_.faces[s.face];
+    const auto corners = f.layout();
+    const Complex a = place_in_layout(corners, s.from), b = place_in_layout(corners, s.to);
+    const double length = std::abs(b - a);
+    if (!(length > 0)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double from_line = -std::imag(std::conj(b - a) * (corners[k] - a)) / length;
+      const std::pair<double, double> here{distance_to_segment(corners[k], a, b), from_line};
+      const auto [place, is_new] = near.insert({f.rows[k], here});
+      if (!is_new && here.first < place->second.first) place->second = here;
+    }
+  }
+  Pinned_laplacian::Pins pins;
+  for (const auto& [row, distances] : near) pins[row] = distances.second;
+  for (const Source_side& s : curves.sides)
+    for (const std::size_t k : {std::size_t{s.side}, (std::size_t{s.side} + 1) % 3})
+      pins[table_.faces[s.face].rows[k]] = 0;
+  return pins;
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+std::vector<std::uint32_t>
+rows_beside_free_ones(const Eigen::SparseMatrix<double>& a, std::span<const std::uint32_t> fixed) {
+  std::vector<char> is_fixed(row_number(a.rows()), 0);
+  for (const std::uint32_t r : fixed) is_fixed[r] = 1;
+  std::vector<std::uint32_t> beside;
+  for (std::uint32_t r = 0; r < is_fixed.size(); ++r) {
+    if (is_fixed[r] == 0) continue;
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, static_cast<int>(r)); i; ++i)
+      if (is_fixed[row_number(i.row())] == 0 && i.value() != 0) {
+        beside.push_back(r);
+        break;
+      }
+  }
+  return beside;
+}
+
+Biharmonic_interpolation::Biharmonic_interpolation(
+    const Eigen::SparseMatrix<double>& laplacian, Eigen::VectorXd mass,
+    std::span<const std::uint32_t> rows, std::vector<std::uint32_t> beside)
+    : mass_(std::move(mass)), beside_(std::move(beside)),
+      is_fixed_(row_number(laplacian.rows()), 0), laplacian_(laplacian),
+      harmonic_(laplacian, rows) {
+  for (const std::uint32_t r : rows) is_fixed_[r] = 1;
+  find_measures(rows);
+  factor_strengths();
+}
+
+void
+Biharmonic_interpolation::find_measures(std::span<const std::uint32_t> rows) {
+  const auto count = static_cast<Eigen::Index>(beside_.size());
+  std::vector<Eigen::Index> place(is_fixed_.size(), -1);
+  for (Eigen::Index b = 0; b < count; ++b) place[beside_[row_number(b)]] = b;
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), count);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (place[rows[i]] >= 0) values(static_cast<Eigen::Index>(i), place[rows[i]]) = 1;
+  measures_ = harmonic_.solve(Eigen::MatrixXd::Zero(laplacian_.rows(), count), values);
+  through_free_ = Eigen::MatrixXd::Zero(count, count);
+  for (Eigen::Index b = 0; b < count; ++b)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(laplacian_,
+                                                      static_cast<int>(beside_[row_number(b)]));
+         i; ++i)
+      if (is_fixed_[row_number(i.row())] == 0)
+        through_free_.row(b) += i.value() * measures_.row(i.row());
+}
+
+// Rows and columns are scaled to a diagonal of ones.
+void
+Biharmonic_interpolation::factor_strengths() {
+  if (beside_.empty()) return;
+  Eigen::MatrixXd a = measures_.transpose() * mass_.asDiagonal() * measures_;
+  unit_ = a.diagonal().cwiseSqrt().cwiseInverse();
+  a = unit_.asDiagonal() * a * unit_.asDiagonal();
+  strengths_.compute(a);
+  Eigen::Index least = 0;
+  if (strengths_.vectorD().minCoeff(&least) > 64 * std::numeric_limits<double>::epsilon()) return;
+  Eigen::VectorXi order = Eigen::VectorXi::LinSpaced(a.rows(), 0, static_cast<int>(a.rows()) - 1);
+  order = strengths_.transpositionsP() * order;
+  throw Indefinite_matrix(
+      beside_[row_number(order[least])],
+      "the handle is too close to another handle for doubles; give one of them");
+}
+
+// L d in the rows beside free ones, of the harmonic function d: by differences to each.
+Eigen::MatrixXd
+Biharmonic_interpolation::laplacian_beside(const Eigen::MatrixXd& harmonic) const {
+  const auto count = static_cast<Eigen::Index>(beside_.size());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, harmonic.cols());
+  for (Eigen::Index b = 0; b < count; ++b) {
+    const auto row = static_cast<Eigen::Index>(beside_[row_number(b)]);
+    for (Eigen::Index k = 0; k < count; ++k)
+      result.row(b) +=
+          through_free_(b, k) *
+          (harmonic.row(static_cast<Eigen::Index>(beside_[row_number(k)])) - harmonic.row(row));
+    for (Eigen::SparseMatrix<double>::InnerIterator i(laplacian_, static_cast<int>(row)); i; ++i)
+      if (is_fixed_[row_number(i.row())] != 0 && i.row() != row)
+        result.row(b) += i.value() * (harmonic.row(i.row()) - harmonic.row(row));
+  }
+  return result;
+}
+
+Eigen::MatrixXd
+Biharmonic_interpolation::solve(const Eigen::MatrixXd& values) const {
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(laplacian_.rows(), values.cols());
+  const Eigen::MatrixXd harmonic = harmonic_.solve(zero, values);
+  if (beside_.empty()) return harmonic;
+  const Eigen::MatrixXd right = unit_.asDiagonal() * laplacian_beside(harmonic);
+  const Eigen::MatrixXd w = unit_.asDiagonal() * Eigen::MatrixXd(strengths_.solve(right));
+  return harmonic_.solve(mass_.asDiagonal() * Eigen::MatrixXd(measures_ * w), values);
+}
+
+// L M^-1 L; isolated vertices, which have no mass, are fixed
+static Eigen::SparseMatrix<double> bilaplacian(const Eigen::SparseMatrix<double>& l,
+                                               const Eigen::VectorXd& mass) {
+  Eigen::VectorXd inverse(mass.size());
+  for (Eigen::Index i = 0; i < mass.size(); ++i) inverse[i] = mass[i] > 0 ? 1 / mass[i] : 0;
+  return l * inverse.asDiagonal() * l;
+}
+
+// whether rows that are not handles, and have neighbours, have masses
+static bool all_free_have_mass(const Eigen::SparseMatrix<double>& laplacian,
+                               const Eigen::VectorXd& mass,
+                               std::span<const std::uint32_t> handles) {
+  std::vector<char> needs_none(static_cast<std::size_t>(mass.size()), 0);
+  for (const std::uint32_t r : handles) needs_none[r] = 1;
+  for (Eigen::Index r = 0; r < mass.size(); ++r)
+    if (mass[r] == 0 && needs_none[static_cast<std::size_t>(r)] == 0 &&
+        laplacian.outerIndexPtr()[r + 1] - laplacian.outerIndexPtr()[r] > 1)
+      return false;
+  return true;
+}
+
+} // namespace internal
+
+Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& laplacian,
+                                         const Eigen::VectorXd& mass,
+                                         std::span<const std::uint32_t> handles,
+                                         Deformation_energy energy)
+    : rows_(handles.begin(), handles.end()), handles_(handles.size()), size_(laplacian.rows()) {
+  if (mass.size() != size_)
+    throw std::invalid_argument("there must be a mass per row of the Laplacian");
+  if (!mass.allFinite() || !(mass.array() >= 0).all())
+    throw std::invalid_argument("masses must be finite and not negative");
+  std::vector<char> is_handle(static_cast<std::size_t>(size_), 0);
+  for (const std::uint32_t r : handles) {
+    if (r >= is_handle.size())
+      throw std::invalid_argument("row " + std::to_string(r) + " is a handle, but there are " +
+                                  std::to_string(size_) + " rows");
+    is_handle[r] = 1;
+  }
+  const std::vector<std::uint32_t> component = components_of_matrix(laplacian);
+  std::vector<char> has_handle(is_handle.size(), 0);
+  for (const std::uint32_t r : handles) has_handle[component[r]] = 1;
+  for (std::uint32_t r = 0; r < is_handle.size(); ++r) // isolated ones are components
+    if (component[r] == r && has_handle[r] == 0) rows_.push_back(r);
+  if (energy == Deformation_energy::harmonic)
+    solver_.emplace(laplacian, rows_);
+  else
+    factor_biharmonic(laplacian, mass);
+}
+
+// By handles where that is faster; where the matrix is not definite, if memory allows.
+void
+Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian,
+                                       const Eigen::VectorXd& mass) {
+  constexpr std::size_t few = 64, many = 2000, numbers = 100000000;
+  std::vector<std::uint32_t> beside = internal::rows_beside_free_ones(laplacian, rows_);
+  // rows without mass, which the product leaves out, would have to be harmonic
+  const bool is_laplacian =
+      internal::is_laplacian(laplacian) && internal::all_free_have_mass(laplacian, mass, rows_);
+  const auto by_handles = [&] { // the unit of masses is that of the energy alone
+    const double greatest = size_ > 0 ? mass.maxCoeff() : 0;
+    const double unit = greatest > 0 ? std::ldexp(1., -std::ilogb(greatest)) : 1;
+    by_handles_.emplace(laplacian, unit * mass, rows_, std::move(beside));
+  };
+  if (is_laplacian && beside.size() <= few) return by_handles();
+  try {
+    solver_.emplace(internal::bilaplacian(laplacian, mass), rows_);
+  } catch (const Indefinite_matrix& error) {
+    if (!is_laplacian || beside.size() > many ||
+        beside.size() > numbers / static_cast<std::size_t>(size_))
+      throw Indefinite_matrix(error.row(), "faces there are too different in size for so many "
+                                           "handles; give fewer, or take the harmonic energy");
+    by_handles();
+  }
+}
+
+Eigen::MatrixXd
+Surface_deformation::displacements(const Eigen::MatrixXd& displacements) const {
+  if (displacements.rows() != static_cast<Eigen::Index>(handles_))
+    throw std::invalid_argument(
+        "there must be a displacement per handle: " + std::to_string(handles_) + ", not " +
+        std::to_string(displacements.rows()));
+  Eigen::MatrixXd values =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows_.size()), displacements.cols());
+  values.topRows(displacements.rows()) = displacements;
+  if (by_handles_) return by_handles_->solve(values);
+  return solver_->solve(Eigen::MatrixXd::Zero(size_, displacements.cols()), values);
+}
+
+} // namespace CGAL::Intrinsic_triangulations

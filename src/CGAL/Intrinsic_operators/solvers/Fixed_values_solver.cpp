@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// The mean of a matrix and its transpose, if it is symmetric up to rounding, as a product of
+// matrices is.
+static Eigen::SparseMatrix<double> symmetrized(const Eigen::SparseMatrix<double>& a) {
+  if (a.rows() != a.cols())
+    throw std::invalid_argument("the matrix must be square, not " + std::to_string(a.rows()) +
+                                " x " + std::to_string(a.cols()));
+  const Eigen::SparseMatrix<double> transposed = a.transpose();
+  if ((a - transposed).norm() > 0x1p-30 * a.norm())
+    throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
+  Eigen::SparseMatrix<double> mean = 0.5 * (a + transposed);
+  if (!mean.coeffs().allFinite()) throw std::invalid_argument("the matrix must be finite");
+  return mean;
+}
+
+static std::vector<char> marked_rows(Eigen::Index size, std::span<const std::uint32_t> fixed) {
+  std::vector<char> is_fixed(static_cast<std::size_t>(size), 0);
+  for (const std::uint32_t r : fixed) {
+    if (r >= is_fixed.size())
+      throw std::invalid_argument("row " + std::to_string(r) + " is fixed, but the matrix has " +
+                                  std::to_string(size) + " rows");
+    is_fixed[r] = 1;
+  }
+  return is_fixed;
+}
+
+// The least rows of the components that are marked.
+static std::vector<std::uint32_t> least_rows(const std::vector<std::uint32_t>& component,
+                                             const std::vector<char>& is_marked) {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t r = 0; r < component.size(); ++r)
+    if (component[r] == r && is_marked[r] != 0) rows.push_back(r);
+  return rows;
+}
+
+// The diagonal beside which the free part is a Laplacian: what its rows sum to, with minus the
+// entries of fixed ones. Where all sums of a component are zero but for rounding, they are.
+struct Free_excess {
+  Free_excess(const Eigen::SparseMatrix<double>& a, const std::vector<char>& is_fixed,
+              const std::vector<std::uint32_t>& component)
+      : excess(diagonal_with_fixed_rows(a, Eigen::VectorXd::Zero(a.cols()), is_fixed)) {
+    const Row_sums sums(a);
+    const std::vector<char> is_laplacian_there = laplacian_components(sums, component);
+    for (std::size_t r = 0; r < component.size(); ++r) {
+      if (is_fixed[r] != 0 || is_laplacian_there[component[r]] != 0) continue;
+      is_laplacian = false;
+      excess[static_cast<Eigen::Index>(r)] += sums.sum[static_cast<Eigen::Index>(r)];
+    }
+  }
+
+  Eigen::VectorXd excess;
+  bool is_laplacian = true; // whether that is so in all components
+};
+
+// Refuses components without any excess: to solutions there, constants may be added.
+static void expect_excess(const Eigen::VectorXd& excess,
+                          const std::vector<std::uint32_t>& component) {
+  std::vector<char> has_none(component.size(), 1);
+  for (std::size_t r = 0; r < component.size(); ++r)
+    if (excess[static_cast<Eigen::Index>(r)] != 0) has_none[component[r]] = 0;
+  for (const std::uint32_t row : least_rows(component, has_none))
+    throw std::invalid_argument("no value is fixed in the component of row " + std::to_string(row) +
+                                ", where constants may be added to any solution; fix one there");
+}
+
+} // namespace internal
+
+std::vector<std::uint32_t>
+rows_with_constant_kernel(const Eigen::SparseMatrix<double>& a) {
+  const std::vector<std::uint32_t> component = components_of_matrix(a);
+  return internal::least_rows(component,
+                              internal::laplacian_components(internal::Row_sums(a), component));
+}
+
+Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
+                                         std::span<const std::uint32_t> rows)
+    : rows_(rows.begin(), rows.end()), matrix_(internal::symmetrized(a)) {
+  const std::vector<char> is_fixed = internal::marked_rows(a.rows(), rows);
+  const auto first = std::find(is_fixed.begin(), is_fixed.end(), 0) - is_fixed.begin();
+  if (first == a.rows()) return;
+  if (matrix_.coeff(first, first) < 0) sign_ = -1;
+  matrix_ *= sign_;
+  const Eigen::SparseMatrix<double> free_part = internal::with_fixed_rows(matrix_, is_fixed);
+  const std::vector<std::uint32_t> component = components_of_matrix(free_part);
+  const internal::Free_excess found(matrix_, is_fixed, component);
+  internal::expect_excess(found.excess, component);
+  if (found.excess.minCoeff() >= 0 &&
+      (found.is_laplacian || internal::has_no_positive_entry_off_diagonal(free_part)))
+    factorization_.emplace<Laplacian_factorization>(free_part, found.excess);
+  else
+    factor_with_subtraction(free_part, found.excess);
+}
+
+// With negative weights, as at the border, neither way is free of subtraction; where one fails, the
+// other may do.
+void
+Fixed_values_solver::factor_with_subtraction(const Eigen::SparseMatrix<double>& a,
+                                             const Eigen::VectorXd& excess) {
+  try {
+    factorization_.emplace<Cholesky_factorization<double>>(a);
+  } catch (const Indefinite_matrix&) {
+    factorization_.emplace<Laplacian_factorization>(a, excess);
+  }
+}
+
+Eigen::MatrixXd
+Fixed_values_solver::fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const {
+  if (b.rows() != matrix_.cols())
+    throw std::invalid_argument("b must have a row per row of the matrix, " +
+                                std::to_string(matrix_.cols()) + ", not " +
+                                std::to_string(b.rows()));
+  if (values.rows() != static_cast<Eigen::Index>(rows_.size()) || values.cols() != b.cols())
+    throw std::invalid_argument("there must be a value per fixed row and column of b, not " +
+                                std::to_string(values.rows()) + " x " +
+                                std::to_string(values.cols()));
+  if (!b.allFinite() || !values.allFinite())
+    throw std::invalid_argument("b and the fixed values must be finite");
+  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(b.rows(), b.cols());
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    x.row(rows_[i]) = values.row(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (x.row(rows_[i]) != values.row(static_cast<Eigen::Index>(i)))
+      throw std::invalid_argument("row " + std::to_string(rows_[i]) +
+                                  " is fixed at two different values");
+  return x;
+}
+
+Eigen::MatrixXd
+Fixed_values_solver::solve(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const {
+  Eigen::MatrixXd x = fixed_part(b, values);
+  if (std::holds_alternative<std::monostate>(factorization_)) return x;
+  Eigen::MatrixXd right = sign_ * b - matrix_ * x;
+  for (const std::uint32_t r : rows_) right.row(r).setZero(); // leaves exactly zero there
+  const auto* laplacian = std::get_if<Laplacian_factorization>(&factorization_);
+  return x + (laplacian != nullptr
+                  ? laplacian->solve(right)
+                  : std::get<Cholesky_factorization<double>>(factorization_).solve(right));
+}
+
+} // namespace CGAL::Intrinsic_triangulations
