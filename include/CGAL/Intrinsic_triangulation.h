@@ -45,7 +45,8 @@ moves, which alone change them.
 
 The triangulation is a Delta-complex: an edge may join a vertex to itself, a face may be glued to
 itself, and edges must never be looked up by their end vertices. It numbers its vertices as it finds
-fast (see `input_vertex()`); flips change neither the number nor the set of vertices, edges and faces.
+fast (see `input_vertex()`); flips change neither the number nor the set of vertices, edges and
+faces.
 
 Predicates and moves are members for single calls. Many of them in a row run faster in a `Session`.
 
@@ -176,7 +177,8 @@ public:
   const Correspondence& correspondence() const { return correspondence_; }
   /// returns the numbers of the elements of the mesh, and the elements with given numbers.
   const Mesh_adaptor<Mesh>& numbers() const { return number_; }
-  /// returns the surface that the triangulation was built from; without correspondence, what defines it.
+  /// returns the surface that the triangulation was built from; without correspondence, what
+  /// defines it.
   const Kept_input& input() const { return *input_; }
   /// returns the same, to be shared.
   const std::shared_ptr<const Kept_input>& shared_input() const { return input_; }
@@ -184,16 +186,17 @@ public:
   const Input_report& report() const { return input_->report(); }
 
   /// returns the number that vertex `v` has in the input, in the order of iteration there; of an
-  /// inserted vertex, one that follows those, without gaps: removal of a vertex changes those after it. It is the row
-  /// of `v` in all matrices of operators. Vertices of a cover that are copies of one vertex share its row; inserted ones if
-  /// `places()` knows their places.
+  /// inserted vertex, one that follows those, without gaps: removal of a vertex changes those after
+  /// it. It is the row of `v` in all matrices of operators. Vertices of a cover that are copies of
+  /// one vertex share its row; inserted ones if `places()` knows their places.
   std::uint32_t input_vertex(vertex_descriptor v) const {
     return is_inserted(v) ? rows_.row(index(v), *this) : input_->names().row(index(v));
   }
   /// returns the number of vertices, which is that of rows of matrices.
   std::uint32_t number_of_vertices() const { return rows_.number_of_rows(*this); }
 
-  /// returns coordinates that know the places of inserted vertices on `input()`; null if there are none.
+  /// returns coordinates that know the places of inserted vertices on `input()`; null if there are
+  /// none.
   const Integer_coordinates* places() const { return places_.on_input(*this); }
 
   /// returns the number of a vertex: from 0, unchanged by moves.
@@ -245,9 +248,10 @@ public:
   /*!
   \brief inserts a vertex in a face, or on an edge if one weight is zero.
 
-  With exact traits the point is rounded on the input: to an input face and barycentric coordinates there that are
-  multiples of 2^-52, which define it exactly from then on. Else the weights are, see `representable_weights()`. A
-  vertex on an edge splits the edge; one on an edge that runs along an input edge splits that too.
+  With exact traits the point is rounded on the input: to an input face and barycentric coordinates
+  there that are multiples of 2^-52, which define it exactly from then on. Else the weights are, see
+  `representable_weights()`. A vertex on an edge splits the edge; one on an edge that runs along an
+  input edge splits that too.
   \param h a halfedge of the face
   \param weights barycentric coordinates: of the source of `h`, its target, the third corner
   \return the new vertex, or why there is none; nothing has changed then
@@ -270,15 +274,17 @@ public:
 
   /*!
   \brief removes a vertex that was inserted: edges are flipped away from it first.
-  \return `done`, or why it cannot be removed; nothing has changed then but the direction of halfedges
+  \return `done`, or why it cannot be removed; nothing has changed then but the direction of
+  halfedges
   */
   Move_status remove_vertex(vertex_descriptor v) requires RefinableMetric<Metric> {
     return Session(*this).remove_vertex(v);
   }
 
   /*!
-  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one; or changes lengths only
-  (Eq. 8), if it stays in its star, the metric is a `Euclidean_metric`, and no correspondence has to follow.
+  \brief moves a vertex that was inserted: inserts one at its new place and removes the old one; or
+  changes lengths only (Eq. 8), if it stays in its star, the metric is a `Euclidean_metric`, and no
+  correspondence has to follow.
   \param v the vertex
   \param h a halfedge of the face of the new place
   \param weights see `insert_vertex()`

@@ -6,10 +6,25 @@
 
 /*!
 \file
-All sources of the package `Intrinsic_triangulations`, for programs that do not link the library: exactly one of
-their sources includes this file.
+All sources of the package `Intrinsic_triangulations`, for programs that do not link the library:
+exactly one of their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/field.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/flat.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/mirrored.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/prism.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.cpp>
+#include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.cpp>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.cpp>
+#include <CGAL/Intrinsic_triangulations/retriangulation/extrinsic/extrinsic_delaunay.cpp>
+#include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Planar_star.cpp>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SOURCES_H

@@ -36,9 +36,9 @@ All is evaluated on a *figure*, which says how values follow from the faces of t
 | `Flat_diamond` | corners in a plane in space | of a diamond |
 | `Unfolded_diamond` | input triangles under a diamond, unfolded | of a diamond |
 | `Unfolded_faces` | those under faces | of faces |
-| `Replayed_diamond`, `Replayed_faces` | flips, made again: where few flips make edges cross very many triangles | of both |
+| `Replayed_diamond`, `Replayed_faces` | flips, made again, where edges cross too many triangles | of both |
 
-What decides, in which order and why, is written in ladder.h.
+`Exact_ladder.cpp` says what decides, in which order and why.
 
 All members ask for rounding upwards.
 */
@@ -117,9 +117,5 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/exact/ladder.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_LADDER_H

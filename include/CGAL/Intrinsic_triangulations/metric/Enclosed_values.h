@@ -28,13 +28,14 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief stores squared lengths and quadruple areas: intervals that contain the exact values, and doubles within.
+\brief stores squared lengths and quadruple areas: intervals that contain the exact values, and
+doubles within.
 
-The middle of an interval that has grown wide is a poor approximation; doubles that are computed beside it,
-and kept within it, are a good one.
+The middle of an interval that has grown wide is a poor approximation; doubles that are computed
+beside it, and kept within it, are a good one.
 
-Predicates make intervals smaller: those are a cache of what is known of the exact values, which never change but
-by moves. So `refine()` is const; nothing is locked.
+Predicates make intervals smaller: those are a cache of what is known of the exact values, which
+never change but by moves. So `refine()` is const; nothing is locked.
 */
 class Enclosed_values {
 public:
@@ -54,15 +55,7 @@ public:
   Enclosed_values() = default;
 
   /// takes intervals of the input; the doubles are their middles.
-  Enclosed_values(std::vector<FT> squared_lengths, std::vector<FT> quadruple_areas)
-      : squared_length_(std::move(squared_lengths)), quadruple_area_(std::move(quadruple_areas)) {
-    length_.reserve(squared_length_.size());
-    area_.reserve(quadruple_area_.size());
-    for (const FT& x : squared_length_) length_.push_back(CGAL::to_double(x));
-    for (const FT& x : quadruple_area_) area_.push_back(CGAL::to_double(x));
-    are_input_lengths_positive_ = std::all_of(squared_length_.begin(), squared_length_.end(),
-                                              [](const FT& x) { return x.sup() > 0; });
-  }
+  Enclosed_values(std::vector<FT> squared_lengths, std::vector<FT> quadruple_areas);
 
   /// takes intervals and doubles.
   Enclosed_values(std::vector<FT> squared_lengths, std::vector<FT> quadruple_areas,
@@ -100,20 +93,12 @@ public:
     const FT& x = quadruple_area_[face];
     return is_narrow(x, x.sup());
   }
-  /// tells whether a face is known precisely enough to place points by it; lengths are those of an ordinary face.
-  bool is_narrow(const Indexed_face& face) const {
-    const Face_values<FT> f = enclosure(face);
-    double longest = 0;
-    for (const FT& x : f.squared_lengths) {
-      if (!is_narrow(x, x.sup())) return false;
-      longest = std::max(longest, x.sup());
-    }
-    // zero never gets narrow relative to itself
-    return is_narrow(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
-  }
+  /// tells whether a face is known precisely enough to place points by it; lengths are those of an
+  /// ordinary face.
+  bool is_narrow(const Indexed_face& face) const;
 
-  /// computes a flip so that the doubles stay good, see `flipped_consistently()`; for edges that may be
-  /// Delaunay: on others errors do not grow. \pre the diamond is strictly convex
+  /// computes a flip so that the doubles stay good, see `flipped_consistently()`; for edges that
+  /// may be Delaunay: on others errors do not grow. \pre the diamond is strictly convex
   std::optional<Flipped> compute_consistent_flip(const Diamond& d) const {
     return Flipped{flipped_nonnegative(enclosure(d)), flipped_consistently(approximation(d))};
   }
@@ -159,42 +144,16 @@ protected:
 
   /// stores what an insertion or a removal makes, for edges and faces that may be new.
   void store(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> faces,
-             const New_values& n) {
-    const auto& [enclosure, approximation] = n;
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      const std::uint32_t e = edges[k];
-      set(squared_length_, e, positive_part(enclosure.squared_lengths[k]));
-      set(length_, e, nearest(approximation.squared_lengths[k], squared_length_[e]));
-    }
-    for (std::size_t k = 0; k < faces.size(); ++k) {
-      const std::uint32_t f = faces[k];
-      set(quadruple_area_, f, positive_part(enclosure.quadruple_areas[k]));
-      set(area_, f, nearest(approximation.quadruple_areas[k], quadruple_area_[f]));
-    }
-  }
+             const New_values& n);
 
   /// makes the intervals of a diamond smaller, by others that contain the values too.
-  void refine(const Diamond& d, const Diamond_values<FT>& better) const {
-    refine_length(d.ij, better.ij);
-    refine_length(d.jk, better.jk);
-    refine_length(d.ki, better.ki);
-    refine_length(d.im, better.im);
-    refine_length(d.mj, better.mj);
-    refine_area(d.f, better.area_f);
-    refine_area(d.g, better.area_g);
-  }
+  void refine(const Diamond& d, const Diamond_values<FT>& better) const;
 
   /// makes the intervals of faces smaller, by others that contain the values too.
   void refine(std::span<const Indexed_face> faces,
-              const std::vector<Face_values<FT>>& better) const {
-    for (std::size_t i = 0; i < faces.size(); ++i) refine(faces[i], better[i]);
-  }
+              const std::vector<Face_values<FT>>& better) const;
   /// makes the intervals of a face smaller; see above.
-  void refine(const Indexed_face& face, const Face_values<FT>& better) const {
-    for (std::size_t k = 0; k < 3; ++k)
-      refine_length(face.edges[k], better.squared_lengths[k]);
-    refine_area(face.face, better.quadruple_area);
-  }
+  void refine(const Indexed_face& face, const Face_values<FT>& better) const;
 
   /// makes the interval of a squared length smaller; see above.
   void refine_length(std::uint32_t e, const FT& better) const {
@@ -202,10 +161,12 @@ protected:
   }
 
   /*!
-  \brief returns the weight of an edge between two faces by the doubles, if the intervals prove that it is good enough.
+  \brief returns the weight of an edge between two faces by the doubles, if the intervals prove that
+  it is good enough.
 
-  That is: of the right sign, zero only where the intervals are zero too, and off by no more than 2^-40 of itself or of min(1, E), where
-  E = (a_f + a_g) / (4 L_ij) is the least Dirichlet energy in the two faces of functions that change by one along the edge.
+  That is: of the right sign, zero only where the intervals are zero too, and off by no more than
+  2^-40 of itself or of min(1, E), where E = (a_f + a_g) / (4 L_ij) is the least Dirichlet energy in
+  the two faces of functions that change by one along the edge.
   */
   std::optional<double> stored_weight(const Diamond& d) const {
     const FT &ij = squared_length_[d.ij], &a_f = quadruple_area_[d.f], &a_g = quadruple_area_[d.g];
@@ -263,12 +224,6 @@ private:
     return {{lengths[f.edges[0]], lengths[f.edges[1]], lengths[f.edges[2]]}, areas[f.face]};
   }
 
-  template <class T>
-  static void set(std::vector<T>& values, std::uint32_t i, const T& value) {
-    if (i >= values.size()) values.resize(i + 1);
-    values[i] = value;
-  }
-
   // Lengths and areas are never negative, whatever rounding makes of the lower bound.
   static FT positive_part(const FT& x) { return {std::max(x.inf(), 0.0), x.sup()}; }
 
@@ -276,13 +231,7 @@ private:
     refine(quadruple_area_[f], area_[f], better);
   }
 
-  static void refine(FT& stored, double& approximation, const FT& better) {
-    // what overflow has made of a stored bound is no number
-    const double inf = stored.inf() > better.inf() ? stored.inf() : better.inf();
-    const double sup = stored.sup() < better.sup() ? stored.sup() : better.sup();
-    stored = inf > sup ? better : FT(inf, sup); // apart only if a file had wrong digits
-    approximation = nearest(approximation, stored);
-  }
+  static void refine(FT& stored, double& approximation, const FT& better);
 
   // the lower bound if x is not a number
   static double nearest(double x, const FT& interval) {

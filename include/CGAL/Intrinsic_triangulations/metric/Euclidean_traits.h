@@ -36,8 +36,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief stores squared lengths and quadruple areas as numbers of one type, and decides by computing
 with them.
 
-Exact iff `FT` is. With an inexact type decisions near ties are rounding's, a flip is refused unless it
-is certain to make areas that are positive, and a cap on the number of flips keeps algorithms finite.
+Exact iff `FT` is. With an inexact type decisions near ties are rounding's, a flip is refused unless
+it is certain to make areas that are positive, and a cap on the number of flips keeps algorithms
+finite.
 \tparam FT_ a CGAL number type: a field, with square root unless all areas of the input are rational
 \cgalModels{IntrinsicMetric}
 */
@@ -164,8 +165,8 @@ public:
   void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
   /*!
   \brief computes the values at a vertex inserted in a face, and stores them.
-  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one
-  are stored
+  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole
+  one are stored
   \param weights barycentric coordinates of the vertex
   \return whether it was done: refused if a length would be zero or infinite
   */
@@ -193,8 +194,8 @@ public:
 
   /*!
   \brief computes the values at a vertex inserted on a border edge, and stores them.
-  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge
-  and face
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
+  edge and face
   \param parameter weight of `j`
   \return whether it was done: refused if a length would be zero or infinite
   */
@@ -222,7 +223,8 @@ public:
 
   /*!
   \brief moves a flat vertex among the faces about it (Eq. 8 of the course), see `moved_in_star()`.
-  \return whether it was done: refused if an area would not be positive, or a length be zero or infinite
+  \return whether it was done: refused if an area would not be positive, or a length be zero or
+  infinite
   */
   bool move_in_star(const Whole_star& s, double b, double c) {
     Whole_star_values<FT> v;

@@ -31,10 +31,11 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief stores the metric as intervals that contain the exact values, and decides exactly.
 
-A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, the owner decides, who knows where
-edges run on the input: see `Exact_values`, which all predicates take as their last argument. Better intervals found on the way
-replace the stored ones: they are a cache, so that predicates are const.
-Nothing is locked: not even predicates of one metric may run in two threads at a time.
+A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, the
+owner decides, who knows where edges run on the input: see `Exact_values`, which all predicates take
+as their last argument. Better intervals found on the way replace the stored ones: they are a cache,
+so that predicates are const. Nothing is locked: not even predicates of one metric may run in two
+threads at a time.
 
 All members but the constructors and `Scope` ask for a live `Scope`, which sets the rounding mode
 that interval arithmetic needs.
@@ -56,8 +57,7 @@ public:
   \throws Invalid_input see `quadruple_area()`
   \complexity linear
   */
-  Exact_euclidean_metric(const Gluing_map& mesh, const Input_metric& input)
-      : Enclosed_values(enclose(mesh, input)), scale_exponent_(input.scale_exponent()) {}
+  Exact_euclidean_metric(const Gluing_map& mesh, const Input_metric& input);
 
   /// restores a metric. \pre the intervals contain the values that the input defines
   Exact_euclidean_metric(int scale_exponent, Enclosed_values values)
@@ -93,7 +93,8 @@ public:
   /*!
   \brief returns the exact sign of an expression in the values of faces, of any degree.
   \tparam Expression a model of `FaceExpression`
-  \complexity mostly linear in the number of faces; if the filter fails, in that of the input triangles under them
+  \complexity mostly linear in the number of faces; if the filter fails, in that of the input
+  triangles under them
   */
   template <class Expression, class Exact>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression,
@@ -112,9 +113,10 @@ public:
   }
 
   /*!
-  \brief makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-41 of the
-  value, except for areas of thin faces, which get as accurate as 4096 bits allow.
-  \complexity constant per face if they are narrow, else linear in the number of input triangles under it
+  \brief makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-41 of
+  the value, except for areas of thin faces, which get as accurate as 4096 bits allow.
+  \complexity constant per face if they are narrow, else linear in the number of input triangles
+  under it
   */
   template <class Exact>
   void sharpen(std::span<const Indexed_face> faces, const Exact& exact) const;
@@ -136,14 +138,7 @@ public:
   \brief computes a flip that makes the right face, of the source of the edge, a face of zero area.
   \pre the diamond is a triangle with the source of the edge on a side
   */
-  std::optional<Flipped> compute_flip_to_zero_area(const Diamond& d) const {
-    std::optional<Flipped> n = compute_flip(d);
-    n->enclosure.area_f = quadruple_area(d.f) + quadruple_area(d.g);
-    n->enclosure.area_g = FT(0);
-    n->approximation.area_f = approximate_quadruple_area(d.f) + approximate_quadruple_area(d.g);
-    n->approximation.area_g = 0;
-    return n;
-  }
+  std::optional<Flipped> compute_flip_to_zero_area(const Diamond& d) const;
 
   /// tells whether an edge was found to be a tie since its faces changed.
   bool is_known_tie(const Diamond& d) const { return signs_.is_zero(d.ij); }
@@ -162,46 +157,25 @@ public:
 
   /*!
   \brief stores the values at a vertex inserted in a face.
-  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole one
-  are stored
+  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole
+  one are stored
   \param values of its spokes and faces, narrow
   */
-  void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values) {
-    store(s.spokes, s.faces, {values, approximations(values)});
-    forget_signs(s);
-  }
+  void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values);
 
   /// stores the values of a face from which a vertex is removed.
-  void remove_from_face(const Vertex_star& s) {
-    const auto [f, g, h] = s.faces;
-    store({}, std::span(&f, 1),
-          {removed_from_face(quadruple_area(f), quadruple_area(g), quadruple_area(h)),
-           removed_from_face(approximate_quadruple_area(f), approximate_quadruple_area(g),
-                             approximate_quadruple_area(h))});
-    forget_signs(s);
-  }
+  void remove_from_face(const Vertex_star& s);
 
   /*!
   \brief stores the values at a vertex inserted on a border edge.
-  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole edge
-  and face
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
+  edge and face
   \param values those at the vertex as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip
   */
-  void insert_in_border_edge(const Border_star& s, const Vertex_move_values<FT>& values) {
-    const auto& [l, a] = values;
-    const Vertex_move_values<FT> on_border{{l[0], l[1], l[2]}, {a[2], a[1], FT(0)}};
-    store(std::array{s.ip, s.pj, s.pk}, std::array{s.f, s.g},
-          {on_border, approximations(on_border)});
-    forget_signs(s);
-  }
+  void insert_in_border_edge(const Border_star& s, const Vertex_move_values<FT>& values);
 
   /// stores the values of a border edge and its face from which a vertex is removed.
-  void remove_from_border_edge(const Border_star& s) {
-    const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
-    store(std::array{s.ip}, std::array{s.f},
-          {removed_from_border_edge(enclosure(d)), removed_from_border_edge(approximation(d))});
-    forget_signs(s);
-  }
+  void remove_from_border_edge(const Border_star& s);
 
   /// returns s, where coordinates are scaled by 2^s.
   int scale_exponent() const { return scale_exponent_; }
@@ -211,9 +185,10 @@ public:
   /*!
   \brief returns (cot k + cot m) / 2 for the angles opposite an edge between two faces.
 
-  Zero exactly where the sum of the angles is pi, else of the right sign and not zero, with an error below 1e-12 of itself, or
-  of min(1, E), where E is the least Dirichlet energy in the two faces of functions that change by one along the edge; see
-  `stored_weight()`. What stored values do not tell so well is the double nearest to the exact weight, however it is found.
+  Zero exactly where the sum of the angles is pi, else of the right sign and not zero, with an error
+  below 1e-12 of itself, or of min(1, E), where E is the least Dirichlet energy in the two faces of
+  functions that change by one along the edge; see `stored_weight()`. What stored values do not tell
+  so well is the double nearest to the exact weight, however it is found.
   \pre both faces have an area
   \complexity constant as a rule; else linear in the number of input triangles under the diamond
   */
@@ -227,27 +202,8 @@ private:
   // in which values are computed, one after the other until they are narrow
   static constexpr std::array<unsigned, 6> precisions{53, 106, 256, 1024, 2048, 4096};
 
-  static Enclosed_values enclose(const Gluing_map& mesh, const Input_metric& input) {
-    const Scope scope;
-    return {squared_lengths<FT>(input, mesh), quadruple_areas<FT>(input)};
-  }
-
-  static Vertex_move_values<double> approximations(const Vertex_move_values<FT>& values) {
-    Vertex_move_values<double> result{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      result.squared_lengths[k] = CGAL::to_double(values.squared_lengths[k]);
-      result.quadruple_areas[k] = CGAL::to_double(values.quadruple_areas[k]);
-    }
-    return result;
-  }
-
-  void forget_signs(const Vertex_star& s) {
-    signs_.forget(s.sides);
-    signs_.forget(s.spokes);
-  }
-  void forget_signs(const Border_star& s) {
-    signs_.forget(std::array{s.ip, s.pj, s.jk, s.ki, s.pk});
-  }
+  void forget_signs(const Vertex_star& s);
+  void forget_signs(const Border_star& s);
 
   // what the filter cannot decide is rare
   template <class Exact>

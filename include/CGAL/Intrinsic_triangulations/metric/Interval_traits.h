@@ -24,11 +24,11 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief stores the metric as intervals that contain the exact values, and decides where they can.
 
-This is the filter of `Exact_euclidean_metric` alone. Decisions that it makes are right; an edge that
-intervals leave open is not flipped, and `statistics().undecided` counts it. So flipping to Delaunay ends,
-as exactly as with exact traits, and nothing is claimed of undecided edges: they may be ties, or close
-to ties, or far from them once intervals have grown wide. A flip is refused unless intervals show that
-it makes areas that are positive.
+This is the filter of `Exact_euclidean_metric` alone. Decisions that it makes are right; an edge
+that intervals leave open is not flipped, and `statistics().undecided` counts it. So flipping to
+Delaunay ends, as exactly as with exact traits, and nothing is claimed of undecided edges: they may
+be ties, or close to ties, or far from them once intervals have grown wide. A flip is refused unless
+intervals show that it makes areas that are positive.
 
 All members but the constructors and `Scope` ask for a live `Scope`, which sets the rounding mode
 that interval arithmetic needs.
@@ -75,13 +75,15 @@ public:
     return true;
   }
 
-  /// returns the sign of an expression in the values of a diamond; zero, too, if intervals leave it open.
+  /// returns the sign of an expression in the values of a diamond; zero, too, if intervals leave it
+  /// open.
   template <class Expression>
   Sign sign(const Diamond& d, const Expression& expression) const {
     return sign_of(expression(values(d)));
   }
 
-  /// returns the sign of an expression in the values of faces; zero, too, if intervals leave it open.
+  /// returns the sign of an expression in the values of faces; zero, too, if intervals leave it
+  /// open.
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
     const auto v = values(faces);
@@ -114,7 +116,8 @@ private:
 };
 
 /*!
-\brief lets an intrinsic triangulation compute in intervals of doubles, without anything behind them.
+\brief lets an intrinsic triangulation compute in intervals of doubles, without anything behind
+them.
 \cgalModels{IntrinsicTriangulationTraits}
 */
 struct Interval_traits {

@@ -15,8 +15,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief remembers how predicates on edges were decided, until a face at the edge changes: ties and what doubles cannot
-tell would be decided again and again.
+\brief remembers how predicates on edges were decided, until a face at the edge changes: ties and
+what doubles cannot tell would be decided again and again.
 */
 class Remembered_signs {
 public:

@@ -14,11 +14,11 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief decides as `Euclidean_metric`, but takes edges for Delaunay that miss it by a tolerance.
 
-An edge counts as Delaunay unless cot k + cot m < -tolerance for the angles opposite it, that is unless
-q_f a_g + q_g a_f < -tolerance a_f a_g: cotangents are free of units, so that the scale of the mesh does not
-matter. This is what programs in floating point commonly do in order not to flip ties back and forth. The
-result may have edges that are not Delaunay; `sign()` and `check_delaunay()`, which do not tolerate
-anything, tell how many, as far as `FT` can.
+An edge counts as Delaunay unless cot k + cot m < -tolerance for the angles opposite it, that is
+unless q_f a_g + q_g a_f < -tolerance a_f a_g: cotangents are free of units, so that the scale of
+the mesh does not matter. This is what programs in floating point commonly do in order not to flip
+ties back and forth. The result may have edges that are not Delaunay; `sign()` and
+`check_delaunay()`, which do not tolerate anything, tell how many, as far as `FT` can.
 \tparam FT_ see `Euclidean_metric`
 \tparam Tolerance the tolerance, a positive `std::ratio`
 \cgalModels{IntrinsicMetric}
@@ -56,8 +56,8 @@ public:
 };
 
 /*!
-\brief lets an intrinsic triangulation compute in one number type and tolerate edges that are not quite
-Delaunay.
+\brief lets an intrinsic triangulation compute in one number type and tolerate edges that are not
+quite Delaunay.
 \tparam FT_ see `Euclidean_metric`
 \tparam Tolerance see `Tolerant_metric`; `std::micro` is what several programs take
 \cgalModels{IntrinsicTriangulationTraits}

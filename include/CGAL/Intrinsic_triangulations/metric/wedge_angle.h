@@ -28,11 +28,13 @@ inline double inverse_binade(double x) {
   return e == 0 || e >= largest ? 1. : std::bit_cast<double>(largest - e);
 }
 
-// A sum of angles of corners in doubles, which decides nothing: the product of their z, see `Wedge_expression.h`, up to its sign and a
-// positive factor, so that its argument is in [0, pi); and how many half turns there are before.
+// A sum of angles of corners in doubles, which decides nothing: the product of their z, see
+// `Wedge_expression.h`, up to its sign and a positive factor, so that its argument is in [0, pi);
+// and how many half turns there are before.
 class Angle_sum {
 public:
-  // Adds the corner at the source of the first side of a face. \return a power of two that keeps the product near 1
+  // Adds the corner at the source of the first side of a face. \return a power of two that keeps
+  // the product near 1
   double add(const Face_values<double>& v) {
     const auto& l = v.squared_lengths;
     const double p = l[0] + l[2] - l[1], a = v.quadruple_area;
@@ -55,7 +57,8 @@ public:
   bool is_nearly_pi() const {
     return half_turns_ == (real_ < 0 ? 0U : 1U) && imaginary_ < 1e-6 * std::abs(real_);
   }
-  // Grows with the angle, from 0 by 2 for each half turn: puts angles in order, for less than an arc tangent.
+  // Grows with the angle, from 0 by 2 for each half turn: puts angles in order, for less than an
+  // arc tangent.
   double rank() const { return 2 * static_cast<double>(half_turns_) + rank(real_, imaginary_); }
   // of a direction in [0, pi)
   static double rank(double x, double y) { return 1 - x / (std::abs(x) + y); }
@@ -65,7 +68,8 @@ private:
   std::size_t half_turns_ = 0;
 };
 
-// The corners between two sides of a vertex, each the source of the first side of its face, in order.
+// The corners between two sides of a vertex, each the source of the first side of its face, in
+// order.
 struct Wedge {
   boost::container::small_vector<Indexed_face, 12> faces;
   boost::container::small_vector<double, 12> scales; // powers of two that keep products near 1
@@ -86,14 +90,16 @@ private:
   Angle_sum sum_;
 };
 
-// Two corners of a wedge are those at the source of a diamond; the sine of their sum is `Convexity_at_source_expression`.
+// Two corners of a wedge are those at the source of a diamond; the sine of their sum is
+// `Convexity_at_source_expression`.
 inline Diamond diamond_of_corners(const Indexed_face& f, const Indexed_face& g) {
   return {f.edges[0], f.edges[1], f.edges[2], g.edges[0], g.edges[1], f.face, g.face};
 }
 
-// Compares the angle of a wedge with pi. Every corner is at most pi, so that the angle is smaller iff the sine of the sum of
-// the first m corners is positive for all m, as long as it is not zero (a corner of zero area has angle 0 or pi). A sum
-// whose sine is negative is beyond pi, whatever the others are: one that seems to be is tried first.
+// Compares the angle of a wedge with pi. Every corner is at most pi, so that the angle is smaller
+// iff the sine of the sum of the first m corners is positive for all m, as long as it is not zero
+// (a corner of zero area has angle 0 or pi). A sum whose sine is negative is beyond pi, whatever
+// the others are: one that seems to be is tried first.
 template <class Sign_of>
 Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
   const std::span<const Indexed_face> faces = w.all_faces();
@@ -116,7 +122,8 @@ Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
   return SMALLER;
 }
 
-// Compares the angle of a wedge with pi, as far as the intervals that a metric stores tell: see `compare_wedge_to_pi()`.
+// Compares the angle of a wedge with pi, as far as the intervals that a metric stores tell: see
+// `compare_wedge_to_pi()`.
 template <class Metric>
 std::optional<Comparison_result> certain_comparison_to_pi(const Metric& metric, const Wedge& w) {
   using FT = typename Metric::FT;
@@ -133,10 +140,11 @@ std::optional<Comparison_result> certain_comparison_to_pi(const Metric& metric, 
   return SMALLER;
 }
 
-// Finds the wedge at the target of h between h and g, on the left of h: the first corner is in the face of h. If g is the
-// opposite of h, it is all about the vertex. False if a side in between has no face, or `may_pass()` refuses its halfedge from the
-// vertex, or g is in another fan of a vertex that is not manifold. `values` tells what doubles know of a face from a halfedge on.
-// `wedge` is a `Wedge` or, if that is enough, an `Angle_sum`.
+// Finds the wedge at the target of h between h and g, on the left of h: the first corner is in the
+// face of h. If g is the opposite of h, it is all about the vertex. False if a side in between has
+// no face, or `may_pass()` refuses its halfedge from the vertex, or g is in another fan of a vertex
+// that is not manifold. `values` tells what doubles know of a face from a halfedge on. `wedge` is a
+// `Wedge` or, if that is enough, an `Angle_sum`.
 template <class Triangulation, class Corners, class Values, class May_pass>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
                 typename Triangulation::halfedge_descriptor g, Corners& wedge, const Values& values,
@@ -181,7 +189,8 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
                     [](typename Triangulation::halfedge_descriptor) { return true; });
 }
 
-// Compares the angle of a wedge from h to g with pi, which a session may know how to without finding it again.
+// Compares the angle of a wedge from h to g with pi, which a session may know how to without
+// finding it again.
 template <class Session, class Halfedge>
 Comparison_result compare_to_pi(const Session& session, Halfedge h, Halfedge g,
                                 const Wedge& wedge) {

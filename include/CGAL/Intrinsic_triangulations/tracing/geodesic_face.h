@@ -139,7 +139,8 @@ struct Fan_angle {
 };
 
 /*!
-\brief adds the angles about the source of a halfedge, counterclockwise, until the fan is closed or at the border.
+\brief adds the angles about the source of a halfedge, counterclockwise, until the fan is closed or
+at the border.
 \tparam Complex a model of `NumberedComplex`
 \param complex the complex
 \param first the halfedge
@@ -159,8 +160,8 @@ Fan_angle measure_fan(const Complex& complex, std::uint32_t first, const Visit& 
 }
 
 /*!
-\brief returns the sum of the angles about the source of `h`, over the fan of faces of `h` if it is a
-nonmanifold vertex.
+\brief returns the sum of the angles about the source of `h`, over the fan of faces of `h` if it is
+a nonmanifold vertex.
 \tparam Complex a model of `NumberedComplex`
 \param complex the complex
 \param h a halfedge
@@ -189,7 +190,8 @@ struct Corner_direction {
 \brief turns counterclockwise about the source of a halfedge, or clockwise if the angle is negative.
 \tparam Complex a model of `NumberedComplex`
 \param complex the complex
-\param d where to start, and by what angle to turn: any number; replaced by the corner that is reached
+\param d where to start, and by what angle to turn: any number; replaced by the corner that is
+reached
 \param tolerance angle beyond the border that is taken for rounding
 \return false if the direction points beyond the border
 \complexity linear in the number of corners passed, at most in the degree, whatever the angle

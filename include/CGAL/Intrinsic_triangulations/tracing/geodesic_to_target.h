@@ -19,8 +19,8 @@
 
 /*!
 \file
-Geodesics whose end is known: a direction and a length lead close to it, and the straight line through
-the same faces that ends there exactly is proved to stay in them.
+Geodesics whose end is known: a direction and a length lead close to it, and the straight line
+through the same faces that ends there exactly is proved to stay in them.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -56,7 +56,8 @@ struct Geodesic_target {
   \brief calls a function with the weights of the target for each time that a face contains it.
   \param complex the surface
   \param face a face
-  \param f takes an array of three weights, and the number of the side of the face that the target is described from
+  \param f takes an array of three weights, and the number of the side of the face that the target
+  is described from
   */
   template <NumberedComplex Complex, class Function>
   void for_each_place(const Complex& complex, const Geodesic_face& face, Function f) const {
@@ -105,8 +106,8 @@ struct Geodesic_to_target {
   double slope = 0;
   /// Length of the straight line.
   double length = 0;
-  /// The halfedge that describes the target: that of the `Geodesic_target`, its opposite, or one that starts at the
-  /// vertex.
+  /// The halfedge that describes the target: that of the `Geodesic_target`, its opposite, or one
+  /// that starts at the vertex.
   std::uint32_t end = Gluing::none;
   /// Unit vector along the straight line, in the frame of `end`.
   Plane_vector<double> direction{1, 0};
@@ -219,8 +220,8 @@ length.
 Where the line comes close to the target, it is replaced by the straight line through the same faces
 that ends at the target. That one is accepted if all vertices are on the side of it where the faces
 have them. As it starts with nearly the same direction and has nearly the same length, it is the
-geodesic, unless a vertex is so close to it that rounding cannot tell the side: then the result is not
-certain.
+geodesic, unless a vertex is so close to it that rounding cannot tell the side: then the result is
+not certain.
 \tparam Complex a model of `NumberedComplex`
 \param complex the surface
 \param walk the start

@@ -29,10 +29,10 @@ algorithm repeats (§2.4.2 of the course).
 
 The line is known in the frame of the face that it has entered: by the weights of the point of entry
 and a unit vector. In each face the corners that lie to the left of the line are told from those to
-the right, and it leaves through the side between them: never through the one that it entered by, and
-at a parameter that is a ratio of distances from the line and so lies between 0 and 1. Where the line
-passes a vertex closely, the angle that is left to turn about it falls with every face passed: the
-walk cannot go back and forth.
+the right, and it leaves through the side between them: never through the one that it entered by,
+and at a parameter that is a ratio of distances from the line and so lies between 0 and 1. Where the
+line passes a vertex closely, the angle that is left to turn about it falls with every face passed:
+the walk cannot go back and forth.
 
 Bounds of the first order are kept of what rounding has done to the line: `angle_error()` and
 `position_error()`. Stored squared lengths have relative errors u, thus the angle between two sides

@@ -19,8 +19,8 @@
 \file
 The exponential map (§2.4.2 of the course): a geodesic from a point, in a direction, for a length.
 
-Inside faces and across edges a geodesic is a straight line. At an interior vertex it goes straightest:
-with equal angles on both sides. At the border, border vertices included, it stops.
+Inside faces and across edges a geodesic is a straight line. At an interior vertex it goes
+straightest: with equal angles on both sides. At the border, border vertices included, it stops.
 
 **Vertices.** A line that leaves a face so close to a vertex that rounding may have decided on which
 side it passes (the distance is at most `Geodesic_walk::position_error()`, and at most 2^-30 of the
@@ -99,9 +99,9 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex> walk, do
   }
 }
 
-// Traces a geodesic from a point, in a direction in the frame of `start.halfedge`, over a model of `NumberedComplex` in
-// its units. The edges that are crossed are appended to `crossings`; one that goes through a vertex crosses the edge that
-// it leaves the face at with parameter 0 or 1.
+// Traces a geodesic from a point, in a direction in the frame of `start.halfedge`, over a model of
+// `NumberedComplex` in its units. The edges that are crossed are appended to `crossings`; one that
+// goes through a vertex crosses the edge that it leaves the face at with parameter 0 or 1.
 template <NumberedComplex Complex>
 Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
                             const Plane_vector<double>& direction, double length,

@@ -60,7 +60,8 @@ Face_values<double> approximate_values(const Triangulation& t,
   return approximate_values(t.metric(), indexed_face(t, f));
 }
 
-// The values of a face in scaled units, for users: with exact traits, intervals are made narrow first, and doubles with them.
+// The values of a face in scaled units, for users: with exact traits, intervals are made narrow
+// first, and doubles with them.
 template <class Triangulation>
 Face_values<double> accurate_values(const Triangulation& t,
                                     typename Triangulation::face_descriptor f) {
@@ -105,7 +106,8 @@ double accurate_squared_length(const Triangulation& t, typename Triangulation::e
 \brief asks the metric of a triangulation, and gives it what it needs to decide.
 
 Functions that take numbers of faces and edges ask for a live session.
-\tparam Triangulation derives from this class; with a metric that decides by the input it has `exact_values()`
+\tparam Triangulation derives from this class; with a metric that decides by the input it has
+`exact_values()`
 */
 template <class Triangulation, class Mesh, class Metric>
 class Metric_values {
@@ -163,16 +165,19 @@ public:
     }
   }
 
-  /// returns the squared length of an edge as a double, in the units of the input; with exact traits to 1e-12 of it.
+  /// returns the squared length of an edge as a double, in the units of the input; with exact
+  /// traits to 1e-12 of it.
   double squared_length(typename boost::graph_traits<Mesh>::edge_descriptor e) const {
     return std::ldexp(internal::accurate_squared_length(self(), e), -2 * metric().scale_exponent());
   }
-  /// returns the length of an edge as a double, in the units of the input; as accurate as `squared_length()`, which may overflow.
+  /// returns the length of an edge as a double, in the units of the input; as accurate as
+  /// `squared_length()`, which may overflow.
   double length(typename boost::graph_traits<Mesh>::edge_descriptor e) const {
     return std::ldexp(std::sqrt(internal::accurate_squared_length(self(), e)),
                       -metric().scale_exponent());
   }
-  /// returns the area of a face as a double, in the units of the input; with exact traits to 1e-12 of it.
+  /// returns the area of a face as a double, in the units of the input; with exact traits to 1e-12
+  /// of it.
   double area(typename boost::graph_traits<Mesh>::face_descriptor f) const {
     return std::ldexp(internal::accurate_quadruple_area(self(), f),
                       -2 * metric().scale_exponent() - 2);

@@ -41,8 +41,8 @@ BOOST_FORCEINLINE Diamond diamond_of(typename boost::graph_traits<Mesh>::halfedg
           number.face(face(o, mesh))};
 }
 
-// The record of the flip of an edge with two faces. The diamond is no function of the other numbers: to
-// divide what was just stored costs more than to ask the mesh again.
+// The record of the flip of an edge with two faces. The diamond is no function of the other
+// numbers: to divide what was just stored costs more than to ask the mesh again.
 template <class Mesh>
 BOOST_FORCEINLINE Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_descriptor h,
                                    const Mesh& mesh, const Mesh_adaptor<Mesh>& number) {
@@ -57,9 +57,9 @@ BOOST_FORCEINLINE Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_
           diamond_of(h, mesh, number)};
 }
 
-// The elementary moves of a triangulation, each in the one order: make its record, compute the values, ask
-// the correspondence, change connectivity and metric, tell the correspondence. A move that is refused
-// changes nothing.
+// The elementary moves of a triangulation, each in the one order: make its record, compute the
+// values, ask the correspondence, change connectivity and metric, tell the correspondence. A move
+// that is refused changes nothing.
 template <class Triangulation>
 class Mover {
   using Mesh = typename Triangulation::Mesh;
@@ -194,8 +194,9 @@ public:
   }
 
 private:
-  // Observers are asked in one order. One that is asked and not told afterwards has changed nothing, but for removals,
-  // which own coordinates and signposts follow when they are asked: with exact traits none refuses one.
+  // Observers are asked in one order. One that is asked and not told afterwards has changed
+  // nothing, but for removals, which own coordinates and signposts follow when they are asked: with
+  // exact traits none refuses one.
   template <class Move>
   bool ask(const Move& move) {
     return places_.before(t_, move) && correspondence_.before(t_, move);

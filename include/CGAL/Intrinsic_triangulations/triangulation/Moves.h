@@ -18,20 +18,23 @@
 
 /*!
 \file
-The records of elementary moves: the elements around, by number. The owner of a triangulation makes one
-for each move, from which metric and correspondence read; nobody walks over the mesh again.
+The records of elementary moves: the elements around, by number. The owner of a triangulation makes
+one for each move, from which metric and correspondence read; nobody walks over the mesh again.
 
-Moves keep the numbers of halfedges that stay, so that a record describes both what was and what will be.
+Moves keep the numbers of halfedges that stay, so that a record describes both what was and what
+will be.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief records the flip of edge ij, from which it runs between k and m: all halfedges keep their numbers.
+\brief records the flip of edge ij, from which it runs between k and m: all halfedges keep their
+numbers.
 
-Before it, the left face f has the sides ij, jk, ki and the right face g has ji, im, mj. After it, the face of km has the sides km, mj, jk,
-and that of mk has mk, ki, im. A flip makes km of ij; one that is taken back makes it of ji, since two flips would swap the halfedges. The
-face of ij is f before and after.
+Before it, the left face f has the sides ij, jk, ki and the right face g has ji, im, mj. After it,
+the face of km has the sides km, mj, jk, and that of mk has mk, ki, im. A flip makes km of ij; one
+that is taken back makes it of ji, since two flips would swap the halfedges. The face of ij is f
+before and after.
 */
 struct Flip {
   std::uint32_t ij; ///< the halfedge that is flipped; the other side of its edge is `ij ^ 1`
@@ -72,10 +75,11 @@ struct Seen_corner {
 Before it, only the sides and the weights are known, and what is new is `Gluing::none`.
 */
 struct Insertion_in_face : Star_of_vertex {
-  /// Barycentric coordinates of p at i, j, k, see `representable_weights()`; the last one is zero if p
-  /// is on the edge ij, which is flipped away next.
+  /// Barycentric coordinates of p at i, j, k, see `representable_weights()`; the last one is zero
+  /// if p is on the edge ij, which is flipped away next.
   std::array<double, 3> weights;
-  /// The place on the input that defines p, if there is one that the correspondence has not to find.
+  /// The place on the input that defines p, if there is one that the correspondence has not to
+  /// find.
   std::optional<Surface_point> place{};
   /// What is seen from there, if the correspondence asks for directions and they are known.
   std::optional<Seen_corner> seen{};
@@ -120,7 +124,8 @@ struct Star_on_border {
 /*!
 \brief records the insertion of a vertex on a border edge.
 
-Before it, only `ip`, `jk`, `ki`, `f` and the parameter are known, and what is new is `Gluing::none`.
+Before it, only `ip`, `jk`, `ki`, `f` and the parameter are known, and what is new is
+`Gluing::none`.
 */
 struct Insertion_on_border : Star_on_border {
   /// Weight of j; that of i is one minus it.
@@ -136,8 +141,8 @@ struct Removal_from_border : Star_on_border {};
 
 namespace internal {
 
-// The star of the source of a halfedge, which is its first spoke; none on the border, or if an edge joins the vertex to
-// itself.
+// The star of the source of a halfedge, which is its first spoke; none on the border, or if an edge
+// joins the vertex to itself.
 template <class Mesh>
 std::optional<Whole_star> whole_star(typename boost::graph_traits<Mesh>::halfedge_descriptor first,
                                      const Mesh& mesh, const Mesh_adaptor<Mesh>& number) {

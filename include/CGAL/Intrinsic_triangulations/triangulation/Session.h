@@ -30,8 +30,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief decides many predicates on a triangulation in one floating point environment.
 
-While it lives, the rounding mode may differ from the default: code of others is to be called through
-`suspended()`.
+While it lives, the rounding mode may differ from the default: code of others is to be called
+through `suspended()`.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
 */
 template <class Triangulation>
@@ -84,7 +84,8 @@ public:
                                         t_.index(face(h, t_.mesh())));
   }
   /*!
-  \brief compares an angle with pi: that at the target of `h` between `h` and `g`, on the left of `h`.
+  \brief compares an angle with pi: that at the target of `h` between `h` and `g`, on the left of
+  `h`.
   \param h a halfedge
   \param g a halfedge from the target of `h`; the opposite of `h`: the angle is all about the vertex
   \pre no border is in between
@@ -165,7 +166,8 @@ public:
     return t_.metric().before_flip(t_.diamond(h));
   }
   /*!
-  \brief takes back a flip: connectivity, metric and correspondence are what they were, directions of signposts but for rounding.
+  \brief takes back a flip: connectivity, metric and correspondence are what they were, directions
+  of signposts but for rounding.
   \param h the halfedge that was flipped
   \param before what `before_flip(h)` returned before that
   \pre all moves since have been taken back
@@ -186,7 +188,8 @@ public:
     return p ? Mover(t_).insert(p->h, p->weights) : Insertion{Move_status::weights};
   }
   /*!
-  \brief inserts a vertex at a place of the input that is known already, as a copy of another one's on a cover.
+  \brief inserts a vertex at a place of the input that is known already, as a copy of another one's
+  on a cover.
   \param h a halfedge of the face
   \param weights see `insert_vertex()`: approximations
   \param on_input the place, which defines the vertex: on an edge, if a weight is zero
@@ -252,10 +255,11 @@ public:
   /*!
   \brief replaces what rounding has made of the length of an edge and of the areas of its faces.
 
-  For inexact arithmetic: a caller who knows them better, as from a layout of many faces at once, keeps
-  errors from growing.
+  For inexact arithmetic: a caller who knows them better, as from a layout of many faces at once,
+  keeps errors from growing.
   \param h the edge
-  \param values its squared length and the quadruple areas of its left and right face, in scaled units
+  \param values its squared length and the quadruple areas of its left and right face, in scaled
+  units
   */
   void correct_values(halfedge_descriptor h,
                       const typename Triangulation::Metric::Flipped&
@@ -279,8 +283,9 @@ private:
     return p;
   }
 
-  // Moves a vertex to a place in one of its faces where it still sees all others about it: the values of its edges and
-  // faces change, and nothing else. Only where the correspondence can follow.
+  // Moves a vertex to a place in one of its faces where it still sees all others about it: the
+  // values of its edges and faces change, and nothing else. Only where the correspondence can
+  // follow.
   bool move_in_star(vertex_descriptor v, Place p) {
     if constexpr (requires(const Whole_star& s, const Move_in_star& move) {
                     t_.metric_.move_in_star(s, 0., 0.);

@@ -45,8 +45,9 @@ copies_of_vertex(const Triangulation& t, typename Triangulation::vertex_descript
   return {v};
 }
 
-// Of a cover, several vertices are copies of one of the user's and share its row. What belongs to a neighbourhood, as a tangent
-// plane, has a number for each copy: its name, and inserted vertices follow in their order. Without copies these are rows.
+// Of a cover, several vertices are copies of one of the user's and share its row. What belongs to a
+// neighbourhood, as a tangent plane, has a number for each copy: its name, and inserted vertices
+// follow in their order. Without copies these are rows.
 template <class Triangulation>
 class Vertex_copies {
   using Vertex = typename Triangulation::vertex_descriptor;

@@ -13,9 +13,9 @@
 
 /*!
 \file
-Overloads for calls that are wrong in a way that is common. They are declared and not defined: the compiler refuses the call
-where the user wrote it, before what is done with its result, and says in one line what to do, where a constraint would list
-what all candidates lack.
+Overloads for calls that are wrong in a way that is common. They are declared and not defined: the
+compiler refuses the call where the user wrote it, before what is done with its result, and says in
+one line what to do, where a constraint would list what all candidates lack.
 */
 
 /// declares a function that must not be called, and why.
@@ -30,8 +30,8 @@ what all candidates lack.
   internal::Refused_call                                                                           \
   function(const Mesh&, const Options&...);
 
-/// refuses, of a function that changes a triangulation, a mesh, a const triangulation and an option without name.
-/// `example` is an option that it has.
+/// refuses, of a function that changes a triangulation, a mesh, a const triangulation and an option
+/// without name. `example` is an option that it has.
 #define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(function, Concept, example)                  \
   CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(function)                                              \
   template <Concept Triangulation, NamedParameters... NP>                                          \

@@ -120,7 +120,8 @@ concept Measures_insertions = requires(Metric& m, const Vertex_star& star,
   { m.insert_in_border_edge(border, parameter) } -> std::same_as<bool>;
 };
 
-// Is told what an insertion makes, by who knows where vertices are on the input, and decides by that.
+// Is told what an insertion makes, by who knows where vertices are on the input, and decides by
+// that.
 template <class Metric>
 concept Defined_by_places = Decides_by_input<Metric> &&
     requires(Metric& m, const Vertex_star& star, const Border_star& border,
@@ -216,7 +217,8 @@ concept Has_approximate_values = requires(const Triangulation& t,
   { t.metric().scale_exponent() } -> std::same_as<int>;
 };
 
-// Tells what rows of matrices its vertices have, how many there are, and what the user calls elements.
+// Tells what rows of matrices its vertices have, how many there are, and what the user calls
+// elements.
 template <class Triangulation>
 concept Has_matrix_rows = requires(const Triangulation& t,
                                    typename Triangulation::vertex_descriptor v) {
@@ -252,8 +254,8 @@ concept IntrinsicTriangulation = internal::Has_triangulated_mesh<Triangulation> 
 };
 
 /*!
-\brief asks for elements that have numbers, values by number, and names on the input: a triangulation that `Intrinsic_view`
-can read.
+\brief asks for elements that have numbers, values by number, and names on the input: a
+triangulation that `Intrinsic_view` can read.
 
 Syntax of \ref ::NumberedTriangulation, where its meaning is described.
 */

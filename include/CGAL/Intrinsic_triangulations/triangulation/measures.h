@@ -41,11 +41,12 @@ concept Encloses_lengths = requires(const Metric& m, std::uint32_t e) {
 } // namespace internal
 
 /*!
-\brief returns an interval that contains the length of an edge: that of the input as its numbers define it, after mollification,
-between vertices where they have been inserted.
+\brief returns an interval that contains the length of an edge: that of the input as its numbers
+define it, after mollification, between vertices where they have been inserted.
 
-With exact traits the bounds differ by 1e-12 of the length at most, with `Interval_traits` by what intervals have grown to. Other inexact
-arithmetic knows no bounds of its errors: then the interval is [0, infinity].
+With exact traits the bounds differ by 1e-12 of the length at most, with `Interval_traits` by what
+intervals have grown to. Other inexact arithmetic knows no bounds of its errors: then the interval
+is [0, infinity].
 \param t the triangulation
 \param e the edge
 \return bounds in the units of the input
@@ -65,15 +66,15 @@ Interval_nt<> length_enclosure(const Triangulation& t, typename Triangulation::e
 }
 
 /*!
-\brief returns the cotangent weight of an edge: half the sum of the cotangents of the angles opposite it (Eq. 4 of
-the course), one of them on the border.
+\brief returns the cotangent weight of an edge: half the sum of the cotangents of the angles
+opposite it (Eq. 4 of the course), one of them on the border.
 
 See `Predicate_session::cotangent_weight()`, which is faster for many edges.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \param e the edge
-\return the weight, without dimension; with exact traits to 1e-12 of it, or of the Dirichlet energy of its faces, and zero only if the opposite
-  angles sum to pi
+\return the weight, without dimension; with exact traits to 1e-12 of it, or of the Dirichlet energy
+  of its faces, and zero only if the opposite angles sum to pi
 \pre the faces at the edge have an area; else the result is not finite
 \complexity constant
 */
@@ -83,16 +84,18 @@ double cotangent_weight(const Triangulation& t, typename Triangulation::edge_des
 }
 
 /*!
-\brief returns the Gaussian curvature of a vertex, as a measure: 2 pi minus the sum of the angles around it
-(Eq. 3 of the course); on the border the geodesic curvature of the border: pi minus that sum.
+\brief returns the Gaussian curvature of a vertex, as a measure: 2 pi minus the sum of the angles
+around it (Eq. 3 of the course); on the border the geodesic curvature of the border: pi minus that
+sum.
 
-Moves do not change it, and it is zero at inserted vertices. The sum over all vertices is 2 pi times the Euler
-characteristic (Gauss and Bonnet). Divided by the entry of the lumped mass matrix it approximates curvature in a point.
+Moves do not change it, and it is zero at inserted vertices. The sum over all vertices is 2 pi times
+the Euler characteristic (Gauss and Bonnet). Divided by the entry of the lumped mass matrix it
+approximates curvature in a point.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \param v the vertex; at one that is not manifold, the faces are those of one fan
-\return the curvature in radians; angles have errors of those of the values, 1e-12 with exact traits, times the aspect
-  ratio of the face
+\return the curvature in radians; angles have errors of those of the values, 1e-12 with exact
+  traits, times the aspect ratio of the face
 \pre no edge at the vertex has the length zero
 \complexity linear in the degree
 */
@@ -123,7 +126,8 @@ double gaussian_curvature(const Triangulation& t, typename Triangulation::vertex
 \brief returns the area of the surface.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
-\return the sum of the areas of the faces, in the units of the input; with exact traits to 1e-12 of it
+\return the sum of the areas of the faces, in the units of the input; with exact traits to 1e-12 of
+it
 \complexity linear
 */
 template <MeasuredTriangulation Triangulation>

@@ -28,12 +28,13 @@ namespace internal {
 /*!
 Removes an inserted vertex: flips edges away from it until it has three, on the border one inside.
 
-The faces around the vertex develop into a polygon that is star-shaped about it. A triangulation of the
-polygon without the vertex has two ears at least, of which one does not contain the vertex inside: the
-edge to its tip can be flipped. On the border the ears at both ends of the straight side are not
-counted. Only where the vertex is on the segment between two neighbours, and has no more than two
-others, the flip leaves a face of zero area, which goes with the vertex. Every flip takes an edge away
-from the vertex, hence the loop ends; edges from the vertex to itself can make it end too early.
+The faces around the vertex develop into a polygon that is star-shaped about it. A triangulation of
+the polygon without the vertex has two ears at least, of which one does not contain the vertex
+inside: the edge to its tip can be flipped. On the border the ears at both ends of the straight side
+are not counted. Only where the vertex is on the segment between two neighbours, and has no more
+than two others, the flip leaves a face of zero area, which goes with the vertex. Every flip takes
+an edge away from the vertex, hence the loop ends; edges from the vertex to itself can make it end
+too early.
 */
 template <class Triangulation>
 class Vertex_remover {
@@ -89,7 +90,8 @@ private:
     Plane_vector<double> position;
   };
 
-  // the halfedges from the vertex, counterclockwise; on the border the first has no face on its right
+  // the halfedges from the vertex, counterclockwise; on the border the first has no face on its
+  // right
   void find_edges() {
     edges_.clear();
     for_each_outgoing(v_, mesh_, [this](Halfedge h) { edges_.push_back(h); });
@@ -122,11 +124,11 @@ private:
             m.approximate_quadruple_area(d.g)};
   }
 
-  // Flips the edge whose ear has the circle that contains the vertex the least. Where the faces about the
-  // vertex are Delaunay, so are the ears cut off in this order: none is flipped again (Devillers, On
-  // deletion in Delaunay triangulations, 1999). Other orders make thin faces on the way, whose flips let
-  // rounding grow exponentially. The power of i with respect to the circle about jmk is
-  // -(q_f a_g + q_g a_f) / (2 a_jmk).
+  // Flips the edge whose ear has the circle that contains the vertex the least. Where the faces
+  // about the vertex are Delaunay, so are the ears cut off in this order: none is flipped again
+  // (Devillers, On deletion in Delaunay triangulations, 1999). Other orders make thin faces on the
+  // way, whose flips let rounding grow exponentially. The power of i with respect to the circle
+  // about jmk is -(q_f a_g + q_g a_f) / (2 a_jmk).
   bool flip_an_edge() {
     candidates_.clear();
     for (const Halfedge h : edges_) {
@@ -159,9 +161,9 @@ private:
 
   // ---- with floating point numbers
 
-  // Cutting off one ear after the other, each from values that the one before made, lets rounding grow
-  // exponentially with their number. So the star is laid out in the plane once, where errors only add up,
-  // and values are taken from there.
+  // Cutting off one ear after the other, each from values that the one before made, lets rounding
+  // grow exponentially with their number. So the star is laid out in the plane once, where errors
+  // only add up, and values are taken from there.
   static constexpr bool is_corrected = std::is_same_v<typename Triangulation::FT, double>;
 
   void develop() {
@@ -237,8 +239,8 @@ private:
     }
   }
 
-  // back by three more flips: four are the identity; the edge that left a face of zero area comes back
-  // by one, its halfedges exchanged
+  // back by three more flips: four are the identity; the edge that left a face of zero area comes
+  // back by one, its halfedges exchanged
   void undo() {
     for (auto u = undo_.rbegin(); u != undo_.rend(); ++u) {
       for (int i = 0; i < u->flips; ++i) flip_back(u->edge);

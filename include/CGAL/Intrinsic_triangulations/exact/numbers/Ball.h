@@ -22,9 +22,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief encloses a real number by a center and a radius.
 
-What overflows, or is divided by what may be zero, gets a radius that is infinite or not a number. All operations ask for
-rounding to the nearest, but for `interval()`. Radii have as wide a range of exponents as `Center::Magnitude`: centers of thousands of
-bits have errors that no double tells.
+What overflows, or is divided by what may be zero, gets a radius that is infinite or not a number.
+All operations ask for rounding to the nearest, but for `interval()`. Radii have as wide a range of
+exponents as `Center::Magnitude`: centers of thousands of bits have errors that no double tells.
 \tparam Center `Double_double` or `Mpfr_number`
 \cgalModels{Field}
 */
@@ -133,8 +133,9 @@ auto to_nearest(const Function& f, Arguments&... arguments) {
 } // namespace internal
 
 /*!
-\brief returns the double nearest to all numbers of a ball, if there is one that is neither zero nor infinite: the same one from
-whatever ball decides it, so that results do not depend on the way in which they were computed.
+\brief returns the double nearest to all numbers of a ball, if there is one that is neither zero nor
+infinite: the same one from whatever ball decides it, so that results do not depend on the way in
+which they were computed.
 \pre rounding is to the nearest
 */
 template <class Center>
@@ -142,15 +143,17 @@ std::optional<double> nearest_double(const Ball<Center>& x) {
   const double c = x.to_double();
   const Ball<Center> rest = x - Ball<Center>(c);
   // the factors are for the rounding of what is here
-  const double r = rest.to_double(),
-               radius = static_cast<double>((rest.radius() + std::abs(r) * 0x1p-50) * (1 + 0x1p-50));
+  const double r = rest.to_double();
+  const double radius =
+      static_cast<double>((rest.radius() + std::abs(r) * 0x1p-50) * (1 + 0x1p-50));
   const double low = c + (r - radius), high = c + (r + radius);
   return low == high && low != 0 && std::isfinite(low) ? std::optional(low) : std::nullopt;
 }
 
 namespace internal {
 
-// What encloses a real number, taken apart. `unit` bounds the relative error of an operation on centers.
+// What encloses a real number, taken apart. `unit` bounds the relative error of an operation on
+// centers.
 template <class FT>
 struct Enclosure_parts;
 
@@ -193,8 +196,9 @@ typename Number::Magnitude magnitude(const Number& x) {
 /*!
 \brief encloses a complex number that is not zero by a center and a *relative* radius.
 
-The radius of a product is the sum of the radii, and little more, whatever their arguments are: an error grows linearly along
-a chain of rotations. Between intervals of real and imaginary part it grows exponentially.
+The radius of a product is the sum of the radii, and little more, whatever their arguments are: an
+error grows linearly along a chain of rotations. Between intervals of real and imaginary part it
+grows exponentially.
 \tparam FT encloses real numbers: `Interval_nt<false>` or a `Ball`; rounding is as it asks for
 */
 template <class FT>
@@ -252,9 +256,9 @@ private:
   // what underflows, in radii
   static constexpr Magnitude tiny = 0x1p14 * std::numeric_limits<Magnitude>::denorm_min();
 
-  // Relative errors of factors, and of the operations. Each part of a product of centers has an error below 2 u (1 + u) of the sum
-  // of magnitudes of its terms; the squares of these sums add up to 2 |a b|^2 at most: 2 sqrt(2) u of the product. A quotient takes two
-  // operations.
+  // Relative errors of factors, and of the operations. Each part of a product of centers has an
+  // error below 2 u (1 + u) of the sum of magnitudes of its terms; the squares of these sums add up
+  // to 2 |a b|^2 at most: 2 sqrt(2) u of the product. A quotient takes two operations.
   static Magnitude product(Magnitude a, Magnitude b) {
     return (a + b + a * b + 3 * Parts::unit()) * (1 + slack);
   }

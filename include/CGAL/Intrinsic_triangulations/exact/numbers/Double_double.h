@@ -13,9 +13,10 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief is a sum of two doubles, about 106 bits.
 
-The relative error of each operation is below 2^-102 where nothing overflows or underflows and rounding is to the nearest: Joldes,
-Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic" (2017), Lefevre et
-al., "Accurate calculation of Euclidean norms using double-word arithmetic" (2022).
+The relative error of each operation is below 2^-102 where nothing overflows or underflows and
+rounding is to the nearest: Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic
+building blocks of double-word arithmetic" (2017), Lefevre et al., "Accurate calculation of
+Euclidean norms using double-word arithmetic" (2022).
 */
 class Double_double {
 public:

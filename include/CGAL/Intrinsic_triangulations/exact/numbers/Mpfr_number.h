@@ -19,8 +19,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief is a floating point number by MPFR. Nothing is allocated for up to 1024 bits.
 
-All operations round to the nearest, to as many bits as the `Mpfr_precision` of the thread says; one class for all of them is compiled
-once.
+All operations round to the nearest, to as many bits as the `Mpfr_precision` of the thread says; one
+class for all of them is compiled once.
 */
 class Mpfr_number {
 public:

@@ -7,15 +7,10 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 
 #include <CGAL/Gmpq.h>
-#include <CGAL/assertions.h>
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
-#include <bit>
 #include <cstddef>
-#include <stdexcept>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -58,11 +53,7 @@ public:
   std::size_t number_of_terms() const { return terms_.size(); }
 
   /// returns the rational coefficient of sqrt(d_radical).
-  Gmpq coefficient(Mask radical) const {
-    for (const Term& t : terms_)
-      if (t.radical == radical) return t.coefficient;
-    return Gmpq(0);
-  }
+  Gmpq coefficient(Mask radical) const;
 
   /// returns the value in another number type. \param from_rational converts a `Gmpq` to that type
   template <class From_rational>
@@ -84,52 +75,20 @@ public:
   are products of those of x: there are as many levels as these products have generators, no more.
   \pre the number is not zero
   */
-  Multiquadratic_number inverse() const {
-    CGAL_precondition(!is_zero());
-    if (terms_.size() == 1) {
-      const auto& [radical, q] = terms_.front();
-      return {basis_, {{radical, Gmpq(1) / (radical == 0 ? q : q * basis_->product(radical))}}};
-    }
-    const Mask g = std::bit_floor(terms_.back().radical);
-    Multiquadratic_number conjugate = *this, norm;
-    for (Term& t : conjugate.terms_)
-      if ((t.radical & g) != 0) t.coefficient = -t.coefficient;
-    norm = *this * conjugate;
-    return conjugate * norm.inverse();
-  }
+  Multiquadratic_number inverse() const;
 
   /// returns the negated number.
   Multiquadratic_number operator-() const { return Multiquadratic_number() - *this; }
 
   /// adds.
   friend Multiquadratic_number operator+(const Multiquadratic_number& x,
-                                         const Multiquadratic_number& y) {
-    return sum(x, y, [](const Gmpq& q) { return q; });
-  }
+                                         const Multiquadratic_number& y);
   /// subtracts.
   friend Multiquadratic_number operator-(const Multiquadratic_number& x,
-                                         const Multiquadratic_number& y) {
-    return sum(x, y, [](const Gmpq& q) { return -q; });
-  }
+                                         const Multiquadratic_number& y);
   /// \throws std::length_error see `Square_class_basis::limit_products()`
   friend Multiquadratic_number operator*(const Multiquadratic_number& x,
-                                         const Multiquadratic_number& y) {
-    const Square_class_basis* basis = common_basis(x, y);
-    if (basis != nullptr) basis->count_pairs(x.terms_.size() * y.terms_.size());
-    std::vector<Term> all;
-    all.reserve(x.terms_.size() * y.terms_.size());
-    for (const Term& s : x.terms_)
-      for (const Term& t : y.terms_) {
-        const Mask common = s.radical & t.radical;
-        const Gmpq q = s.coefficient * t.coefficient;
-        all.push_back({s.radical ^ t.radical, common == 0 ? q : q * basis->product(common)});
-      }
-    std::sort(all.begin(), all.end(),
-              [](const Term& s, const Term& t) { return s.radical < t.radical; });
-    Multiquadratic_number result(basis, {});
-    for (const Term& t : all) result.add(t);
-    return result.normal();
-  }
+                                         const Multiquadratic_number& y);
   /// \pre `y` is not zero
   friend Multiquadratic_number operator/(const Multiquadratic_number& x,
                                          const Multiquadratic_number& y) {
@@ -146,12 +105,7 @@ public:
   Multiquadratic_number& operator/=(const Multiquadratic_number& y) { return *this = *this / y; }
 
   /// tells whether two numbers are equal, exactly.
-  friend bool operator==(const Multiquadratic_number& x, const Multiquadratic_number& y) {
-    return std::equal(x.terms_.begin(), x.terms_.end(), y.terms_.begin(), y.terms_.end(),
-                      [](const Term& s, const Term& t) {
-                        return s.radical == t.radical && s.coefficient == t.coefficient;
-                      });
-  }
+  friend bool operator==(const Multiquadratic_number& x, const Multiquadratic_number& y);
 
 private:
   struct Term {
@@ -165,34 +119,14 @@ private:
       : terms_(terms), basis_(basis) {}
 
   static const Square_class_basis* common_basis(const Multiquadratic_number& x,
-                                                const Multiquadratic_number& y) {
-    CGAL_precondition(x.basis_ == nullptr || y.basis_ == nullptr || x.basis_ == y.basis_);
-    return x.basis_ != nullptr ? x.basis_ : y.basis_;
-  }
+                                                const Multiquadratic_number& y);
 
   template <class Signed>
   static Multiquadratic_number sum(const Multiquadratic_number& x, const Multiquadratic_number& y,
-                                   const Signed& with_sign) {
-    Multiquadratic_number result(common_basis(x, y), {});
-    result.terms_.reserve(x.terms_.size() + y.terms_.size());
-    auto s = x.terms_.begin();
-    for (const Term& t : y.terms_) {
-      for (; s != x.terms_.end() && s->radical <= t.radical; ++s) result.add(*s);
-      result.add({t.radical, with_sign(t.coefficient)});
-    }
-    for (; s != x.terms_.end(); ++s) result.add(*s);
-    return result.normal();
-  }
+                                   const Signed& with_sign);
 
   // adds a term whose radical is not below those that are there
-  void add(const Term& t) {
-    if (terms_.empty() || terms_.back().radical != t.radical) {
-      if (t.coefficient.sign() != ZERO) terms_.push_back(t);
-      return;
-    }
-    terms_.back().coefficient += t.coefficient;
-    if (terms_.back().coefficient.sign() == ZERO) terms_.pop_back();
-  }
+  void add(const Term& t);
 
   // rational numbers belong to every basis
   Multiquadratic_number& normal() {

@@ -8,16 +8,12 @@
 #include <CGAL/Gmpz.h>
 #include <CGAL/assertions.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -71,57 +67,28 @@ public:
   \return the root, or nothing if it needs a new representative and there are `max_dimension`
   \complexity one Legendre symbol for each representative and the root of one integer
   */
-  std::optional<Square_root> sqrt_of(const Gmpq& x) {
-    CGAL_precondition(x.sign() != NEGATIVE);
-    if (x.sign() == ZERO) return Square_root{};
-    auto [n, factor] = to_integer(x);
-    std::optional<Square_root> root = sqrt_of(n);
-    if (root) root->factor *= factor;
-    return root;
-  }
+  std::optional<Square_root> sqrt_of(const Gmpq& x);
 
   /*!
-  \brief writes the square root of a positive integer in the basis; fast where it is a representative.
+  \brief writes the square root of a positive integer in the basis; fast where it is a
+  representative.
   \return as for rationals
   */
-  std::optional<Square_root> sqrt_of(const Gmpz& n) {
-    if (n == one_) return Square_root{Gmpq(1), 0};
-    for (std::size_t i = 0; i < dimension(); ++i)
-      if (generators_[i].d == n) return Square_root{Gmpq(1), Mask(1) << i};
-    const Mask candidate = find_candidate(n);
-    const Gmpz square = n * product(candidate);
-    if (mpz_perfect_square_p(square.mpz()) != 0)
-      return Square_root{Gmpq(sqrt_of_square(square), product(candidate)), candidate};
-    if (dimension() == max_dimension) return std::nullopt;
-    append(n, candidate, square);
-    return Square_root{Gmpq(1), Mask(1) << (dimension() - 1)};
-  }
+  std::optional<Square_root> sqrt_of(const Gmpz& n);
 
   /// divides `n` by a square that is cheap to find, and returns its root. \pre `n` is positive
-  static Gmpz extract_square(Gmpz& n) {
-    if (mpz_perfect_square_p(n.mpz()) != 0) return sqrt_of_square(std::exchange(n, Gmpz(1)));
-    const unsigned long twos = mpz_scan1(n.mpz(), 0) / 2;
-    Gmpz rest, root(1);
-    mpz_fdiv_q_2exp(rest.mpz(), n.mpz(), 2 * twos);
-    mpz_mul_2exp(root.mpz(), root.mpz(), twos);
-    for (const unsigned long p : {3UL, 5UL, 7UL, 11UL, 13UL, 17UL, 19UL, 23UL, 29UL, 31UL})
-      while (mpz_divisible_ui_p(rest.mpz(), p * p) != 0) {
-        mpz_divexact_ui(rest.mpz(), rest.mpz(), p * p);
-        mpz_mul_ui(root.mpz(), root.mpz(), p);
-      }
-    n = rest;
-    return root;
-  }
+  static Gmpz extract_square(Gmpz& n);
 
   /*!
-  \brief bounds the time that products of numbers of the basis may take from now on: when more than `pairs` pairs of terms
-  have been multiplied, `std::length_error` is thrown.
+  \brief bounds the time that products of numbers of the basis may take from now on: when more than
+  `pairs` pairs of terms have been multiplied, `std::length_error` is thrown.
 
-  A number of a field of k square roots has up to 2^k terms, but sums of many lengths have few: the flat
-  picture of a strip of n rectangles has about n^2.
+  A number of a field of k square roots has up to 2^k terms, but sums of many lengths have few: the
+  flat picture of a strip of n rectangles has about n^2.
   */
   void limit_products(std::size_t pairs) { pairs_left_ = pairs; }
-  /// counts the pairs of terms that are multiplied. \throws std::length_error see `limit_products()`
+  /// counts the pairs of terms that are multiplied. \throws std::length_error see
+  /// `limit_products()`
   void count_pairs(std::size_t pairs) const {
     if (pairs > pairs_left_) throw std::length_error("products have too many terms");
     pairs_left_ -= pairs;
@@ -144,16 +111,7 @@ public:
   \pre all bits are below `dimension()`
   \return a reference that stays valid until a new representative enters
   */
-  const Gmpz& product(Mask mask) const {
-    if (mask == 0) return one_;
-    if (std::has_single_bit(mask)) return generators_[std::size_t(std::countr_zero(mask))].d;
-    const auto found = products_.find(mask);
-    if (found != products_.end()) return found->second;
-    Gmpz p(1);
-    for (Mask rest = mask; rest != 0; rest &= rest - 1)
-      p *= generators_[std::size_t(std::countr_zero(rest))].d;
-    return products_.emplace(mask, p).first->second;
-  }
+  const Gmpz& product(Mask mask) const;
 
 private:
   struct Generator {
@@ -163,75 +121,11 @@ private:
     Mask symbols;        // bit i is set iff chi_{p_i}(e) = -1; no bit below this generator's
   };
 
-  // returns n and c with sqrt(x) = c sqrt(n)
-  static std::pair<Gmpz, Gmpq> to_integer(const Gmpq& x) {
-    Gmpz n = x.numerator(), m = x.denominator();
-    const Gmpz a = extract_square(n), b = extract_square(m);
-    return {n * m, Gmpq(a, b * m)};
-  }
-
-  static Gmpz sqrt_of_square(const Gmpz& n) {
-    Gmpz root;
-    mpz_sqrt(root.mpz(), n.mpz());
-    return root;
-  }
-
-  // tells whether chi_p(n) = -1
-  static bool is_negative_symbol(const Gmpz& n, unsigned long p) {
-    const int symbol = mpz_kronecker_ui(n.mpz(), p);
-    if (symbol != 0) return symbol < 0;
-    const Gmpz factor(p);
-    Gmpz rest;
-    mpz_remove(rest.mpz(), n.mpz(), factor.mpz());
-    return mpz_kronecker_ui(rest.mpz(), p) < 0;
-  }
-
-  // odd primes below 2^32; half of them have a given symbol, so that a full basis needs about 128
-  static unsigned long prime_after(unsigned long p) {
-    static const auto primes = [] {
-      std::array<unsigned long, 160> list{};
-      unsigned long q = 1UL << 30;
-      for (unsigned long& x : list) x = q = next_prime(q);
-      return list;
-    }();
-    const auto found = std::upper_bound(primes.begin(), primes.end(), p);
-    return found == primes.end() ? next_prime(p) : *found;
-  }
-  static unsigned long next_prime(unsigned long p) {
-    const Gmpz n(p);
-    Gmpz next;
-    mpz_nextprime(next.mpz(), n.mpz());
-    return mpz_get_ui(next.mpz());
-  }
-
   // returns the only set S for which n d_S can be a square
-  Mask find_candidate(const Gmpz& n) const {
-    Mask symbols = 0, candidate = 0;
-    for (std::size_t i = 0; i < dimension(); ++i)
-      if (is_negative_symbol(n, generators_[i].prime)) symbols |= Mask(1) << i;
-    for (std::size_t i = 0; i < dimension(); ++i)
-      if ((symbols >> i & 1) != 0) {
-        symbols ^= generators_[i].symbols;
-        candidate ^= generators_[i].e_of;
-      }
-    CGAL_postcondition(symbols == 0);
-    return candidate;
-  }
+  Mask find_candidate(const Gmpz& n) const;
 
   // makes n a representative; e = n d_S with S the candidate is not a square
-  void append(const Gmpz& n, Mask candidate, const Gmpz& e) {
-    const std::size_t k = dimension();
-    const Mask bit = Mask(1) << k;
-    unsigned long p = prime_after(k == 0 ? 1UL << 30 : generators_.back().prime);
-    while (!is_negative_symbol(e, p)) p = prime_after(p);
-    Mask negative = 0; // representatives with chi_p(d) = -1
-    for (std::size_t i = 0; i < k; ++i)
-      if (is_negative_symbol(generators_[i].d, p)) negative |= Mask(1) << i;
-    if (is_negative_symbol(n, p)) negative |= bit;
-    generators_.push_back({n, p, candidate | bit, bit});
-    for (std::size_t i = 0; i < k; ++i)
-      if (std::popcount(generators_[i].e_of & negative) % 2 != 0) generators_[i].symbols |= bit;
-  }
+  void append(const Gmpz& n, Mask candidate, const Gmpz& e);
 
   std::vector<Generator> generators_;
   mutable std::size_t pairs_left_ = std::numeric_limits<std::size_t>::max();

@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -20,8 +19,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief lists the halfedges that were flipped, the first flip first.
 
-With the connectivity after the flips, the list tells all: flips are taken back one by one. It also remembers which edges
-were ever flipped: a face none of whose sides was is a face of the input.
+With the connectivity after the flips, the list tells all: flips are taken back one by one. It also
+remembers which edges were ever flipped: a face none of whose sides was is a face of the input.
 */
 class Flip_list {
 public:
@@ -61,39 +60,14 @@ public:
   }
   /// returns the connectivity of the input, where each face has its first side.
   /// \param mesh that after the flips \param input the surface
-  Gluing_map input_mesh(Gluing_map mesh, const Input_definition& input) const {
-    mesh = undone(std::move(mesh), [](auto&&...) {});
-    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
-      mesh.set_halfedge(Gluing_map::Face{f}, first_side(mesh, {f}, input));
-    choose_halfedges_of_vertices(mesh);
-    return mesh;
-  }
+  Gluing_map input_mesh(Gluing_map mesh, const Input_definition& input) const;
 
   /// returns the first side of a face of the input: the metric names it where the connectivity is
   /// not kept.
   static Gluing_map::Halfedge first_side(const Gluing_map& mesh, Gluing_map::Face f,
-                                         const Input_definition& input) {
-    if (input.surface() != nullptr) return {input.surface()->halfedge_of_face(f.index)};
-    const Input_metric& metric = input.metric();
-    const auto name = [&](Gluing_map::Halfedge h) {
-      return metric.name(mesh.source(h).index, h.index / 2);
-    };
-    for (const Gluing_map::Halfedge h : mesh.sides(f)) {
-      const Gluing_map::Halfedge n = mesh.next(h);
-      if (metric.slot(f.index, {name(h), name(n), name(mesh.next(n))}) == 0U) return h;
-    }
-    throw std::logic_error("flips that were taken back do not lead to the input");
-  }
+                                         const Input_definition& input);
 
 private:
-  // those on the border, which have no choice of flips in them
-  static void choose_halfedges_of_vertices(Gluing_map& mesh) {
-    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
-      for (const Gluing_map::Halfedge h : mesh.sides({f})) mesh.set_halfedge(mesh.target(h), h);
-    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
-      if (mesh.face({h}).index == Gluing::none) mesh.set_halfedge(mesh.target({h}), {h});
-  }
-
   std::vector<std::uint32_t> halfedges_;
   std::vector<bool> is_flipped_; // by edge; of a flip that was taken back, too
 };

@@ -71,8 +71,9 @@ flipped(const Diamond_values<Ball<Double_double>>& d) {
 /*!
 \brief knows the flips that have made some faces, or all, and makes them again in any arithmetic.
 
-Each flip is rational in the values that it finds, so that the values of faces lie in the field of the areas of the input.
-This takes few steps where edges cross very many input edges: n flips can make 1.6^n crossings.
+Each flip is rational in the values that it finds, so that the values of faces lie in the field of
+the areas of the input. This takes few steps where edges cross very many input edges: n flips can
+make 1.6^n crossings.
 */
 class Replayed_faces {
 public:
@@ -85,19 +86,7 @@ public:
   \complexity linear in the number of flips and of elements
   */
   Replayed_faces(const Input_definition& input, Gluing_map mesh, const Flip_list& flips,
-                 std::vector<Indexed_face> faces)
-      : input_(&input), flips_(&flips), is_needed_(flips.size()), faces_(std::move(faces)) {
-    std::vector<char> is_needed(mesh.number_of_faces(), 0);
-    for (const Indexed_face& f : faces_) is_needed[f.face] = 1;
-    mesh_ = flips.undone(std::move(mesh), [&](std::size_t n, const Gluing_map& after) {
-      char& f = is_needed[after.face(flips[n]).index];
-      char& g = is_needed[after.face(Gluing_map::opposite(flips[n])).index];
-      if (f == 0 && g == 0) return;
-      f = g = 1;
-      is_needed_[n] = true;
-      ++size_;
-    });
-  }
+                 std::vector<Indexed_face> faces);
   /// takes all flips, since faces are most of those of a triangulation of a surface; see above.
   Replayed_faces(const Input& surface, const Flip_list& flips, std::vector<Indexed_face> faces)
       : input_(&surface), mesh_(surface.mesh()), flips_(&flips), is_needed_(flips.size(), true),

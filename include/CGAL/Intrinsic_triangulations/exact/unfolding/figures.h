@@ -30,8 +30,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief is a diamond over the input triangles that reach its corners, unfolded into a plane.
 
-With the first side of a triangle from z_t to z_u, squared lengths L_t of the side, L_u of the next and L_v of the last,
-and D = 4 L_t L_v - p^2, p = L_t + L_v - L_u, its apex is
+With the first side of a triangle from z_t to z_u, squared lengths L_t of the side, L_u of the next
+and L_v of the last, and D = 4 L_t L_v - p^2, p = L_t + L_v - L_u, its apex is
 
     z_v = z_t + (z_u - z_t) w,     w = (p + sqrt(-D)) / (2 L_t),
 
@@ -84,7 +84,8 @@ struct Unfolded_diamond {
     return triangles[corners[c].triangle].point[corners[c].corner];
   }
 
-  /// A point of the plane into which the triangles are unfolded, where point 0 is the origin and point 1 is (1, 0).
+  /// A point of the plane into which the triangles are unfolded, where point 0 is the origin and
+  /// point 1 is (1, 0).
   template <class FT>
   using Position = Plane_vector<FT>;
   /// The positions of all points.
@@ -155,28 +156,12 @@ struct Unfolded_diamond {
   /*!
   \brief returns the part that reaches all corners but one, which is put where corner k is.
 
-  Three corners may be near to each other and the fourth across hundreds of triangles. What depends on the three alone is
-  decided over the part.
+  Three corners may be near to each other and the fourth across hundreds of triangles. What depends
+  on the three alone is decided over the part.
   \param corner the corner that is left out, not k: 0 for i, 1 for j, 3 for m
   \complexity linear
   */
-  Unfolded_diamond without(std::size_t corner) const {
-    Unfolded_diamond part{{}, corners};
-    part.corners[corner] = corners[2];
-    std::vector<unsigned> below(size(), 0); // corners in the triangle and beyond
-    for (const Corner& c : part.corners) ++below[c.triangle];
-    std::uint32_t root = triangles.last(); // the last triangle from which all are reached
-    for (; below[root] < 4; --root) below[triangles[root].parent()] += below[root];
-    std::vector<std::uint32_t> number(size(), Triangles::none);
-    part.triangles.start(triangles[root].side);
-    number[root] = 0;
-    for (std::uint32_t n = root + 1; n < size(); ++n)
-      if (const std::uint32_t parent = number[triangles[n].parent()];
-          below[n] > 0 && parent != Triangles::none)
-        number[n] = part.triangles.enter(parent, triangles.exit_to(n), triangles[n].side);
-    for (Corner& c : part.corners) c.triangle = number[c.triangle];
-    return part;
-  }
+  Unfolded_diamond without(std::size_t corner) const;
 
 private:
   // the squared length of the first side of the first triangle
@@ -197,9 +182,10 @@ private:
                ((to - from) * scaled_corner(first, l[(slot + 1) % 3], l[(slot + 2) % 3], area));
   }
 
-  // Sides follow from each other along the tree, so that their errors relative to their lengths only add up; differences of
-  // positions would have the errors of all sides before, again and again. The first few positions are better as differences: they take
-  // fewer operations, some of them exact.
+  // Sides follow from each other along the tree, so that their errors relative to their lengths
+  // only add up; differences of positions would have the errors of all sides before, again and
+  // again. The first few positions are better as differences: they take fewer operations, some of
+  // them exact.
   static constexpr std::size_t few_points = 10;
 
   template <class FT, class Input_values>

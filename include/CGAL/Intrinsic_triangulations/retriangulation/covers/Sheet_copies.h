@@ -26,8 +26,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Finds the copies of inserted vertices on a cover, and the edges over seams. Where nobody knows the places of vertices, there
-// are none.
+// Finds the copies of inserted vertices on a cover, and the edges over seams. Where nobody knows
+// the places of vertices, there are none.
 template <class Triangulation>
 class Sheet_copies {
 public:
@@ -64,7 +64,8 @@ public:
     find_copies();
   }
 
-  // whether vertices have copies, and their places are known: a flip of an edge that would be crossed too often ends that
+  // whether vertices have copies, and their places are known: a flip of an edge that would be
+  // crossed too often ends that
   bool exist() const { return sheets_.has_value() && places() != nullptr; }
 
   // Flips away the edges that cross a seam, as a rule all of them. \return how many flips that took
@@ -113,8 +114,9 @@ public:
     if (is_on_seam(p)) on_seam_.erase({p.halfedge / 2, parameter(p)});
   }
 
-  // Where a place of the input is now: on an edge if there is one along the input edge of the place. Away from seams rounding may have
-  // moved it to a face beside that where it is: those beyond the sides come next, the nearest first.
+  // Where a place of the input is now: on an edge if there is one along the input edge of the
+  // place. Away from seams rounding may have moved it to a face beside that where it is: those
+  // beyond the sides come next, the nearest first.
   std::vector<Surface_point> locate(const Surface_point& place) const {
     if (!exist()) return {};
     if (const auto p = locate_on_seam(place)) return {*p};
@@ -171,7 +173,8 @@ private:
   }
   static double parameter(const Surface_point& p) { return p.weights[p.halfedge % 2 == 0 ? 1 : 0]; }
 
-  // By the order of vertices on the seam, without rounding; nothing if the place is on none, or that is crossed by edges.
+  // By the order of vertices on the seam, without rounding; nothing if the place is on none, or
+  // that is crossed by edges.
   std::optional<Surface_point> locate_on_seam(const Surface_point& place) const {
     if (!is_on_seam(place)) return std::nullopt;
     const std::uint32_t edge = place.halfedge / 2;

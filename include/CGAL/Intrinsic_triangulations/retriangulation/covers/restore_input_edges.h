@@ -26,7 +26,8 @@ namespace CGAL::Intrinsic_triangulations {
 */
 struct Restored_edges {
   std::uint64_t flips = 0; ///< Edges flipped.
-  /// Number in `t.input()` of the first edge that could not be restored; `Gluing::none`: all are there.
+  /// Number in `t.input()` of the first edge that could not be restored; `Gluing::none`: all are
+  /// there.
   std::uint32_t missing = Gluing::none;
 };
 
@@ -44,7 +45,8 @@ public:
 
   std::uint64_t flips() const { return result_.flips; }
 
-  // Restores an input edge, given by a halfedge, or all of its parts if vertices were inserted on it. Tells whether it is there.
+  // Restores an input edge, given by a halfedge, or all of its parts if vertices were inserted on
+  // it. Tells whether it is there.
   bool operator()(std::uint32_t x) {
     const Intrinsic_view<Triangulation> view(t_);
     std::uint32_t vertex = coordinates_.input().source(x);
@@ -77,7 +79,8 @@ private:
     return crossed;
   }
 
-  // Flips one edge so that the part of x from a vertex crosses fewer; where a face is crossed more than once, there may be none.
+  // Flips one edge so that the part of x from a vertex crosses fewer; where a face is crossed more
+  // than once, there may be none.
   bool flip_off(const Intrinsic_view<Triangulation>& view, std::uint32_t vertex, std::uint32_t x,
                 const Crossed& crossed) {
     for (const auto h : crossed) {
@@ -102,14 +105,17 @@ private:
 } // namespace internal
 
 /*!
-\brief flips edges until some edges of the input are edges of the triangulation again, or chains of edges through vertices that
-were inserted on them.
+\brief flips edges until some edges of the input are edges of the triangulation again, or chains of
+edges through vertices that were inserted on them.
 
-Other edges may not be Delaunay afterwards. With constraints on those that were restored (`constrained_input_edges()`),
-`flip_to_delaunay()` makes the constrained Delaunay triangulation, as if no flip had come before.
-\tparam Triangulation an `Intrinsic_triangulation` with a model of `CurveCoordinates` as correspondence
+Other edges may not be Delaunay afterwards. With constraints on those that were restored
+(`constrained_input_edges()`), `flip_to_delaunay()` makes the constrained Delaunay triangulation, as
+if no flip had come before.
+\tparam Triangulation an `Intrinsic_triangulation` with a model of `CurveCoordinates` as
+correspondence
 \param t the triangulation
-\param is_wanted nonzero for each edge to be restored, by its number in `t.input()`; the others are as they may
+\param is_wanted nonzero for each edge to be restored, by its number in `t.input()`; the others are
+as they may
 \return what was done; an edge that crosses a face more than once may stay away
 \complexity quadratic in the number of edges that cross an edge
 */

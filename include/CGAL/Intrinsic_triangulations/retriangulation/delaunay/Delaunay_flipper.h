@@ -21,16 +21,17 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*!
-Flips edges that wait until none is left that is not locally Delaunay (§4.2 of the course, Algorithms 1
-and 3). It can be used again and again: its memory stays.
+Flips edges that wait until none is left that is not locally Delaunay (§4.2 of the course,
+Algorithms 1 and 3). It can be used again and again: its memory stays.
 
-The tessellation that is found does not depend on the order of flips, but their number does. If short edges of
-slivers flip before long ones, they wind around the surface, and have to be flipped back. So no edge flips while a
-longer side of its faces waits: that one is tested first.
+The tessellation that is found does not depend on the order of flips, but their number does. If
+short edges of slivers flip before long ones, they wind around the surface, and have to be flipped
+back. So no edge flips while a longer side of its faces waits: that one is tested first.
 
-Starting edges are tested in the order of memory, a few at a time. What their flips make suspect is tested before the
-next ones, while it is near in memory: by length, roughly, the long ones first, and those of about the same length in
-the order in which they became suspect, so that an edge that waits is tested once for many flips near it.
+Starting edges are tested in the order of memory, a few at a time. What their flips make suspect is
+tested before the next ones, while it is near in memory: by length, roughly, the long ones first,
+and those of about the same length in the order in which they became suspect, so that an edge that
+waits is tested once for many flips near it.
 */
 template <class Triangulation>
 class Delaunay_flipper {
@@ -143,7 +144,8 @@ private:
     return true;
   }
 
-  // Tests longer sides of the faces first, before them longer sides of theirs, and so on: lengths grow along the path.
+  // Tests longer sides of the faces first, before them longer sides of theirs, and so on: lengths
+  // grow along the path.
   template <class Observer>
   bool flip_after_longer(Halfedge first, Observer& observer) {
     state(first) = not_delaunay;
@@ -196,7 +198,8 @@ private:
     return true;
   }
 
-  // Starting edges at a time. With 64, edges of a torus are tested more often; with all, split meshes take twice the time.
+  // Starting edges at a time. With 64, edges of a torus are tested more often; with all, split
+  // meshes take twice the time.
   static constexpr std::size_t block = 1024;
 
   Triangulation& t_;

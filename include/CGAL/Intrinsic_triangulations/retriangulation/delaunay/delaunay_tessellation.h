@@ -18,15 +18,16 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief tells how the mesh of a Delaunay tessellation is made of an intrinsic triangulation. Its elements are numbered in the
-order of iteration.
+\brief tells how the mesh of a Delaunay tessellation is made of an intrinsic triangulation. Its
+elements are numbered in the order of iteration.
 */
 struct Delaunay_tessellation {
   /// Number of cells: faces of the mesh.
   std::uint32_t number_of_cells = 0;
   /// For each number of an intrinsic face the cell that contains it.
   std::vector<std::uint32_t> cell;
-  /// For each edge of the mesh the number of the intrinsic edge that it is, with the same direction.
+  /// For each edge of the mesh the number of the intrinsic edge that it is, with the same
+  /// direction.
   std::vector<std::uint32_t> intrinsic_edge;
   /// For each vertex of the mesh its row, `t.input_vertex(v)`: its number, but of a cover.
   std::vector<std::uint32_t> row;
@@ -92,8 +93,9 @@ private:
     set_face(new_side(h), New_traits::null_face(), mesh_);
   }
 
-  // All faces of a cell are met between the halfedges of its boundary: they make a tree. If they did not, they would go
-  // around a vertex of their circle, or around its center, and that would not be flat.
+  // All faces of a cell are met between the halfedges of its boundary: they make a tree. If they
+  // did not, they would go around a vertex of their circle, or around its center, and that would
+  // not be flat.
   void add_cell(Halfedge first) {
     const auto cell = add_face(mesh_);
     set_halfedge(cell, new_side(first), mesh_);
@@ -124,18 +126,20 @@ private:
 } // namespace internal
 
 /*!
-\brief builds the Delaunay tessellation as a polygon mesh: the faces of a Delaunay triangulation, joined across edges
-whose opposite angles sum to exactly pi (§4.1 of the course).
+\brief builds the Delaunay tessellation as a polygon mesh: the faces of a Delaunay triangulation,
+joined across edges whose opposite angles sum to exactly pi (§4.1 of the course).
 
-It is the same for all Delaunay triangulations of a surface (Bobenko and Springborn 2007). Its cells are polygons that are
-inscribed in empty circles, which may have several sides in common, or one side twice: what is built is a Delta-complex.
-Lengths of its sides are those of intrinsic edges.
-\tparam Triangulation a model of `IntrinsicTriangulation` and `NumberedTriangulation`; with inexact traits some edges whose
-  angles sum to pi are kept, by rounding
-\tparam Mesh a model of `MutableFaceGraph`: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, OpenMesh's polygon meshes
+It is the same for all Delaunay triangulations of a surface (Bobenko and Springborn 2007). Its cells
+are polygons that are inscribed in empty circles, which may have several sides in common, or one
+side twice: what is built is a Delta-complex. Lengths of its sides are those of intrinsic edges.
+\tparam Triangulation a model of `IntrinsicTriangulation` and `NumberedTriangulation`; with inexact
+  traits some edges whose angles sum to pi are kept, by rounding
+\tparam Mesh a model of `MutableFaceGraph`: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, OpenMesh's
+polygon meshes
 \param t the triangulation \pre all edges are locally Delaunay; others are kept
-\param mesh an empty mesh, which is built: its vertices are those of `t` in the order of rows, `t.input_vertex(v)`,
-  without points; of a cover, a row has a vertex for each of its copies, see `Delaunay_tessellation::row`
+\param mesh an empty mesh, which is built: its vertices are those of `t` in the order of rows,
+  `t.input_vertex(v)`, without points; of a cover, a row has a vertex for each of its copies, see
+  `Delaunay_tessellation::row`
 \return what the elements of the mesh are in `t`
 \complexity linear
 */

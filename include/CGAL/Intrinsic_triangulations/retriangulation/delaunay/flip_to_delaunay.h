@@ -87,14 +87,15 @@ CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(check_delaunay)
 \brief reports what flipping to Delaunay did.
 */
 struct Flip_to_delaunay_result {
-  /// `done`, `cap` or `cancelled`: all edges that may be flipped are locally Delaunay if it is `done`.
+  /// `done`, `cap` or `cancelled`: all edges that may be flipped are locally Delaunay if it is
+  /// `done`.
   Status status = Status::done;
   /// Number of edges flipped.
   std::uint64_t flips = 0;
   /// Number of edges tested.
   std::uint64_t checks = 0;
-  /// Number of flips refused: the arithmetic made an area that is not positive, or an edge crosses too much of the
-  /// input.
+  /// Number of flips refused: the arithmetic made an area that is not positive, or an edge crosses
+  /// too much of the input.
   std::uint64_t refused_flips = 0;
 };
 
@@ -147,7 +148,8 @@ private:
   std::uint64_t cap_;
 };
 
-// Not inline, and without parameters by name: the library has it compiled for the usual triangulations.
+// Not inline, and without parameters by name: the library has it compiled for the usual
+// triangulations.
 template <class Triangulation, class EdgeRange, class Constrained, class Visitor>
 Flip_to_delaunay_result flip_from(Triangulation& t, const EdgeRange& edges,
                                   const Constrained& constrained, Visitor& visitor,
@@ -178,7 +180,8 @@ flips makes it end.
 \param t the triangulation
 \param edges the edges to start from
 \param np optional named parameters:
-  - `edge_is_constrained_map(m)`: a readable property map from edges to `bool`; constrained edges are
+  - `edge_is_constrained_map(m)`: a readable property map from edges to `bool`; constrained edges
+    are
     never flipped. Default: none is.
   - `visitor(v)`: see `Flip_to_delaunay_visitor`
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100

@@ -32,12 +32,13 @@ struct Quality {
   double maximum_aspect_ratio = 0;
   /// Mean of the aspect ratios.
   double mean_aspect_ratio = 0;
-  /// Least cotangent weight of edges between two faces; infinite if there are none. Border edges have one
-  /// cotangent, of any sign.
+  /// Least cotangent weight of edges between two faces; infinite if there are none. Border edges
+  /// have one cotangent, of any sign.
   double minimum_weight = std::numeric_limits<double>::infinity();
   /// Greatest cotangent weight of edges between two faces.
   double maximum_weight = -std::numeric_limits<double>::infinity();
-  /// Numbers of cotangent weights of such edges below 0, from 0 to 1/4, ..., from 7/4 to 2, from 2 up.
+  /// Numbers of cotangent weights of such edges below 0, from 0 to 1/4, ..., from 7/4 to 2, from 2
+  /// up.
   std::array<std::size_t, 10> weights{};
 };
 
@@ -104,12 +105,13 @@ Quality measure_quality(const Triangulation& t) {
 }
 
 /*!
-\brief returns the energy that optimal Delaunay triangulations make least: the error of interpolating
+\brief returns the energy that optimal Delaunay triangulations make least: the error of
+interpolating
 |x|^2, integrated over the faces (Chen and Xu, Optimal Delaunay triangulations, 2004).
 
-On a flat face the error is the sum of b_i b_j L_ij over its sides, in barycentric coordinates b, whose
-integral is A (L_ij + L_jk + L_ki) / 12: the energy is intrinsic. Delaunay flips lower it, and so does
-every vertex. For equilateral faces of total area A with sides l it is A l^2 / 4.
+On a flat face the error is the sum of b_i b_j L_ij over its sides, in barycentric coordinates b,
+whose integral is A (L_ij + L_jk + L_ki) / 12: the energy is intrinsic. Delaunay flips lower it, and
+so does every vertex. For equilateral faces of total area A with sides l it is A l^2 / 4.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \return the energy, in the units of the input to the fourth power

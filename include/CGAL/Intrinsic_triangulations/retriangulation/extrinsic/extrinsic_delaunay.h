@@ -6,14 +6,12 @@
 
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/input/mollification.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
@@ -41,42 +39,6 @@ struct Extrinsic_delaunay_mesh {
   Refinement_counts counts;
 };
 
-namespace internal {
-
-// Whether the surface stays straight in space when an inner edge is flipped.
-class Bend_test {
-public:
-  explicit Bend_test(const Input& input) : input_(input) {}
-
-  bool operator()(std::uint32_t h) const {
-    if (input_.is_border(h) || input_.is_border(h ^ 1U)) return true;
-    if (is_base_of_cap(h) || is_base_of_cap(h ^ 1U)) return false;
-    const std::uint32_t f = input_.face(h), g = input_.face(h ^ 1U);
-    return !(input_.quadruple_area(f) > 0) ||
-           !are_coplanar(input_.metric(), f, g, apex_slot(h ^ 1U));
-  }
-
-private:
-  // A face without area lies in the long one of its sides; a flip gives both halves to the
-  // neighbour.
-  bool is_base_of_cap(std::uint32_t h) const {
-    if (input_.quadruple_area(input_.face(h)) > 0) return false;
-    const std::uint32_t n = input_.next(h), l = input_.next(n);
-    const double base = input_.squared_length(h / 2);
-    return base > input_.squared_length(n / 2) && base > input_.squared_length(l / 2);
-  }
-  // the slot in the metric of the corner behind a halfedge
-  std::uint32_t apex_slot(std::uint32_t h) const {
-    const Input_metric::Sides& corners = input_.metric().sides(input_.face(h));
-    const std::uint32_t apex = input_.source(input_.next(input_.next(h)));
-    return static_cast<std::uint32_t>(corners[0] == apex ? 0 : corners[1] == apex ? 1 : 2);
-  }
-
-  const Input& input_;
-};
-
-} // namespace internal
-
 /*!
 \brief tells for each edge of an input whether the surface is bent there: the border, and edges
 between faces that do not lie in one plane side by side.
@@ -85,16 +47,7 @@ Exact: an edge that is not bent may be flipped, and its faces stay straight in s
 \throws Invalid_input if lengths are not those of points in space
 \complexity linear
 */
-inline std::vector<char> bent_edges(const Input& input) {
-  if (!input.metric().is_in_space())
-    throw Invalid_input(Element_kind::none, 0,
-                        "an extrinsic triangulation needs a mesh in space whose lengths are those "
-                        "of its points; build it with `Mollification::none`");
-  const internal::Bend_test is_bent(input);
-  std::vector<char> result;
-  for (std::uint32_t e = 0; e < input.number_of_edges(); ++e) result.push_back(is_bent(2 * e));
-  return result;
-}
+std::vector<char> bent_edges(const Input& input);
 
 /*!
 \brief computes an ordinary mesh in space that keeps the surface of another one and is Delaunay in
@@ -119,42 +72,42 @@ doubles, all decisions before are exact.
 \throws Invalid_input as `Intrinsic_input`, such as for a side of length zero
 \complexity linear in the number of vertices inserted, as a rule
 */
-template <class FaceGraph, NamedParameters NP = parameters::Parameters<>>
-  requires internal::Surface_in_space<FaceGraph> Extrinsic_delaunay_mesh
-  extrinsic_delaunay(const FaceGraph& mesh, const NP& np = parameters::default_values()) {
-    using namespace internal::tags;
-    internal::expect_names<minimum_angle, maximum_edge_length, maximum_insertions>(np);
-    internal::Refinement_settings settings(np);
-    settings.minimum_angle = internal::value_or<minimum_angle>(np, 0.);
-    settings.is_conforming = true;
+template <ReadableFaceGraph FaceGraph, NamedParameters NP = parameters::Parameters<>>
+Extrinsic_delaunay_mesh extrinsic_delaunay(const FaceGraph& mesh,
+                                           const NP& np = parameters::default_values()) {
+  using namespace internal::tags;
+  internal::expect_names<minimum_angle, maximum_edge_length, maximum_insertions>(np);
+  internal::Refinement_settings settings(np);
+  settings.minimum_angle = internal::value_or<minimum_angle>(np, 0.);
+  settings.is_conforming = true;
 
-    Corresponding_triangulation t(Intrinsic_input(mesh, Mollification::none));
-    Refinement_visitor visitor;
-    const auto refined = internal::refine(t, settings, bent_edges(t.input()), visitor);
-    const Common_subdivision s = common_subdivision(t);
-    const std::vector<std::array<double, 3>> points = positions(s, mesh, t.input());
+  Corresponding_triangulation t(Intrinsic_input(mesh, Mollification::none));
+  Refinement_visitor visitor;
+  const auto refined = internal::refine(t, settings, bent_edges(t.input()), visitor);
+  const Common_subdivision s = common_subdivision(t);
+  const std::vector<std::array<double, 3>> points = positions(s, mesh, t.input());
 
-    Extrinsic_delaunay_mesh result;
-    result.status = refined.result.status;
-    result.counts = refined.result.counts;
-    result.points.resize(s.number_of_intrinsic_vertices);
-    for (std::size_t v = 0; v < s.vertices.size(); ++v)
-      result.points[s.vertices[v].intrinsic] = points[v];
-    std::vector<std::uint32_t> face_on_input(t.numbers().face_capacity(t.mesh()), Gluing::none);
-    for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+  Extrinsic_delaunay_mesh result;
+  result.status = refined.result.status;
+  result.counts = refined.result.counts;
+  result.points.resize(s.number_of_intrinsic_vertices);
+  for (std::size_t v = 0; v < s.vertices.size(); ++v)
+    result.points[s.vertices[v].intrinsic] = points[v];
+  std::vector<std::uint32_t> face_on_input(t.numbers().face_capacity(t.mesh()), Gluing::none);
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
     const std::uint32_t h = s.input_halfedge[s.face_begin[f]];
     if (t.input().quadruple_area(t.input().face(h)) > 0) // in space, triangles lie over no cap
       face_on_input[s.intrinsic_face[f]] = s.input_face[f];
   }
   for (const auto f : faces(t.mesh())) {
-      const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
-      result.triangles.push_back({t.input_vertex(source(h, t.mesh())),
-                                  t.input_vertex(source(n, t.mesh())),
-                                  t.input_vertex(target(n, t.mesh()))});
-      result.input_face.push_back(face_on_input[t.index(f)]);
-    }
-    return result;
+    const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
+    result.triangles.push_back({t.input_vertex(source(h, t.mesh())),
+                                t.input_vertex(source(n, t.mesh())),
+                                t.input_vertex(target(n, t.mesh()))});
+    result.input_face.push_back(face_on_input[t.index(f)]);
   }
+  return result;
+}
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -34,9 +34,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief reports what the optimisation did.
 */
 struct Odt_result {
-  /// `done`: no edge is longer than asked, and the energy hardly changes; `cap`: that on iterations,
-  /// insertions or, with inexact numbers, flips was reached; `cancelled`; or `inaccurate`: the triangulation
-  /// must not be used.
+  /// `done`: no edge is longer than asked, and the energy hardly changes; `cap`: that on
+  /// iterations, insertions or, with inexact numbers, flips was reached; `cancelled`; or
+  /// `inaccurate`: the triangulation must not be used.
   Status status = Status::cap;
   /// Iterations done.
   unsigned iterations = 0;
@@ -76,12 +76,12 @@ struct Odt_visitor {
 namespace internal {
 
 /*!
-Splits long edges and moves inserted vertices so that the energy of `odt_energy()` falls (§4.5 of the
-course).
+Splits long edges and moves inserted vertices so that the energy of `odt_energy()` falls (§4.5 of
+the course).
 
-With the faces about a vertex kept, the energy is a quadratic polynomial of its position: every step along
-the way to the optimum lowers it, so far as all sides of the star stay visible. So do splits and Delaunay
-flips: with exact numbers the energy never rises.
+With the faces about a vertex kept, the energy is a quadratic polynomial of its position: every step
+along the way to the optimum lowers it, so far as all sides of the star stay visible. So do splits
+and Delaunay flips: with exact numbers the energy never rises.
 */
 template <class Triangulation, class Visitor>
 class Odt_optimizer {
@@ -254,8 +254,8 @@ private:
     flipper_.run(*this);
   }
 
-  // The optimum, or as far on the way there as leaves some space to the rim; nowhere if that is about where
-  // the vertex is.
+  // The optimum, or as far on the way there as leaves some space to the rim; nowhere if that is
+  // about where the vertex is.
   std::optional<Surface_point> next_place() const {
     Plane_vector<double> p = star_.optimum();
     const double space = least_space * star_.clearance({0, 0});
@@ -276,9 +276,10 @@ private:
 
   // ---- with floating point numbers
 
-  // Areas and lengths are stored apart, and thousands of moves in one place let areas drift by per cents of a face,
-  // lengths far less: what a removal takes for a straight angle is right to seven digits. So areas are taken from
-  // lengths now and then, but those of thin faces, where that cancels.
+  // Areas and lengths are stored apart, and thousands of moves in one place let areas drift by per
+  // cents of a face, lengths far less: what a removal takes for a straight angle is right to seven
+  // digits. So areas are taken from lengths now and then, but those of thin faces, where that
+  // cancels.
   void fit_areas_to_sides() {
     if constexpr (requires(Halfedge h, Flipped_values<double> n) { session_.correct_values(h, n); })
       for (const auto e : edges(mesh_)) {

@@ -8,25 +8,24 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*!
-The faces about a flat interior vertex, laid out in the plane with the vertex at the origin: a polygon that
-is star-shaped about it.
+The faces about a flat interior vertex, laid out in the plane with the vertex at the origin: a
+polygon that is star-shaped about it.
 */
 class Planar_star {
 public:
   /*!
-  Lays out the faces about the source of a halfedge. False if there is none of them on one side, if an edge
-  leads from the vertex to itself, or if the total angle is not a full one: the vertex cannot be moved.
+  Lays out the faces about the source of a halfedge. False if there is none of them on one side, if
+  an edge leads from the vertex to itself, or if the total angle is not a full one: the vertex
+  cannot be moved.
   */
   template <NumberedComplex Complex>
   bool load(const Complex& complex, std::uint32_t first) {
@@ -49,49 +48,20 @@ public:
   const std::vector<std::uint32_t>& spokes() const { return spokes_; }
 
   /*!
-  The mean of the circumcenters of the faces, weighted by their areas: where the energy of the star is least
-  (Chen and Holst 2011, Equation 4.13).
+  The mean of the circumcenters of the faces, weighted by their areas: where the energy of the star
+  is least (Chen and Holst 2011, Equation 4.13).
 
-  4 A c = (|a|^2 b_y - |b|^2 a_y, |b|^2 a_x - |a|^2 b_x) for the circumcenter c and the area A of the face
-  (0, a, b): no division by an area that may be small.
+  4 A c = (|a|^2 b_y - |b|^2 a_y, |b|^2 a_x - |a|^2 b_x) for the circumcenter c and the area A of
+  the face (0, a, b): no division by an area that may be small.
   */
-  Plane_vector<double> optimum() const {
-    double x = 0, y = 0, area = 0;
-    for (std::size_t k = 0; k < rim_.size(); ++k) {
-      const Plane_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
-      const double aa = dot(a, a), bb = dot(b, b);
-      x += aa * b[1] - bb * a[1];
-      y += bb * a[0] - aa * b[0];
-      area += cross(a, b);
-    }
-    return {x / (2 * area), y / (2 * area)};
-  }
+  Plane_vector<double> optimum() const;
 
-  /// The least distance from a point to the lines along the sides of the rim; negative where one is not
-  /// seen from inside.
-  double clearance(const Plane_vector<double>& p) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < rim_.size(); ++k) {
-      const Plane_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
-      const Plane_vector<double> side = b - a;
-      least = std::min(least, cross(side, p - a) / std::hypot(side.x, side.y));
-    }
-    return least;
-  }
+  /// The least distance from a point to the lines along the sides of the rim; negative where one is
+  /// not seen from inside.
+  double clearance(const Plane_vector<double>& p) const;
 
   /// The face that a point of the star is in, and its weights there; on an edge if it is close.
-  std::optional<Surface_point> locate(const Plane_vector<double>& p) const {
-    for (std::size_t k = 0; k < rim_.size(); ++k) {
-      const Plane_vector<double>&a = rim_[k], &b = rim_[(k + 1) % rim_.size()];
-      const double area = cross(a, b);
-      double u = cross(p, b) / area, v = cross(a, p) / area;
-      if (!(u >= -on_spoke && v >= -on_spoke && u + v < 1)) continue;
-      if (u < on_spoke) u = 0;
-      if (v < on_spoke) v = 0;
-      return Surface_point{spokes_[k], {1 - u - v, u, v}};
-    }
-    return std::nullopt;
-  }
+  std::optional<Surface_point> locate(const Plane_vector<double>& p) const;
 
 private:
   static constexpr double full_angle = 6.283185307179586476925;

@@ -45,14 +45,14 @@ Constrained_segments restore_angles(Triangulation& t, const Refinement_settings&
 } // namespace internal
 
 /*!
-\brief improves a triangulation by moving the vertices that were inserted, towards an optimal Delaunay
-triangulation (§4.5 of the course; Chen and Holst, Efficient mesh optimization schemes based on optimal
-Delaunay triangulations, 2011).
+\brief improves a triangulation by moving the vertices that were inserted, towards an optimal
+Delaunay triangulation (§4.5 of the course; Chen and Holst, Efficient mesh optimization schemes
+based on optimal Delaunay triangulations, 2011).
 
-Each iteration splits the edges that are too long at their midpoints, then moves every
-inserted vertex to the mean of the circumcenters of the faces about it, weighted by their areas, or part of
-the way where that is outside of its star, and flips edges to Delaunay. Areas become even, at the cost of
-some smaller angles than `delaunay_refine()` leaves: unless a least angle is asked for, then
+Each iteration splits the edges that are too long at their midpoints, then moves every inserted
+vertex to the mean of the circumcenters of the faces about it, weighted by their areas, or part of
+the way where that is outside of its star, and flips edges to Delaunay. Areas become even, at the
+cost of some smaller angles than `delaunay_refine()` leaves: unless a least angle is asked for, then
 `delaunay_refine()` follows, which also splits edges that are still too long. The vertices of the
 input stay, and the surface is what it was; so do vertices inserted on the border and on constrained
 edges. Moved vertices get new descriptors. With inexact traits the result is checked, see
@@ -62,12 +62,15 @@ edges. Moved vertices get new descriptors. With inexact traits the result is che
 \tparam NP a chain of named parameters
 \param t the triangulation; it may have been refined before
 \param np optional named parameters:
-  - `maximum_edge_length(x)`: edges that are longer are split, in the units of the input. Default: none is.
+  - `maximum_edge_length(x)`: edges that are longer are split, in the units of the input. Default:
+    none is.
   - `minimum_angle(x)`: least angle of faces in the end, in degrees, kept by inserting vertices.
     Default: 0, any.
   - `number_of_iterations(n)`: cap on the number of iterations. Default: 100.
-  - `maximum_insertions(n)`: cap on the number of vertices inserted. Default: a million and ten per face.
-  - `convergence(x)`: it is done when an iteration without splits lowers the energy by less than this
+  - `maximum_insertions(n)`: cap on the number of vertices inserted. Default: a million and ten per
+    face.
+  - `convergence(x)`: it is done when an iteration without splits lowers the energy by less than
+    this
     fraction. Default: 1e-3.
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
   - `visitor(v)`: see `Odt_visitor`

@@ -30,15 +30,17 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief keeps the edges that refinement splits but never flips, and the vertices that it puts on them.
+\brief keeps the edges that refinement splits but never flips, and the vertices that it puts on
+them.
 
-Such edges are those of the border and those that are constrained. Where two of them make an angle of
-less than 60 degrees at a vertex, splitting one at its midpoint may ask to split the other, and so on
-without end. Hence edges at such a vertex are split at distances from it that are powers of two, so that
-both get vertices at the same distances (Ruppert, A Delaunay refinement algorithm for quality
-2-dimensional mesh generation, 1995, section 5), and a face whose shortest side joins two such vertices is
-left alone (Shewchuk, Mesh generation for domains with small angles, 2000). Between segments whose angle is
-below the bound for angles no face can be expected to meet it, whatever the distances.
+Such edges are those of the border and those that are constrained. Where two of them make an angle
+of less than 60 degrees at a vertex, splitting one at its midpoint may ask to split the other, and
+so on without end. Hence edges at such a vertex are split at distances from it that are powers of
+two, so that both get vertices at the same distances (Ruppert, A Delaunay refinement algorithm for
+quality 2-dimensional mesh generation, 1995, section 5), and a face whose shortest side joins two
+such vertices is left alone (Shewchuk, Mesh generation for domains with small angles, 2000). Between
+segments whose angle is below the bound for angles no face can be expected to meet it, whatever the
+distances.
 
 All elements are named by numbers, lengths are those of the complex.
 */
@@ -129,14 +131,14 @@ public:
   }
 
   /*!
-  \brief tells whether two vertices are on the two sides of a small angle, neither at its corner: a line
-  between them is as short as the angle makes it.
+  \brief tells whether two vertices are on the two sides of a small angle, neither at its corner: a
+  line between them is as short as the angle makes it.
   \param v a vertex
   \param w another
-  \param bound for angles below it, in radians, it is enough that they are on both sides; for others both
-  must be at the same distance from the corner
-  \param may_be_one_segment whether the two sides may be one segment, which ends at a vertex whose total
-  angle is small: not if the line is a part of it
+  \param bound for angles below it, in radians, it is enough that they are on both sides; for others
+  both must be at the same distance from the corner
+  \param may_be_one_segment whether the two sides may be one segment, which ends at a vertex whose
+  total angle is small: not if the line is a part of it
   */
   bool are_across_small_angle(std::uint32_t v, std::uint32_t w, double bound,
                               bool may_be_one_segment = true) const {
@@ -154,9 +156,9 @@ public:
   }
 
   /*!
-  \brief tells whether on both sides of a segment a vertex is opposite that is across a small angle, at the
-  same distance from its corner as an end of the segment: opposite angles are acute then, whatever rounding
-  makes of slivers.
+  \brief tells whether on both sides of a segment a vertex is opposite that is across a small angle,
+  at the same distance from its corner as an end of the segment: opposite angles are acute then,
+  whatever rounding makes of slivers.
   \param view the triangulation
   \param h a halfedge of the segment
   */
@@ -222,8 +224,8 @@ private:
     known->second = std::min(known->second, angle);
   }
 
-  // between two segments at a corner, if it is small; between a segment and itself around its end, if
-  // that has no other and a small total angle
+  // between two segments at a corner, if it is small; between a segment and itself around its end,
+  // if that has no other and a small total angle
   std::optional<double> small_angle(std::uint32_t corner, std::uint32_t s, std::uint32_t t) const {
     const auto angle = small_angle_.find({corner, std::min(s, t), std::max(s, t)});
     return angle == small_angle_.end() ? std::nullopt : std::optional(angle->second);
@@ -243,7 +245,8 @@ private:
 
 namespace internal {
 
-// Knows which edges a property map constrains; gives the parts of those that are split what it says of them, if it is writable.
+// Knows which edges a property map constrains; gives the parts of those that are split what it says
+// of them, if it is writable.
 template <class Triangulation, class Map>
 class Constrained_parts {
   using Value = typename boost::property_traits<Map>::value_type;

@@ -29,7 +29,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What `delaunay_refine()` is asked for: one type whatever was named, so that refinement is compiled once.
+// What `delaunay_refine()` is asked for: one type whatever was named, so that refinement is
+// compiled once.
 struct Refinement_settings {
   static constexpr double any = std::numeric_limits<double>::infinity();
 
@@ -161,8 +162,8 @@ private:
     if (split_encroached()) check_touched();
   }
 
-  // whether there was a circumcenter, by what a view says of the faces, and a vertex could be inserted; if not, as a rule nothing has
-  // changed
+  // whether there was a circumcenter, by what a view says of the faces, and a vertex could be
+  // inserted; if not, as a rule nothing has changed
   template <class Complex>
   bool refine(std::uint32_t f, const Complex& view) {
     using Kind = Located_circumcenter::Kind;
@@ -198,11 +199,12 @@ private:
     return found == Insertion::done;
   }
 
-  // Splits a segment between a face and its circumcenter. The segment cuts off less than half of the
-  // face's circle, and the face is inside: the part of the segment in the circle, whose ends are vertices
-  // outside, is at least as long as the longest side of the face. Rounding alone can show a shorter one:
-  // splitting that might go on for ever. Where the new vertex is outside the circle, too, the face stays
-  // and waits again; as each split halves the segment, up to the shells, that ends.
+  // Splits a segment between a face and its circumcenter. The segment cuts off less than half of
+  // the face's circle, and the face is inside: the part of the segment in the circle, whose ends
+  // are vertices outside, is at least as long as the longest side of the face. Rounding alone can
+  // show a shorter one: splitting that might go on for ever. Where the new vertex is outside the
+  // circle, too, the face stays and waits again; as each split halves the segment, up to the
+  // shells, that ends.
   void split_between(Face f, Halfedge segment) {
     const Face_values<double> v = approximation(f);
     const double longest = *std::max_element(v.squared_lengths.begin(), v.squared_lengths.end());

@@ -48,8 +48,9 @@ struct Refinement_state {
 };
 
 /*!
-Inserts and removes vertices of a triangulation that is being refined, with their copies on the sheets of a cover, and
-flips it back to Delaunay; notes which faces changed. What is done next is for `Delaunay_refiner` to decide.
+Inserts and removes vertices of a triangulation that is being refined, with their copies on the
+sheets of a cover, and flips it back to Delaunay; notes which faces changed. What is done next is
+for `Delaunay_refiner` to decide.
 */
 template <class Triangulation>
 class Refinement_moves {
@@ -97,7 +98,8 @@ public:
   // an edge that may not be Delaunay
   void suspect(Halfedge h) { flipper_.push(h); }
 
-  // Flips until all edges that were suspected are Delaunay; `may_go_on` is asked before every check.
+  // Flips until all edges that were suspected are Delaunay; `may_go_on` is asked before every
+  // check.
   template <class May_go_on>
   bool flip(const May_go_on& may_go_on) {
     Observer<May_go_on> observer{*this, may_go_on};
@@ -131,7 +133,8 @@ public:
     flip();
     return Insertion::refused;
   }
-  // splits a segment and its copies, and removes vertices near them; false if the triangulation refuses
+  // splits a segment and its copies, and removes vertices near them; false if the triangulation
+  // refuses
   bool split(Halfedge h) {
     if (is_border(h)) h = opposite(h, mesh_);
     const double length = std::sqrt(view_.squared_length(number(h) / 2));

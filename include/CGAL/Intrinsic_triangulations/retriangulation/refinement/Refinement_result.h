@@ -14,7 +14,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief says what rounding took from a triangulation while an algorithm inserted, removed or moved vertices.
+\brief says what rounding took from a triangulation while an algorithm inserted, removed or moved
+vertices.
 */
 struct Inaccuracy {
   /// What is not as it must be.
@@ -34,8 +35,8 @@ struct Inaccuracy {
 /// Which face refinement turns to next.
 enum class Refinement_order {
   first_come, ///< the one that waits longest: neighbours in turn, in time linear in the insertions
-  largest_first, ///< that of the largest circumradius: some per cent fewer vertices; all over the mesh, which
-                 ///< is slow for millions of them
+  largest_first, ///< that of the largest circumradius: some per cent fewer vertices; all over the
+                 ///< mesh, which is slow for millions of them
   worst_first ///< that of the smallest angle
 };
 
@@ -69,7 +70,8 @@ struct Refinement_counts {
   std::uint64_t segment_splits = 0;
   /// Inserted vertices that were removed again near edges that were split.
   std::uint64_t removals = 0;
-  /// Edges flipped to keep the triangulation Delaunay, those of insertions and removals not counted.
+  /// Edges flipped to keep the triangulation Delaunay, those of insertions and removals not
+  /// counted.
   std::uint64_t flips = 0;
   /// Insertions and removals that were refused.
   std::uint64_t refused = 0;
@@ -101,14 +103,15 @@ struct Refinement_result {
 */
 struct Refinement_visitor {
   /*!
-  \brief is called now and then: about every 256 insertions, and before the first one every 65536 edges and 16384 faces that
-  are looked at.
+  \brief is called now and then: about every 256 insertions, and before the first one every 65536
+  edges and 16384 faces that are looked at.
   \return whether to go on; if not before the first insertion, some edges may not be locally
     Delaunay yet, except on covers
   */
   bool progress(const Refinement_counts&) { return true; }
   /*!
-  \brief tells whether a face is to be refined for other reasons than the criteria of `delaunay_refine()`.
+  \brief tells whether a face is to be refined for other reasons than the criteria of
+  `delaunay_refine()`.
 
   Refinement ends only if faces that are small enough are not.
   */

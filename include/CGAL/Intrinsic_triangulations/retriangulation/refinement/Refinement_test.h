@@ -28,8 +28,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief lets faces wait, named by numbers, that with the highest priority first; of equal priorities the
-one that came first.
+\brief lets faces wait, named by numbers, that with the highest priority first; of equal priorities
+the one that came first.
 
 A face that changes is pushed again, or removed: its old entry is passed over then.
 */
@@ -102,8 +102,8 @@ enum class Face_state {
 };
 
 /*!
-\brief decides whether faces meet the criteria of refinement (Algorithm 4 of the course), by signs that
-exact traits decide exactly.
+\brief decides whether faces meet the criteria of refinement (Algorithm 4 of the course), by signs
+that exact traits decide exactly.
 
 The bound of angles is the cotangent, rounded so that the angle is not below the one asked for.
 */
@@ -115,7 +115,8 @@ public:
   \param maximum_circumradius largest circumradius of faces
   \param maximum_edge_length largest length of edges
   \param scale_exponent lengths are scaled by 2^scale_exponent
-  \throws std::invalid_argument if a bound is not a number, not positive, or an angle of 60 degrees or more
+  \throws std::invalid_argument if a bound is not a number, not positive, or an angle of 60 degrees
+  or more
   */
   Refinement_test(double minimum_angle, double maximum_circumradius, double maximum_edge_length,
                   int scale_exponent) {
@@ -170,7 +171,8 @@ private:
     return std::ldexp(length * length, 2 * scale_exponent);
   }
 
-  // Most faces are good, and three signs of intervals cost more than one bound: the least angle is opposite the shortest side.
+  // Most faces are good, and three signs of intervals cost more than one bound: the least angle is
+  // opposite the shortest side.
   template <class Metric>
   bool has_certainly_no_small_angle(const Metric& metric, const Indexed_face& face) const {
     if constexpr (internal::Has_enclosures<Metric>) {
@@ -237,8 +239,8 @@ inline Unsatisfied_reason unsatisfied_reason(Face_state s, bool was_stopped) {
   return was_stopped ? Unsatisfied_reason::stopped : Unsatisfied_reason::refused;
 }
 
-// Halfedges of the faces inside a rim, one each, as many as are asked for at most; each face is found from
-// the first halfedge of the rim.
+// Halfedges of the faces inside a rim, one each, as many as are asked for at most; each face is
+// found from the first halfedge of the rim.
 template <class Triangulation>
 std::vector<typename Triangulation::halfedge_descriptor>
 faces_inside(const Triangulation& t,
@@ -260,8 +262,8 @@ faces_inside(const Triangulation& t,
   return found;
 }
 
-// Whether a vertex has no neighbour nearer than a distance, squared, in scaled units. Edges from it to
-// itself may be shorter, about vertices of small angle.
+// Whether a vertex has no neighbour nearer than a distance, squared, in scaled units. Edges from it
+// to itself may be shorter, about vertices of small angle.
 template <class Triangulation>
 bool keeps_distance(const Triangulation& t, typename Triangulation::vertex_descriptor v,
                     double squared) {

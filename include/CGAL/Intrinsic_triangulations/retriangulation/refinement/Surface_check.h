@@ -17,8 +17,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The squared quadruple area that the sides of a face span, in units of its longest side. Keeping the rounding errors, as
-// `squared_quadruple_area()` does, would take longer than the rest of the check.
+// The squared quadruple area that the sides of a face span, in units of its longest side. Keeping
+// the rounding errors, as `squared_quadruple_area()` does, would take longer than the rest of the
+// check.
 inline double spanned_area(const Face_values<double>& v) {
   const auto& [l, m, n] = v.squared_lengths;
   const double longest = std::max({l, m, n}), a = l / longest, b = m / longest,
@@ -33,12 +34,13 @@ inline double area_discrepancy(const Face_values<double>& v) {
 }
 
 /*!
-Checks that an algorithm that computes with rounding has kept the surface: constructed before, asked after.
+Checks that an algorithm that computes with rounding has kept the surface: constructed before, asked
+after.
 
-A move replaces faces by others of the same area up to eight units in the last place of it, 2^-50, as long as
-they are faces: a million moves on one spot stay within 2^-30 of the area, sums far below. Lengths that rounding
-has spoilt show in the faces that they do not span: where these fit to 2^-16, so do the angles of faces that
-are not thin.
+A move replaces faces by others of the same area up to eight units in the last place of it, 2^-50,
+as long as they are faces: a million moves on one spot stay within 2^-30 of the area, sums far
+below. Lengths that rounding has spoilt show in the faces that they do not span: where these fit to
+2^-16, so do the angles of faces that are not thin.
 
 With exact traits nothing is computed. Else the time is linear.
 */

@@ -28,9 +28,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Finds the positions of the fewest numbers whose squares sum to a share of the sum of all squares (the bulk criterion of
-// Dörfler 1996), the largest first; none where all are zero. Throws std::invalid_argument if the share is out of range, or
-// a number negative or not finite.
+// Finds the positions of the fewest numbers whose squares sum to a share of the sum of all squares
+// (the bulk criterion of Dörfler 1996), the largest first; none where all are zero. Throws
+// std::invalid_argument if the share is out of range, or a number negative or not finite.
 inline std::vector<std::size_t> mark_bulk(const std::vector<double>& indicators, double bulk) {
   if (!(bulk > 0 && bulk <= 1))
     throw std::invalid_argument("the bulk must be above 0 and at most 1");
@@ -58,10 +58,11 @@ inline std::vector<std::size_t> mark_bulk(const std::vector<double>& indicators,
 
 // Remembers faces, as a visitor of `delaunay_refine()` that asks for their refinement.
 //
-// A flip gives the number of a face to another one, so that a face is known by its corners and its area. It is
-// bad while it is there: until its circumcenter is inserted, or a vertex close by. A face that has come
-// to stand between the same vertices is bad too if it is not smaller. All bad faces have at least the area of
-// the smallest marked one, and with it a circumradius bounded from below: refinement ends.
+// A flip gives the number of a face to another one, so that a face is known by its corners and its
+// area. It is bad while it is there: until its circumcenter is inserted, or a vertex close by. A
+// face that has come to stand between the same vertices is bad too if it is not smaller. All bad
+// faces have at least the area of the smallest marked one, and with it a circumradius bounded from
+// below: refinement ends.
 template <RefinableTriangulation Triangulation>
 class Marked_faces : public Refinement_visitor {
 public:
@@ -116,9 +117,9 @@ struct Adaptive_refinement_round {
 \brief reports what adaptive refinement did.
 */
 struct Adaptive_refinement_result {
-  /// `done`: the estimated error is at most the tolerance; `cap`: that on the number of vertices or of
-  /// rounds was reached; `stalled`: no vertex could be inserted in the faces of large error; `cancelled`;
-  /// `inaccurate`: the triangulation must not be used.
+  /// `done`: the estimated error is at most the tolerance; `cap`: that on the number of vertices or
+  /// of rounds was reached; `stalled`: no vertex could be inserted in the faces of large error;
+  /// `cancelled`; `inaccurate`: the triangulation must not be used.
   Status status = Status::done;
   /// The triangulations, the one refinement started from first; the last one is that in the end.
   std::vector<Adaptive_refinement_round> rounds;
@@ -183,18 +184,18 @@ inline double root_of_squares(const std::vector<double>& values) {
 } // namespace internal
 
 /*!
-\brief refines where a function that is computed on the triangulation has large errors, until its estimated
-error is small enough (§4.6 of the course; Sharp, Soliman, Crane 2019, §5.4).
+\brief refines where a function that is computed on the triangulation has large errors, until its
+estimated error is small enough (§4.6 of the course; Sharp, Soliman, Crane 2019, §5.4).
 
-Every round computes the function and an indicator of its error per face, marks the faces that have the
-bulk of the error, and makes them smaller by Delaunay refinement. Before the first round the triangulation is
-made Delaunay and brought to the least angle, on which constants of error estimates depend. The estimate is
-the user's: `residual_indicators()` has some.
+Every round computes the function and an indicator of its error per face, marks the faces that have
+the bulk of the error, and makes them smaller by Delaunay refinement. Before the first round the
+triangulation is made Delaunay and brought to the least angle, on which constants of error estimates
+depend. The estimate is the user's: `residual_indicators()` has some.
 
 \tparam Triangulation a model of `RefinableTriangulation`
-\tparam Estimate a functor called with `Triangulation&`, of which it changes nothing but the precision of
-  values; it returns a `std::vector<double>` of error indicators, at the numbers of faces, of size
-  `t.numbers().face_capacity(t.mesh())`. Their squares sum to that of the error.
+\tparam Estimate a functor called with `Triangulation&`, of which it changes nothing but the
+  precision of values; it returns a `std::vector<double>` of error indicators, at the numbers of
+  faces, of size `t.numbers().face_capacity(t.mesh())`. Their squares sum to that of the error.
 \tparam NP a chain of named parameters
 \param t the triangulation
 \param estimate computes the function, and indicators of its error
@@ -204,15 +205,16 @@ the user's: `residual_indicators()` has some.
     (Dörfler 1996): the larger, the fewer rounds; the smaller, the fewer vertices. Above 0, at most 1.
     Default: 0.5.
   - `minimum_angle(x)`: least angle of faces, in degrees; see `delaunay_refine()`. Default: 25.
-  - `maximum_vertices(n)`: cap on the number of vertices, those of the input included, copies on a cover counted once.
+  - `maximum_vertices(n)`: cap on the number of vertices, those of the input included, copies on a
+    cover counted once.
     Default: 100000.
   - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 100.
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
   - `visitor(v)`: see `Adaptive_refinement_visitor`
-\return status, and what was reached in every round; the last call of `estimate` was with the triangulation as
-  it is in the end, unless that is `inaccurate`
-\throws std::invalid_argument if an option makes no sense, an indicator is negative or not finite, or there are
-  not as many as numbers of faces
+\return status, and what was reached in every round; the last call of `estimate` was with the
+  triangulation as it is in the end, unless that is `inaccurate`
+\throws std::invalid_argument if an option makes no sense, an indicator is negative or not finite,
+  or there are not as many as numbers of faces
 \complexity that of the functor and of `delaunay_refine()`, per round
 */
 template <RefinableTriangulation Triangulation, class Estimate,
@@ -233,7 +235,8 @@ requires std::is_invocable_r_v<std::vector<double>, Estimate&, Triangulation&>
     result.status = status;
     return result;
   };
-  // with no more insertions, those of copies included, than the cap on vertices allows; tells how to go on
+  // with no more insertions, those of copies included, than the cap on vertices allows; tells how
+  // to go on
   const auto refine = [&](auto marks) {
     const std::size_t n = internal::number_of_rows(t);
     const std::uint64_t left = n < limit.vertices ? limit.vertices - n : 0;

@@ -20,8 +20,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief returns the barycentric coordinates of the circumcenter of a face: in order, of the corners where
-the sides start.
+\brief returns the barycentric coordinates of the circumcenter of a face: in order, of the corners
+where the sides start.
 
 L_jk (L_ij + L_ki - L_jk) / a^2 for the corner i, as these products sum to a^2 (Heron).
 \param squared_lengths of the sides ij, jk, ki
@@ -85,8 +85,8 @@ Located_circumcenter arrived(Surface_point p, const Geodesic_face& face,
 
 In a Delaunay triangulation the disk about it has no vertex inside, thus is flat.
 \tparam Complex a model of `NumberedComplex`
-\tparam Is_segment a functor that tells of a halfedge whether its edge must not be crossed: true on the
-border
+\tparam Is_segment a functor that tells of a halfedge whether its edge must not be crossed: true on
+the border
 \param complex the surface
 \param h a halfedge of the face
 \param is_segment the functor

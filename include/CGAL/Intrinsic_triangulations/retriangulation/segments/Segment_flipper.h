@@ -22,7 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief reports what shortening curves did.
 */
 struct Shortening_result {
-  /// `done`: all curves are geodesic, or have contracted to a vertex; `stopped`, `cap` or `cancelled` before that.
+  /// `done`: all curves are geodesic, or have contracted to a vertex; `stopped`, `cap` or
+  /// `cancelled` before that.
   Status status = Status::done;
   /// Number of edges flipped.
   std::uint64_t flips = 0;
@@ -32,7 +33,8 @@ struct Shortening_result {
   std::uint64_t wedge_checks = 0;
   /// Number of those that were exactly pi.
   std::uint64_t exact_ties = 0;
-  /// Number of flips refused: the arithmetic made an area that is not positive, or an edge crosses too much of the input.
+  /// Number of flips refused: the arithmetic made an area that is not positive, or an edge crosses
+  /// too much of the input.
   std::uint64_t refused_flips = 0;
 
   /// adds counts; the status is the last one.
@@ -96,8 +98,9 @@ public:
   Wedge_flipper(const Triangulation& t, Session& session, Flip_log<Triangulation>* log)
       : t_(t), session_(session), log_(log) {}
 
-  // Flips edges between two halfedges from the same vertex, the first one that can be flipped, until none can; false if
-  // there would be more than `most` flips. `flipped(e)` is called after each flip.
+  // Flips edges between two halfedges from the same vertex, the first one that can be flipped,
+  // until none can; false if there would be more than `most` flips. `flipped(e)` is called after
+  // each flip.
   template <class Function>
   bool operator()(Halfedge from, Halfedge to, bool is_clockwise, std::uint64_t most,
                   Shortening_result& result, const Function& flipped) {

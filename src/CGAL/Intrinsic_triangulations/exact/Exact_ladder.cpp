@@ -1,10 +1,6 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_H
-
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Ladder_memory.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
@@ -17,6 +13,9 @@
 #include <CGAL/Intrinsic_triangulations/exact/proofs/mirrored.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/prism.h>
 
+#include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -24,10 +23,7 @@
 #include <type_traits>
 #include <vector>
 
-/*!
-\file
-The order in which exact traits decide signs that the stored intervals of a metric leave open.
-*/
+// The order in which exact traits decide signs that the stored intervals of a metric leave open.
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -69,21 +65,20 @@ Sign Exact_ladder::sign(const Input_metric& input, const Figure& figure,
   return climb.sign();
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_ladder::Memory& Exact_ladder::memory() {
+Exact_ladder::Memory& Exact_ladder::memory() {
   if (memory_ == nullptr) memory_ = std::make_shared<Memory>();
   return *memory_;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Face_values<Exact_ladder::FT>>
+std::vector<Face_values<Exact_ladder::FT>>
 Exact_ladder::enclosures(const Input_metric& input, const Unfolded_faces& faces, unsigned bits) {
   return memory().with_numbers(
       bits, [&](auto& numbers) { return Memory::values(input, faces, numbers); },
       [](const auto& values) { return internal::intervals(values); });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Exact_ladder::FT
-Exact_ladder::squared_length(const Input_metric& input, const Unfolded_diamond& diamond,
-                             unsigned bits) {
+Exact_ladder::FT Exact_ladder::squared_length(const Input_metric& input,
+                                              const Unfolded_diamond& diamond, unsigned bits) {
   return memory().with_numbers(
       bits,
       [&](auto& numbers) {
@@ -95,8 +90,10 @@ Exact_ladder::squared_length(const Input_metric& input, const Unfolded_diamond& 
 
 namespace internal {
 
-// Visits the values of faces with rounding to the nearest. Each face of the input is asked for once,
-// and many are: nothing is remembered.
+namespace {
+
+// Visits the values of faces with rounding to the nearest. Each face of the input is asked for
+// once, and many are: nothing is remembered.
 template <class Number, class Visit>
 void replay(const Input_metric& input, const Replayed_faces& faces, const Visit& visit) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
@@ -122,17 +119,18 @@ void replay_in_intervals(const Input_metric& input, const Replayed_faces& faces,
   hand_out();
 }
 
+} // namespace
+
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Exact_ladder::for_each_enclosure(const Input_metric& input, const Replayed_faces& faces,
-                                 unsigned bits, const Visit& visit) {
+void Exact_ladder::for_each_enclosure(const Input_metric& input, const Replayed_faces& faces,
+                                      unsigned bits, const Visit& visit) {
   if (bits <= 106) return internal::replay_in_intervals<Ball<Double_double>>(input, faces, visit);
   const Mpfr_precision precision(bits);
   internal::replay_in_intervals<Ball<Mpfr_number>>(input, faces, visit);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::optional<double>>
+std::vector<std::optional<double>>
 Exact_ladder::weights(const Input_metric& input, const Replayed_faces& faces) {
   using Number = Ball<Double_double>;
   std::vector<std::optional<double>> result;
@@ -157,6 +155,30 @@ std::optional<double> Exact_ladder::weight(const Input_metric& input, const Figu
   return internal::to_nearest(nearest, memory().long_balls[bits]);
 }
 
-} // namespace CGAL::Intrinsic_triangulations
+// the figures on which it climbs
+template Sign Exact_ladder::sign(const Input_metric&, const Input_diamond&,
+                                 const Recorded_diamond_expression&,
+                                 Diamond_values<Interval_nt<false>>&, Predicate_statistics&);
+template Sign Exact_ladder::sign(const Input_metric&, const Flat_diamond&,
+                                 const Recorded_diamond_expression&,
+                                 Diamond_values<Interval_nt<false>>&, Predicate_statistics&);
+template Sign Exact_ladder::sign(const Input_metric&, const Unfolded_diamond&,
+                                 const Recorded_diamond_expression&,
+                                 Diamond_values<Interval_nt<false>>&, Predicate_statistics&);
+template Sign Exact_ladder::sign(const Input_metric&, const Replayed_diamond&,
+                                 const Recorded_diamond_expression&,
+                                 Diamond_values<Interval_nt<false>>&, Predicate_statistics&);
+template Sign Exact_ladder::sign(const Input_metric&, const Unfolded_faces&,
+                                 const Recorded_face_expression&,
+                                 std::vector<Face_values<Interval_nt<false>>>&,
+                                 Predicate_statistics&);
+template Sign Exact_ladder::sign(const Input_metric&, const Replayed_faces&,
+                                 const Recorded_face_expression&,
+                                 std::vector<Face_values<Interval_nt<false>>>&,
+                                 Predicate_statistics&);
+template std::optional<double> Exact_ladder::weight(const Input_metric&, const Unfolded_diamond&,
+                                                    unsigned);
+template std::optional<double> Exact_ladder::weight(const Input_metric&, const Replayed_diamond&,
+                                                    unsigned);
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_H
+} // namespace CGAL::Intrinsic_triangulations

@@ -1,12 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// before the guard: it includes this header at its end
-#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
-
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_MEMORY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_MEMORY_H
 
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
