@@ -77,6 +77,25 @@ Run run_ours(const Surface_mesh& mesh) {
   return {watch.milliseconds(), result.flips, result.checks};
 }
 
+/// A size of a problem, and the time that it took.
+struct Sample {
+  double size, milliseconds;
+};
+
+/// returns the slope of the least squares line through (log size, log time): 1 is linear.
+inline double exponent(const std::vector<Sample>& samples) {
+  const auto n = static_cast<double>(samples.size());
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (const Sample& s : samples) {
+    const double u = std::log(s.size), v = std::log(s.milliseconds);
+    x += u;
+    y += v;
+    xx += u * u;
+    xy += u * v;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
 /// returns the median of a nonempty sample.
 inline double median(std::vector<double> sample) {
   std::sort(sample.begin(), sample.end());

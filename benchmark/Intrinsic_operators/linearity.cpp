@@ -20,24 +20,6 @@ using namespace IT::benchmark;
 
 namespace {
 
-struct Sample {
-  double faces, milliseconds;
-};
-
-// Slope of the least squares line through (log faces, log time): 1 is linear.
-double exponent(const std::vector<Sample>& samples) {
-  const auto n = static_cast<double>(samples.size());
-  double x = 0, y = 0, xx = 0, xy = 0;
-  for (const Sample& s : samples) {
-    const double u = std::log(s.faces), v = std::log(s.milliseconds);
-    x += u;
-    y += v;
-    xx += u * u;
-    xy += u * v;
-  }
-  return (n * xy - x * y) / (n * xx - x * x);
-}
-
 struct Contender {
   std::string name;
   Run (*run)(const Surface_mesh&);

@@ -134,24 +134,6 @@ nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
   return result;
 }
 
-struct Sample {
-  double size, milliseconds;
-};
-
-// Slope of the least squares line through (log size, log time): 1 is linear.
-double exponent(const std::vector<Sample>& samples) {
-  const auto n = static_cast<double>(samples.size());
-  double x = 0, y = 0, xx = 0, xy = 0;
-  for (const Sample& s : samples) {
-    const double u = std::log(s.size), v = std::log(s.milliseconds);
-    x += u;
-    y += v;
-    xx += u * u;
-    xy += u * v;
-  }
-  return (n * xy - x * y) / (n * xx - x * x);
-}
-
 // A circumradius that halves the area of faces again and again doubles the vertices.
 nlohmann::json measure_linearity(const std::string& directory, double maximum) {
   const Surface_mesh mesh = read_mesh(directory, "camel");

@@ -68,7 +68,7 @@ def read_lines(path):
     lines = [parsed(text) for text in complete]
     for number, line in enumerate(lines, 1):
         if not is_result(line):
-            raise Failure(f"{path}: line {number} is no result of the study; remove it")
+            raise Failure(f"{path}: line {number} is not a result of the study; remove it")
     return lines
 
 

@@ -75,7 +75,7 @@ void add_transfer(CLI::App& app, Options& options, Command& chosen) {
       ->required();
   command
       .add_option("--from", options.from,
-                  "which of both has the values: input (default) or intrinsic")
+                  "triangulation that has the values: input (default) or intrinsic")
       ->check(CLI::IsMember({"input", "intrinsic"}));
   command
       .add_option("--method", options.method,
@@ -149,7 +149,8 @@ void add_logmap(CLI::App& app, Options& options, Command& chosen) {
   program::add_time_option(command, options);
   command
       .add_option("--method", options.application.logarithm,
-                  "how: exact (default): by shortest paths; affine (of points) or polar: by heat")
+                  "exact (by shortest paths, default), affine (by heat, also on points) or polar "
+                  "(by heat)")
       ->check(CLI::IsMember({"exact", "affine", "polar"}));
   command.callback([&chosen] { chosen = program::run_logmap; });
 }
@@ -161,7 +162,7 @@ void add_field(CLI::App& app, Options& options, Command& chosen) {
   command
       .add_option(
           "--degree", options.application.degree,
-          "how many directions at a vertex are alike: 1 vectors (default), 2 lines, 4 crosses")
+          "number of equivalent directions at a vertex: 1 vectors (default), 2 lines, 4 crosses")
       ->check(CLI::Range(1, 12));
   command.add_option("--vectors", options.application.vectors,
                      "text file of vectors that are kept, as for transport");
@@ -171,8 +172,8 @@ void add_field(CLI::App& app, Options& options, Command& chosen) {
       ->check(program::file_of({program::Contents::points}));
   command
       .add_option("--align", options.application.alignment,
-                  "how strongly the field follows the directions of principal curvature; 0: the "
-                  "smoothest field that they guide at all")
+                  "how strongly the field follows the directions of principal curvature; 0: as "
+                  "little as possible")
       ->check(CLI::NonNegativeNumber);
   command.callback([&chosen] { chosen = program::run_field; });
 }
@@ -196,15 +197,15 @@ void add_edit(CLI::App& app, Options& options, Command& chosen) {
       ->required();
   command
       .add_option("--energy", options.application.energy,
-                  "what is made least: biharmonic (default) or harmonic")
+                  "energy to minimize: biharmonic (default) or harmonic")
       ->check(CLI::IsMember({"biharmonic", "harmonic"}));
   command.callback([&chosen] { chosen = program::run_edit; });
 }
 
 void add_info(CLI::App& app, Options& options, Command& chosen) {
-  CLI::App& command = *app.add_subcommand(
-      "info", "describe a mesh or an intrinsic triangulation as it is, and tell "
-              "whether it is Delaunay");
+  CLI::App& command =
+      *app.add_subcommand("info", "describe a mesh or an intrinsic triangulation as it is, and say "
+                                  "whether it is Delaunay");
   program::add_common_options(command, options);
   command.callback([&chosen] { chosen = program::run_info; });
 }

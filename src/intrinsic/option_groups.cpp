@@ -115,20 +115,20 @@ void add_common_options(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
   command
       .add_option("--domain", options.domain,
-                  "which surface is made of the file: auto (the first of these that its faces "
-                  "allow; points if it has none; default), manifold, orientation-cover, tufted, "
-                  "closed (the first of these without border), or points (faces are ignored)")
+                  "surface to make from the file: auto (the first of these that its faces allow; "
+                  "points if it has none; default), manifold, orientation-cover, tufted, "
+                  "closed (the first of these without border), or points (ignores faces)")
       ->check(
           CLI::IsMember({"auto", "manifold", "orientation-cover", "tufted", "closed", "points"}));
   command
       .add_option("--neighbors", options.neighbors,
-                  "how many neighbors of each point are triangulated; default 30")
+                  "number of neighbors of each point to triangulate; default 30")
       ->check(between(2, 1e9))
       ->type_name("K");
   command
       .add_option(
           "--polygons", options.polygons,
-          "what is made of polygons that are not planar: fan (triangles in space, default) or "
+          "what to make from polygons that are not planar: fan (triangles in space, default) or "
           "planar (the planar polygon with the same sides and the nearest angles)")
       ->check(CLI::IsMember({"fan", "planar"}));
   command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
@@ -139,7 +139,7 @@ void add_common_options(CLI::App& command, Options& options) {
       ->check(between(1e-6, 1e9))
       ->type_name("SECONDS");
   command.add_flag("--progress", options.logs_progress,
-                   "write lines of what is being done to standard error");
+                   "write lines with the current step to standard error");
 }
 
 void add_constraint_options(CLI::App& command, Options& options) {
@@ -190,7 +190,7 @@ void add_refinement_options(CLI::App& command, Options& options) {
           "which face comes next: first (default), largest or worst")
       ->check(CLI::IsMember({"largest", "worst", "first"}));
   command.add_flag("--conforming", r.is_conforming,
-                   "split edges that are kept until all edges are Delaunay");
+                   "split kept edges until all edges are Delaunay");
   command
       .add_option("--odt", options.odt_length,
                   "then move inserted vertices to an optimal Delaunay triangulation, split edges "
@@ -217,8 +217,8 @@ void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex) 
       ->needs(adaptive);
   command
       .add_option("--tolerance", a.tolerance,
-                  "estimated error to be reached, in units of the root of the area, with "
-                  "--heat-time of the kernel's norm; default 0.01")
+                  "estimated error to reach, divided by the root of the area, or with "
+                  "--heat-time by the norm of the kernel; default 0.01")
       ->check(positive())
       ->needs(adaptive);
   command
@@ -241,7 +241,7 @@ void add_matrix_options(CLI::App& command, Options& options) {
   command.add_option("--mass-kind", options.mass_kind, "lumped (diagonal, default) or galerkin")
       ->check(CLI::IsMember({"lumped", "galerkin"}));
   matrix("--interpolation", options.interpolation,
-         "the interpolation from the vertices of rows to the common subdivision");
+         "the interpolation from the vertices of the triangulation to the common subdivision");
   matrix("--input-interpolation", options.input_interpolation,
          "the interpolation from the vertices of the input to the common subdivision");
 }
@@ -249,7 +249,7 @@ void add_matrix_options(CLI::App& command, Options& options) {
 void add_correspondence_options(CLI::App& command, Options& options) {
   command
       .add_option("--correspondence", options.correspondence,
-                  "what is kept of where edges run on the input: integer (coordinates, default), "
+                  "how to store where edges run on the input: integer (coordinates, default), "
                   "signposts, crossings or none")
       ->check(CLI::IsMember({"none", "integer", "signposts", "crossings"}));
   command
@@ -309,7 +309,7 @@ void add_curve_options(CLI::App& command, Options& options) {
 void add_curve_output_options(CLI::App& command, Options& options) {
   command
       .add_option("--correspondence", options.correspondence,
-                  "what is kept of where edges run on the input: integer (coordinates, default), "
+                  "how to store where edges run on the input: integer (coordinates, default), "
                   "signposts or crossings")
       ->check(CLI::IsMember({"integer", "signposts", "crossings"}));
   command
@@ -341,8 +341,8 @@ void add_application_options(CLI::App& command, Options& options, bool has_sourc
       ->check(file_of({Contents::values, Contents::subdivision}));
   command
       .add_option("--on", options.application.on,
-                  "where they are written: on the common subdivision (default), the input, or the "
-                  "intrinsic triangulation (values only)")
+                  "where results are: subdivision (on the common subdivision, default), input, or "
+                  "intrinsic (values only)")
       ->check(CLI::IsMember({"subdivision", "input", "intrinsic"}));
   command.add_option("--view", options.view, "write a page that shows the result")
       ->type_name("FILE");
@@ -433,7 +433,7 @@ std::string geodesic_misuse(const Options& o) {
 std::string misuse(const Options& options) {
   if (names_a_file_twice(options)) return "two outputs are the same file; give each its own";
   if (const std::string name = overwritten_input(options); !name.empty())
-    return name + ": the output is a file that is read; give it another name";
+    return name + ": the output is also an input; give it another name";
   if (lacks_correspondence(options))
     return "the common subdivision, --size and --adaptive need a correspondence; use "
            "--correspondence integer, or write the intrinsic triangulation to .idt";

@@ -69,7 +69,7 @@ const Family& family_of(const std::string& spec, std::string_view name) {
     if (f.name == name) return f;
     known += std::string(known.empty() ? "" : ", ") + f.name;
   }
-  fail(spec, quoted(name) + " is no family; known are " + known);
+  fail(spec, quoted(name) + " is not a family; known are " + known);
 }
 
 // The text of a number, without trailing zeros.
@@ -103,7 +103,7 @@ void set(Parameters& p, const std::string& spec, const Family& family, std::stri
     if (family.is_whole && p.amount != std::floor(p.amount))
       fail(spec, quoted(key) + " is " + quoted(text) + "; give an integer");
   } else {
-    fail(spec, quoted(key) + " is no key; known are size, seed, amount");
+    fail(spec, quoted(key) + " is not a key; known are size, seed, amount");
   }
 }
 

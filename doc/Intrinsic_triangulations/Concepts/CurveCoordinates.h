@@ -46,7 +46,7 @@ function says so.
 
 Constant time for all functions.
 
-The C++20 concept does not ask for the observer of moves; the triangulation that owns it does.
+The C++20 concept does not require the observer of moves; the triangulation that owns the model does.
 */
 class CurveCoordinates {
 public:

@@ -8,7 +8,7 @@
 \cgalConcept
 
 The concept `Factorization` describes a positive definite matrix that was factored once, and solves
-for any number of right sides. The concept asks for no constructor: each model needs other
+for any number of right sides. The concept requires no constructor: each model needs other
 arguments to be accurate.
 
 \cgalHasModel{\itc{Cholesky_factorization}: by CHOLMOD or Eigen, for real and complex matrices}

@@ -34,7 +34,7 @@ class RingNumber {};
 \cgalConcept
 
 The concept `FieldNumber` describes the number type of a metric, and of the formulas that flips and
-insertions need. It asks less than CGAL's `Field`: no comparison, no default constructor, and no
+insertions need. It requires less than CGAL's `Field`: no comparison, no default constructor, and no
 `Algebraic_structure_traits`. A metric also takes signs of numbers by `CGAL::sign()`.
 
 \cgalRefines{\ref ::RingNumber}

@@ -60,7 +60,7 @@ the side, and then flips the side. To remove it, it goes in the opposite order.
 | `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five; the first and the last of these also \itc{Move_in_star}, if the model takes it and the metric can do it |
 | \itf{common_subdivision}, queries | not part of this concept: see \ref ::CurveCoordinates |
 
-The C++20 concept asks for all five, so that a triangulation can make every move. If you need only
+The C++20 concept requires all five, so that a triangulation can make every move. If you need only
 one of them, derive from \itc{No_correspondence}, as the example does.
 
 A model may also have `restore(t, coordinates)`. When a triangulation is read from a file, the
@@ -96,7 +96,7 @@ public:
   template <class Triangulation>
   void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Flip& move);
   /*!
-  \brief is called before the insertion of a vertex in a face; may ask the metric of `t` for signs.
+  \brief is called before the insertion of a vertex in a face; may call the metric of `t` for signs.
   \return whether it may be inserted; if not, nothing has changed
   */
   template <class Triangulation>

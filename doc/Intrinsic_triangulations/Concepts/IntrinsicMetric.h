@@ -10,8 +10,8 @@
 The concept `IntrinsicMetric` describes the store of a cone metric on a triangulation: one squared
 length per edge, one quadruple area per face, and the predicates and constructions of moves on them.
 
-Algorithms ask the metric for everything that must be right, by numbers of edges and faces. So they
-do not depend on the number type.
+Algorithms call the metric for everything that must be right, with numbers of edges and faces. So
+they do not depend on the number type.
 
 \cgalRefines{`DefaultConstructible`\, `MoveConstructible` and `MoveAssignable` of the C++ standard;
 also copyable\, if triangulations are to be copied}

@@ -11,7 +11,7 @@ The concept `IntrinsicTriangulation` describes what algorithms need to flip edge
 triangulation: its mesh, numbers for its edges, predicates in a `Const_session` and flips in a
 `Session`.
 
-The concept asks for no lengths. So models may store none, may triangulate hyperbolic surfaces, or
+The concept requires no lengths. So models may store none, may triangulate hyperbolic surfaces, or
 may define Delaunay edges in another way.
 
 \cgalHasModel{\itc{Intrinsic_triangulation}\, \itc{Integer_only_triangulation}}
@@ -28,7 +28,7 @@ may define Delaunay edges in another way.
 | \itf{is_delaunay} | `mesh`, `Const_session::is_locally_delaunay` |
 | \itf{check_delaunay} | `mesh`, `Const_session::delaunay_sign` |
 | \itf{certify_delaunay} | an \itc{Integer_only_triangulation}, or an \itc{Intrinsic_triangulation} that is a model of \ref ::CorrespondingTriangulation |
-| measures and operators | \ref ::MeasuredTriangulation, which asks for no flips |
+| measures and operators | \ref ::MeasuredTriangulation, which requires no flips |
 | refinement | \ref ::RefinableTriangulation |
 | queries, common subdivisions | \ref ::CorrespondingTriangulation |
 

@@ -8,7 +8,7 @@
 \cgalConcept
 
 The concept `MeasuredTriangulation` describes a triangulation whose edges and faces have lengths,
-areas and cotangents. Measures of shapes and matrices need these. The concept asks for no flips.
+areas and cotangents. Measures of shapes and matrices need these. The concept requires no flips.
 
 \cgalHasModel{\itc{Intrinsic_triangulation}}
 

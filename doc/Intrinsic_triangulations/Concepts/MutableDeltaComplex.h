@@ -76,7 +76,7 @@ the next new elements fill them. The ranges of the mesh leave removed elements o
 `num_vertices()`, ... may count them. `vertex_capacity()`, `edge_capacity()` and `face_capacity()`
 of the adaptor are the sizes of arrays by number. If `add_vertex()`, ... of a mesh do not use
 removed elements again, its adaptor may do so in `reuse_vertex()`, `reuse_edge()` and
-`reuse_face()`, which return null if there is no such element.
+`reuse_face()`, which return a null descriptor if no removed element is left.
 
 \cgalHeading{Complexity}
 

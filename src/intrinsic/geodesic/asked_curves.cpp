@@ -90,7 +90,8 @@ std::string curve_points_misuse(const std::string& text, std::size_t least) {
   for (const std::string_view word : words)
     if (!point_of(word))
       return std::string("\"") + internal::shown(word) +
-             "\" is no point; give the number of a vertex, from 0, or face:b0:b1:b2 with weights "
+             "\" is not a point; give the number of a vertex, from 0, or face:b0:b1:b2 with "
+             "weights "
              "that sum to 1";
   if (words.size() < least)
     return std::string("\"") + text + "\" has too few points; give " + std::to_string(least) +

@@ -77,7 +77,7 @@ std::vector<Json> read_study_lines(const std::string& path, std::size_t& complet
     Json line = Json::parse(text.substr(begin, end - begin), nullptr, false);
     if (!is_result(line))
       throw std::runtime_error(path + ": line " + std::to_string(number) +
-                               " is no result of the study; remove it");
+                               " is not a result of the study; remove it");
     lines.push_back(std::move(line));
     begin = end + 1;
   }

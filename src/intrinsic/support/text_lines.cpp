@@ -52,7 +52,7 @@ double Text_lines::number(std::size_t word) const {
   double x = 0;
   if (!internal::parse_number(words_[word], x) || !std::isfinite(x))
     refuse(std::string("\"") + internal::shown(words_[word]) +
-           "\" is no finite number; correct it");
+           "\" is not a finite number; correct it");
   return x;
 }
 
@@ -113,7 +113,7 @@ std::vector<std::uint32_t> vertex_numbers(const Number_table& table, std::size_t
     const auto [first, is_new] = rows.insert({result.back(), r});
     if (!is_new)
       table.refuse(r, "vertex " + std::to_string(result.back()) + " is on line " +
-                          std::to_string(table.lines[first->second]) + ", too; give it once");
+                          std::to_string(table.lines[first->second]) + " already; give it once");
   }
   return result;
 }
